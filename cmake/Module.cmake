@@ -1,0 +1,29 @@
+# shapegauge_add_module(NAME): the library shapegauge_NAME, alias shapegauge::NAME, from the folder of that name.
+#
+# A module sees the headers of the modules it links to and no others: each module's headers are reachable only through
+# an include directory of its own, <build>/include/NAME, in which shapegauge/NAME links to the source folder. An include
+# across a border that the design does not allow is therefore a build error.
+function(shapegauge_add_module name)
+  add_library(shapegauge_${name} STATIC)
+  add_library(shapegauge::${name} ALIAS shapegauge_${name})
+  set(include_root ${PROJECT_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${include_root}/shapegauge)
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${include_root}/shapegauge/${name} SYMBOLIC)
+  target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
+                                                       $<INSTALL_INTERFACE:include>)
+  set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  shapegauge_configure_target(shapegauge_${name})
+endfunction()
+
+# What all of our own targets share: the language standard, the warnings, the sanitizers.
+function(shapegauge_configure_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+                                           -Wcast-align -Woverloaded-virtual -Wnull-dereference
+                                           $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(SHAPEGAUGE_SANITIZE)
+    target_compile_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE})
+  endif()
+endfunction()

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace shapegauge {
+
+/// Unusable input: a file, a configuration, an argument. The message is one line that says what, where and what to do,
+/// for example "models/T3.off:12: vertex 4 has a coordinate that is not a finite number; repair or remove the file".
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace shapegauge

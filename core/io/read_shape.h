@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// Reads a shape from an OFF, OBJ, PLY or STL file, by the name's extension and, failing that, by the first bytes.
+/// Polygons become fans of triangles, in the file's order. Every vertex and every face of the file is kept: duplicates,
+/// degenerate and non-manifold faces survive. STL vertices with equal coordinates are merged, as the format has no
+/// indices. Throws InputError: absent, unreadable or truncated file, index out of range, coordinate that is not finite.
+Shape read_shape(const std::filesystem::path& path);
+
+/// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format that
+/// read_shape knows. Cheap enough to do for a whole data set before a long run.
+void check_shape_header(const std::filesystem::path& path);
+
+}  // namespace shapegauge

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// Settings of the SDF of the offset surface.
+struct OffsetSdfOptions {
+  double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal; greater than 0
+  bool parallel = true;  ///< spread the samples over the threads of the calling TBB arena
+};
+
+/// How the samples of one call were answered.
+struct OffsetSdfOutcomes {
+  std::size_t total = 0;
+  std::size_t direct = 0;     ///< q = p + r n, n the normal of the sample's own surface (either side)
+  std::size_t searched = 0;   ///< p + r n is covered by another part of the offset solid: q found by search
+  std::size_t undecided = 0;  ///< answered, but whether q or q' belongs to the outer surface could not be decided
+};
+
+/// The SDF of the offset surface, sample by sample.
+struct OffsetSdfResult {
+  Eigen::VectorXd values;  ///< |qq'| - 2r, never negative, in the shape's units
+  Points normals;          ///< (q - p)/|q - p|: the outward normal estimate
+  OffsetSdfOutcomes outcomes;
+  double build_seconds = 0;  ///< spatial structures and the classification of space
+  double query_seconds = 0;  ///< all samples
+};
+
+/// SDF of the offset surface at the given samples of the shape (the paper, Algorithm 1; the design, section 2.2).
+/// Throws InputError where the shape has no triangle of positive area or the offset is not positive and finite.
+OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
+
+}  // namespace shapegauge

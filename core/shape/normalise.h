@@ -1,0 +1,11 @@
+#pragma once
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// The shape scaled about the origin so that its surface area is 1 (the design, section 3). Throws InputError where the
+/// area is zero or not finite.
+Shape scaled_to_unit_area(Shape shape);
+
+}  // namespace shapegauge

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+
+namespace shapegauge {
+
+/// n x 3 coordinates, one point a row.
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+/// m x 3 vertex indices, one triangle a row.
+using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// A shape: a triangle soup or, where there are no triangles, a point cloud.
+///
+/// Nothing is assumed of the triangles: they may be non-manifold, degenerate, or oriented at random. Vertices that no
+/// triangle uses are kept, in the order of the file, and count for nothing.
+struct Shape {
+  Points vertices;
+  Triangles triangles;
+};
+
+/// Length of the diagonal of the axis-aligned box around the vertices that count: those that a triangle uses, or all of
+/// them where there are no triangles. 0 for an empty shape.
+double bounding_box_diagonal(const Shape& shape);
+
+/// Area of every triangle, in the shape's units squared.
+Eigen::VectorXd triangle_areas(const Shape& shape);
+
+/// Sum of the triangles' areas; 0 for a point cloud.
+double surface_area(const Shape& shape);
+
+}  // namespace shapegauge

@@ -1,0 +1,1 @@
+#include "shapegauge/retrieval/histogram.h"
