@@ -1,0 +1,24 @@
+#include "shapegauge/core/shape/normalise.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "shapegauge/core/error.h"
+
+namespace shapegauge {
+
+Shape scaled_to_unit_area(Shape shape) {
+  const double area = surface_area(shape);
+  // An area that is not a normal number would turn the coordinates into zeros, infinities or NaN.
+  if (!(area > 0) || !std::isnormal(area)) {
+    throw InputError(
+        fmt::format("the shape cannot be scaled to unit area: the area of its {} triangles is {}; it needs a triangle "
+                    "of positive, finite area",
+                    shape.triangles.rows(), area));
+  }
+  shape.vertices /= std::sqrt(area);
+  return shape;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,135 @@
+#include "shapegauge/core/shape/samples.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace shapegauge {
+
+namespace {
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+Corners corners_of(const Shape& shape, Eigen::Index triangle) {
+  Corners corners;
+  for (int k = 0; k < 3; ++k) corners[k] = shape.vertices.row(shape.triangles(triangle, k)).transpose();
+  return corners;
+}
+
+/// Shape of a triangle apart from its size; `degenerate` where its corners are collinear as far as their rounding
+/// tells.
+struct TriangleForm {
+  bool degenerate = true;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double area = 0;
+  std::array<double, 3> angles = {};
+  std::array<double, 3> mixed_areas = {};  ///< the part of the area that belongs to each corner; they sum to `area`
+};
+
+/// Meyer et al. 2003, section 3.3: the corners' Voronoi regions where no angle is obtuse, otherwise half of the area
+/// for the obtuse corner and a quarter for each of the others.
+std::array<double, 3> mixed_areas(double area, const std::array<double, 3>& cotangents,
+                                  const std::array<double, 3>& squared_opposite_edges) {
+  std::array<double, 3> parts = {};
+  const auto obtuse = std::find_if(cotangents.begin(), cotangents.end(), [](double c) { return c < 0; });
+  if (obtuse != cotangents.end()) {
+    parts.fill(area / 4);
+    parts[obtuse - cotangents.begin()] = area / 2;
+    return parts;
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3;
+    const int j = (k + 2) % 3;
+    parts[k] = (squared_opposite_edges[i] * cotangents[i] + squared_opposite_edges[j] * cotangents[j]) / 8;
+  }
+  return parts;
+}
+
+TriangleForm form_of(const Corners& corners) {
+  TriangleForm form;
+  std::array<Eigen::Vector3d, 3> edges;  // edges[k] is opposite corner k
+  double longest = 0;
+  double largest_coordinate = 0;
+  for (int k = 0; k < 3; ++k) {
+    edges[k] = corners[(k + 2) % 3] - corners[(k + 1) % 3];
+    longest = std::max(longest, edges[k].cwiseAbs().maxCoeff());
+    largest_coordinate = std::max(largest_coordinate, corners[k].cwiseAbs().maxCoeff());
+  }
+  if (!(longest > 0)) return form;
+  for (Eigen::Vector3d& edge : edges) edge /= longest;  // so that neither products nor squares leave the range
+  const Eigen::Vector3d cross = edges[2].cross(-edges[1]);
+  const double twice_area = cross.norm();
+  // Coordinates rounded to double move each corner by up to an epsilon of their size.
+  if (!(twice_area > 4 * std::numeric_limits<double>::epsilon() * (largest_coordinate / longest))) return form;
+
+  form.degenerate = false;
+  form.normal = cross / twice_area;
+  form.area = twice_area / 2 * longest * longest;
+  std::array<double, 3> cotangents = {};
+  std::array<double, 3> squared_edges = {};
+  for (int k = 0; k < 3; ++k) {
+    const double dot = -edges[(k + 1) % 3].dot(edges[(k + 2) % 3]);
+    cotangents[k] = dot / twice_area;
+    form.angles[k] = std::atan2(twice_area, dot);
+    squared_edges[k] = edges[k].squaredNorm() * longest * longest;
+  }
+  form.mixed_areas = mixed_areas(form.area, cotangents, squared_edges);
+  return form;
+}
+
+Samples empty_samples(SampleSite site, Eigen::Index count) {
+  Samples samples;
+  samples.site = site;
+  samples.points = Points::Zero(count, 3);
+  samples.normals = Points::Zero(count, 3);
+  samples.weights = Eigen::VectorXd::Zero(count);
+  return samples;
+}
+
+Samples sample_faces(const Shape& shape) {
+  Samples samples = empty_samples(SampleSite::faces, shape.triangles.rows());
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Corners corners = corners_of(shape, f);
+    const TriangleForm form = form_of(corners);
+    samples.points.row(f) = (corners[0] / 3 + corners[1] / 3 + corners[2] / 3).transpose();
+    samples.normals.row(f) = form.normal.transpose();
+    samples.weights[f] = form.area;
+  }
+  return samples;
+}
+
+Samples sample_vertices(const Shape& shape) {
+  Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
+  samples.points = shape.vertices;
+  Eigen::VectorXd total_angles = Eigen::VectorXd::Zero(shape.vertices.rows());
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const TriangleForm form = form_of(corners_of(shape, f));
+    if (form.degenerate) continue;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Index v = shape.triangles(f, k);
+      samples.weights[v] += form.mixed_areas[k];
+      samples.normals.row(v) += form.angles[k] * form.normal.transpose();
+      total_angles[v] += form.angles[k];
+    }
+  }
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    const double length = samples.normals.row(v).norm();
+    // Normals that cancel (a sheet with two sides) leave rounding noise, which is no direction.
+    if (length > 1e-12 * total_angles[v]) {
+      samples.normals.row(v) /= length;
+    } else {
+      samples.normals.row(v).setZero();
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+Samples sample_shape(const Shape& shape, SampleSite site) {
+  return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
+}
+
+}  // namespace shapegauge

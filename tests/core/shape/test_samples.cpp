@@ -1,0 +1,153 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "shapegauge/core/shape/samples.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+using test_shapes::Permuted;
+
+Shape triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  Shape shape;
+  shape.vertices.resize(3, 3);
+  shape.vertices << a.transpose(), b.transpose(), c.transpose();
+  shape.triangles.resize(1, 3);
+  shape.triangles << 0, 1, 2;
+  return shape;
+}
+
+class SampleSites : public testing::TestWithParam<SampleSite> {};
+INSTANTIATE_TEST_SUITE_P(Both, SampleSites, testing::Values(SampleSite::faces, SampleSite::vertices),
+                         [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
+
+TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
+  for (const Shape& shape : {test_shapes::sphere(2, 3), test_shapes::box({1, 2, 3}, 4),
+                             test_shapes::capsule(0.1, 20, 12, 3), test_shapes::torus(3, 1, 10, 40)}) {
+    const Samples samples = sample_shape(shape, GetParam());
+    EXPECT_GT(samples.weights.minCoeff(), 0);
+    EXPECT_NEAR(samples.weights.sum() / surface_area(shape), 1, 1e-13);
+    EXPECT_TRUE(samples.normals.rowwise().norm().isOnes(1e-14));
+  }
+}
+
+TEST_P(SampleSites, NormalsOfASpherePointAwayFromItsCentre) {
+  const Samples samples = sample_shape(test_shapes::sphere(2, 4), GetParam());
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    EXPECT_GT(samples.normals.row(i).dot(samples.points.row(i).normalized()), std::cos(0.01));
+  }
+}
+
+TEST_P(SampleSites, FollowRotationTranslationAndScale) {
+  const Shape shape = test_shapes::capsule(1, 2, 12, 4);
+  const Samples before = sample_shape(shape, GetParam());
+  const Eigen::Matrix3d rotation = test_shapes::rotation(1);
+  const Eigen::RowVector3d move(4, -5, 6);
+  for (const double scale : {1e-3, 1.0, 1e4}) {
+    const Samples after = sample_shape(test_shapes::transformed(shape, scale, rotation, move.transpose()), GetParam());
+    EXPECT_TRUE(after.points.isApprox(((before.points * scale) * rotation.transpose()).rowwise() + move, 1e-13));
+    EXPECT_TRUE(after.normals.isApprox(before.normals * rotation.transpose(), 1e-9));
+    EXPECT_TRUE(after.weights.isApprox(before.weights * scale * scale, 1e-9));
+  }
+}
+
+TEST_P(SampleSites, FollowTheOrderOfTheShape) {
+  const Shape shape = test_shapes::box({1, 2, 3}, 3);
+  const Permuted permuted = test_shapes::permuted(shape, 7);
+  const Samples before = sample_shape(shape, GetParam());
+  const Samples after = sample_shape(permuted.shape, GetParam());
+  const auto& order = GetParam() == SampleSite::faces ? permuted.triangles : permuted.vertices;
+  ASSERT_EQ(after.points.rows(), static_cast<Eigen::Index>(order.size()));
+  for (Eigen::Index i = 0; i < after.points.rows(); ++i) {
+    EXPECT_TRUE(after.points.row(i).isApprox(before.points.row(order[i]), 1e-14));
+    EXPECT_TRUE(after.normals.row(i).isApprox(before.normals.row(order[i]), 1e-14));
+    EXPECT_NEAR(after.weights[i], before.weights[order[i]], 1e-14);
+  }
+}
+
+TEST_P(SampleSites, DegenerateTrianglesCountForNothing) {
+  const Eigen::Vector3d a(1, 2, 3);
+  const Eigen::Vector3d b(2, -1, 0.7);
+  const Eigen::Vector3d on_the_line = a + (b - a) / 3;
+  for (const Shape& shape : {triangle(a, a, a), triangle(a, a, b), triangle(a, b, on_the_line),
+                             triangle(1e-200 * a, 1e-200 * b, 1e-200 * on_the_line)}) {
+    const Samples samples = sample_shape(shape, GetParam());
+    EXPECT_TRUE(samples.weights.isZero(0));
+    EXPECT_TRUE(samples.normals.isZero(0));
+    EXPECT_TRUE(samples.points.allFinite());
+  }
+}
+
+TEST_P(SampleSites, TinyAndHugeTrianglesHaveNormals) {
+  for (const double size : {1e-160, 1e150}) {
+    const Samples samples = sample_shape(triangle({0, 0, 0}, {size, 0, 0}, {0, size, 0}), GetParam());
+    EXPECT_TRUE(samples.normals.row(0).isApprox(Eigen::RowVector3d(0, 0, 1), 1e-14));
+    EXPECT_TRUE(samples.weights.allFinite());
+  }
+}
+
+TEST(SampleFaces, CentroidAndArea) {
+  const Samples samples = sample_shape(triangle({0, 0, 0}, {3, 0, 0}, {0, 6, 0}), SampleSite::faces);
+  EXPECT_TRUE(samples.points.row(0).isApprox(Eigen::RowVector3d(1, 2, 0), 1e-14));
+  EXPECT_DOUBLE_EQ(samples.weights[0], 9);
+}
+
+TEST(SampleVertices, VoronoiPartsOfAnAcuteTriangle) {
+  // The circumcentre of this triangle is (2, 1.5): each corner's region is two right-angled triangles around it.
+  const Samples samples = sample_shape(triangle({0, 0, 0}, {4, 0, 0}, {2, 4, 0}), SampleSite::vertices);
+  EXPECT_NEAR(samples.weights[0], 1.5 + 1.25, 1e-14);
+  EXPECT_NEAR(samples.weights[1], 1.5 + 1.25, 1e-14);
+  EXPECT_NEAR(samples.weights[2], 2.5, 1e-14);
+}
+
+TEST(SampleVertices, ObtuseTriangleGivesHalfToItsObtuseCorner) {
+  const Samples samples = sample_shape(triangle({0, 0, 0}, {1, 0, 0}, {-1, 1, 0}), SampleSite::vertices);
+  EXPECT_NEAR(samples.weights[0], 0.25, 1e-15);
+  EXPECT_NEAR(samples.weights[1], 0.125, 1e-15);
+  EXPECT_NEAR(samples.weights[2], 0.125, 1e-15);
+}
+
+TEST(SampleVertices, CornerNormalDoesNotDependOnHowTheSidesAreCut) {
+  const Samples samples = sample_shape(test_shapes::box({2, 2, 2}, 2), SampleSite::vertices);
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    if (samples.points.row(i).norm() < std::sqrt(3.0) - 1e-9) continue;
+    EXPECT_TRUE(samples.normals.row(i).isApprox(samples.points.row(i).normalized(), 1e-14));
+  }
+}
+
+TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
+  Shape fan = triangle({0, 0, 0}, {0, 0, 1}, {1, 0, 0});
+  fan.vertices.conservativeResize(5, 3);
+  fan.vertices.bottomRows<2>() << 0, 1, 0, -1, -1, 0;
+  fan.triangles.conservativeResize(3, 3);
+  fan.triangles.bottomRows<2>() << 0, 1, 3, 0, 1, 4;
+  EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).weights.sum(), surface_area(fan), 1e-14);
+}
+
+TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
+  Shape sheet =
+      test_shapes::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test_shapes::rotation(3), {1, 2, 3});
+  sheet.vertices.conservativeResize(4, 3);
+  sheet.vertices.bottomRows<1>() << 9, 9, 9;
+  sheet.triangles.conservativeResize(2, 3);
+  sheet.triangles.bottomRows<1>() << 2, 1, 0;
+  const Samples samples = sample_shape(sheet, SampleSite::vertices);
+  EXPECT_TRUE(samples.normals.isZero(0));
+  EXPECT_EQ(samples.weights[3], 0);
+  EXPECT_NEAR(samples.weights.sum(), surface_area(sheet), 1e-14);
+}
+
+TEST(Samples, OfAnEmptyShapeAndACloud) {
+  EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0);
+  Shape cloud = test_shapes::box({1, 1, 1}, 1);
+  cloud.triangles.resize(0, 3);
+  const Samples samples = sample_shape(cloud, SampleSite::vertices);
+  EXPECT_EQ(samples.points, cloud.vertices);
+  EXPECT_TRUE(samples.weights.isZero(0));
+}
+
+}  // namespace
+}  // namespace shapegauge
