@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shapegauge/core/spatial/closest_point.h"
+#include "shapegauge/core/spatial/surface_tree.h"
+
+namespace shapegauge {
+
+inline constexpr int children_per_node = 8;
+inline constexpr int triangles_per_leaf = 16;
+
+/// The boxes of eight children, coordinate by coordinate. Unused places hold an empty box, infinitely far from anything.
+struct alignas(64) SurfaceTreeNode {
+  std::array<std::array<float, children_per_node>, 3> low;
+  std::array<std::array<float, children_per_node>, 3> high;
+  std::array<std::int32_t, children_per_node> child;  ///< a node's index, or ~index of a leaf
+};
+
+/// A number for each of a leaf's triangles.
+using LeafLane = std::array<float, triangles_per_leaf>;
+/// A vector for each of a leaf's triangles.
+using LeafVector = std::array<LeafLane, 3>;
+
+/// Sixteen triangles relative to an origin near them, so that single precision is relative to their size and not to the
+/// whole shape's. Unused places repeat a used one.
+struct alignas(64) SurfaceTreeLeaf {
+  LeafVector a;         ///< first corner
+  LeafVector ab;        ///< edges from the first corner
+  LeafVector ac;
+  LeafVector normal;    ///< unit normal
+  LeafVector dual_b;    ///< dot(x - a, dual_b) is the barycentric coordinate of b; NaN for a degenerate triangle, so that
+  LeafVector dual_c;    ///< no point projects into it
+  LeafLane inverse_ab;  ///< 1 / squared length of the edge; 0 for an edge of no length
+  LeafLane inverse_ac;
+  LeafLane inverse_bc;
+  std::array<std::int32_t, triangles_per_leaf> triangle;
+  Eigen::Vector3d origin;
+};
+
+/// What the tree is made of. The root is node 0.
+struct SurfaceTree::Layout {
+  std::vector<Triangle> triangles;
+  std::vector<SurfaceTreeNode> nodes;
+  std::vector<SurfaceTreeLeaf> leaves;
+};
+
+/// Arranges the triangles into nodes and leaves by the surface area heuristic (binned, top down).
+void build_surface_tree(std::vector<SurfaceTreeNode>& nodes, std::vector<SurfaceTreeLeaf>& leaves,
+                        const std::vector<Triangle>& triangles);
+
+/// The triangle of smallest squared distance to x below the limit, or `otherwise`.
+std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                              const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
+
+/// Some triangle of squared distance to x below the limit, or -1.
+std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                                 const Eigen::Vector3d& x, float squared_limit);
+
+}  // namespace shapegauge

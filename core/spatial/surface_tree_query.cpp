@@ -1,0 +1,184 @@
+// The hot loops of the surface tree, compiled once for each instruction set that Highway knows of.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/spatial/surface_tree_query.cpp"
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+
+#include <array>
+#include <limits>
+
+#include "shapegauge/core/spatial/surface_tree_layout.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Deep enough for 2^31 triangles in nodes of eight, with all siblings waiting at every level.
+constexpr int stack_size = 256;
+
+/// A node or leaf that waits to be visited.
+struct Waiting {
+  float squared_distance;
+  std::int32_t child;
+};
+
+template <typename D>
+using VectorOf = std::array<hn::Vec<D>, 3>;
+
+template <typename D>
+HWY_INLINE hn::Vec<D> dot(const VectorOf<D>& u, const VectorOf<D>& v) {
+  return hn::MulAdd(u[0], v[0], hn::MulAdd(u[1], v[1], hn::Mul(u[2], v[2])));
+}
+
+template <typename D>
+HWY_INLINE VectorOf<D> load(D d, const LeafVector& vectors, std::size_t lane) {
+  return {hn::Load(d, vectors[0].data() + lane), hn::Load(d, vectors[1].data() + lane),
+          hn::Load(d, vectors[2].data() + lane)};
+}
+
+template <typename D>
+HWY_INLINE VectorOf<D> subtract(const VectorOf<D>& u, const VectorOf<D>& v) {
+  return {hn::Sub(u[0], v[0]), hn::Sub(u[1], v[1]), hn::Sub(u[2], v[2])};
+}
+
+/// Squared distance from the point at v, relative to the edge's start, to the edge.
+template <typename D>
+HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge, hn::Vec<D> inverse) {
+  const auto t = hn::Min(hn::Max(hn::Mul(dot<D>(v, edge), inverse), hn::Zero(d)), hn::Set(d, 1.0F));
+  const VectorOf<D> rest = {hn::NegMulAdd(t, edge[0], v[0]), hn::NegMulAdd(t, edge[1], v[1]),
+                            hn::NegMulAdd(t, edge[2], v[2])};
+  return dot<D>(rest, rest);
+}
+
+/// Squared distances from x to the leaf's triangles: the plane's where x projects into the triangle, else the nearest
+/// edge's.
+HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+  const hn::CappedTag<float, triangles_per_leaf> d;
+  const Eigen::Vector3f local = (x - leaf.origin).cast<float>();
+  const VectorOf<decltype(d)> point = {hn::Set(d, local[0]), hn::Set(d, local[1]), hn::Set(d, local[2])};
+  for (std::size_t lane = 0; lane < triangles_per_leaf; lane += hn::Lanes(d)) {
+    const auto ab = load(d, leaf.ab, lane);
+    const auto ac = load(d, leaf.ac, lane);
+    const auto from_a = subtract<decltype(d)>(point, load(d, leaf.a, lane));
+    const auto from_b = subtract<decltype(d)>(from_a, ab);
+    auto nearest = to_edge(d, from_a, ab, hn::Load(d, leaf.inverse_ab.data() + lane));
+    nearest = hn::Min(nearest, to_edge(d, from_a, ac, hn::Load(d, leaf.inverse_ac.data() + lane)));
+    nearest = hn::Min(nearest, to_edge(d, from_b, subtract<decltype(d)>(ac, ab),
+                                       hn::Load(d, leaf.inverse_bc.data() + lane)));
+    const auto height = dot<decltype(d)>(from_a, load(d, leaf.normal, lane));
+    const auto b = dot<decltype(d)>(from_a, load(d, leaf.dual_b, lane));
+    const auto c = dot<decltype(d)>(from_a, load(d, leaf.dual_c, lane));
+    const auto zero = hn::Zero(d);
+    const auto inside = hn::And(hn::And(hn::Ge(b, zero), hn::Ge(c, zero)), hn::Le(hn::Add(b, c), hn::Set(d, 1.0F)));
+    hn::Store(hn::IfThenElse(inside, hn::Mul(height, height), nearest), d, result.data() + lane);
+  }
+}
+
+/// Squared distances from x to the boxes of the node's children.
+HWY_INLINE void squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x,
+                                  std::array<float, children_per_node>& result) {
+  const hn::CappedTag<float, children_per_node> d;
+  for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
+    auto sum = hn::Zero(d);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+      const auto below = hn::Sub(hn::Load(d, node.low[k].data() + lane), coordinate);
+      const auto above = hn::Sub(coordinate, hn::Load(d, node.high[k].data() + lane));
+      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::MulAdd(outside, outside, sum);
+    }
+    hn::Store(sum, d, result.data() + lane);
+  }
+}
+
+/// Puts the children nearer than the limit on the stack, the nearest on top.
+HWY_INLINE int push_children(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float squared_limit,
+                             std::array<Waiting, stack_size>& stack, int top) {
+  alignas(64) std::array<float, children_per_node> distances;
+  squared_distances(node, x, distances);
+  const int bottom = top;
+  for (std::size_t i = 0; i < children_per_node; ++i) {
+    if (!(distances[i] < squared_limit)) continue;
+    int place = top++;
+    for (; place > bottom && stack[static_cast<std::size_t>(place - 1)].squared_distance < distances[i]; --place) {
+      stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
+    }
+    stack[static_cast<std::size_t>(place)] = {distances[i], node.child[i]};
+  }
+  return top;
+}
+
+/// Visits leaves from near to far; the visitor gets a leaf and the limit and may lower it. A limit below 0 ends it.
+template <typename Visit>
+HWY_INLINE void visit_leaves(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                             const Eigen::Vector3d& x, float squared_limit, const Visit& visit) {
+  const Eigen::Vector3f x_single = x.cast<float>();
+  std::array<Waiting, stack_size> stack;
+  int top = push_children(nodes.front(), x_single, squared_limit, stack, 0);
+  while (top > 0) {
+    const Waiting next = stack[static_cast<std::size_t>(--top)];
+    if (!(next.squared_distance < squared_limit)) continue;
+    if (next.child >= 0) {
+      top = push_children(nodes[static_cast<std::size_t>(next.child)], x_single, squared_limit, stack, top);
+    } else {
+      visit(leaves[static_cast<std::size_t>(~next.child)], squared_limit);
+    }
+  }
+}
+
+std::int32_t closest(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                     const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
+  std::int32_t best = otherwise;
+  visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
+    alignas(64) LeafLane distances;
+    squared_distances(leaf, x, distances);
+    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
+      if (!(distances[lane] < limit)) continue;
+      limit = distances[lane];
+      best = leaf.triangle[lane];
+    }
+  });
+  return best;
+}
+
+std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                        const Eigen::Vector3d& x, float squared_limit) {
+  std::int32_t found = -1;
+  visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
+    alignas(64) LeafLane distances;
+    squared_distances(leaf, x, distances);
+    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
+      if (!(distances[lane] < limit)) continue;
+      found = leaf.triangle[lane];
+      limit = -1;
+      return;
+    }
+  });
+  return found;
+}
+
+}  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(closest);
+HWY_EXPORT(any_within);
+
+std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                              const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
+  return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                                 const Eigen::Vector3d& x, float squared_limit) {
+  return HWY_DYNAMIC_DISPATCH(any_within)(nodes, leaves, x, squared_limit);
+}
+
+}  // namespace shapegauge
+#endif  // HWY_ONCE
