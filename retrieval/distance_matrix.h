@@ -15,7 +15,8 @@ using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eig
 std::vector<std::string> distance_names();
 
 /// All pairwise distances of the signatures by the named distance, in parallel, the same bytes for any number of
-/// threads. Throws std::invalid_argument for a name that is not in distance_names().
+/// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
+/// that is not finite.
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
 }  // namespace shapegauge
