@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/metrics/distance_table.h"
+#include "shapegauge/metrics/precision_recall.h"
 #include "shapegauge/metrics/protocol.h"
 
 namespace shapegauge {
@@ -12,13 +14,7 @@ namespace shapegauge {
 /// Settings of an evaluation.
 struct EvaluationOptions {
   Protocol protocol = Protocol::psb;
-  int minimum_class_size = 2;  ///< models of smaller classes are never queries (psbTable: 3)
-};
-
-/// Precision at fixed levels of recall, averaged over queries.
-struct PrecisionRecallCurve {
-  std::vector<double> recall;
-  std::vector<double> precision;
+  int minimum_class_size = 2;  ///< models of smaller classes are never queries (psbTable: 3); at least 2
 };
 
 /// What a distance matrix is worth under one protocol. Fractions from 0 to 1. Column j of every table is measures[j].
@@ -36,12 +32,11 @@ struct Evaluation {
   Eigen::Index models_left_out = 0;  ///< models that are no queries because their class is too small
 };
 
-/// Row-major square matrix of distances: entry (i, j) is the distance from query i to model j.
-using DistanceTable = Eigen::Ref<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
-
 /// Evaluates a distance matrix against the models' classes (the design, section 4). labels[i] is the class of model i.
-/// Parallel over queries, the same bytes for any number of threads. Throws std::invalid_argument: matrix not square or
-/// of another size than labels, a distance that is NaN, no class large enough.
+/// Distances need not be symmetric and may be infinite, the diagonal plays no part. Models that are no queries stay in
+/// the others' lists. Parallel over queries, the same bytes for any number of threads. Throws std::invalid_argument:
+/// matrix empty, not square or of another size than labels, a distance that is NaN (naming row and column, counted from
+/// 0), a minimum class size below 2, no class large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
 }  // namespace shapegauge
