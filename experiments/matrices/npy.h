@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+/// Reads a square matrix from a NumPy `.npy` file: versions 1 to 3 of the format, float32 or float64, little- or
+/// big-endian, C or Fortran order. Throws InputError: absent or unreadable file, another type or shape, a header that
+/// is not understood, data of another length than the shape says.
+DistanceMatrix read_npy(const std::filesystem::path& path);
+
+/// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where
+/// the file cannot be written.
+void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix);
+
+}  // namespace shapegauge

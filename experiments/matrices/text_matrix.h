@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+/// Reads a square matrix of numbers between blanks, one row a line, as numpy.savetxt writes it. Empty lines and lines
+/// that begin with `#` are passed over; `inf` is a number. Throws InputError: absent or unreadable file, something that
+/// is not a number, a row of another length, not as many rows as columns.
+DistanceMatrix read_text_matrix(const std::filesystem::path& path);
+
+}  // namespace shapegauge
