@@ -1,0 +1,82 @@
+#include "shapegauge/core/io/atomic_file.h"
+
+#include <atomic>
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+#include "shapegauge/core/error.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail(const fs::path& path, int error) {
+  throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
+}
+
+/// Writes everything and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
+/// some errors only when the file is closed.
+int write_and_close(int descriptor, std::string_view bytes) {
+  int error = 0;
+  while (error == 0 && !bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      error = errno;
+    }
+  }
+  if (::close(descriptor) != 0 && error == 0) error = errno;
+  return error;
+}
+
+struct NewFile {
+  int descriptor;
+  fs::path path;
+};
+
+/// A new file beside `path` under a name that nobody uses: other threads and processes may write to the same folder.
+NewFile create_beside(const fs::path& path) {
+  static std::atomic<unsigned> counter = 0;
+  while (true) {
+    fs::path name = path;
+    name += fmt::format(".{}-{}.part", ::getpid(), counter++);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return {descriptor, std::move(name)};
+    if (errno != EEXIST) fail(path, errno);
+  }
+}
+
+void write_directly(const fs::path& path, std::string_view bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno);
+  if (const int error = write_and_close(descriptor, bytes)) fail(path, error);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::string_view bytes) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, bytes);
+
+  fs::path target = fs::exists(status) ? fs::canonical(path, ignored) : path;
+  if (target.empty()) target = path;
+  const NewFile file = create_beside(target);
+  int error = write_and_close(file.descriptor, bytes);
+  if (error == 0 && ::rename(file.path.c_str(), target.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(file.path.c_str());
+    fail(path, error);
+  }
+}
+
+}  // namespace shapegauge
