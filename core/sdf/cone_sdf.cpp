@@ -1,0 +1,56 @@
+#include "shapegauge/core/sdf/cone_sdf.h"
+
+#include <fmt/format.h>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/sdf/cone_sdf_cgal.h"
+#include "shapegauge/core/sdf/cone_sdf_embree.h"
+
+namespace shapegauge {
+
+namespace {
+
+void check(const ConeSdfOptions& options) {
+  if (!(options.opening_angle_degrees > 0 && options.opening_angle_degrees < 180)) {
+    throw InputError(
+        fmt::format("the opening angle of the cone is {} degrees; it must be greater than 0 and less than "
+                    "180",
+                    options.opening_angle_degrees));
+  }
+  if (options.rays < 1 || options.rays > 1'000'000) {
+    throw InputError(fmt::format("the number of rays in the cone is {}; it must be 1 to 1000000", options.rays));
+  }
+  if (options.postprocess && options.engine != ConeSdfEngine::cgal) {
+    throw InputError("the post-processing of the conventional SDF is CGAL's: choose the cgal engine, or do without it");
+  }
+}
+
+void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
+  const bool at_faces = samples.site == SampleSite::faces;
+  if (engine == ConeSdfEngine::cgal && !at_faces) {
+    throw InputError(
+        "the cgal engine of the conventional SDF answers at faces only: choose faces, or the embree engine");
+  }
+  if (shape.triangles.rows() == 0) {
+    throw InputError("the conventional SDF needs triangles, and the shape has none");
+  }
+  const Eigen::Index sites = at_faces ? shape.triangles.rows() : shape.vertices.rows();
+  if (samples.points.rows() != sites || samples.normals.rows() != sites) {
+    throw InputError(fmt::format("the samples are not those of the shape: {} points and {} normals for {} {}",
+                                 samples.points.rows(), samples.normals.rows(), sites,
+                                 at_faces ? "faces" : "vertices"));
+  }
+}
+
+}  // namespace
+
+ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
+  check(options);
+  check(shape, samples, options.engine);
+  ConeSdfResult result =
+      options.engine == ConeSdfEngine::cgal ? cone_sdf_cgal(shape, options) : cone_sdf_embree(shape, samples, options);
+  result.missing = static_cast<std::size_t>(result.values.array().isNaN().count());
+  return result;
+}
+
+}  // namespace shapegauge

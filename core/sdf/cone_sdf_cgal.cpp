@@ -1,0 +1,79 @@
+#include "shapegauge/core/sdf/cone_sdf_cgal.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/mesh_segmentation.h>
+#include <chrono>
+#include <fmt/format.h>
+#include <limits>
+#include <numbers>
+
+#include "shapegauge/core/error.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using FaceValues = Mesh::Property_map<Mesh::Face_index, double>;
+using Clock = std::chrono::steady_clock;
+
+constexpr double no_answer = -1;  // CGAL's
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// The faces of the mesh are the shape's triangles, in their order.
+Mesh mesh_of(const Shape& shape) {
+  Mesh mesh;
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    mesh.add_vertex({shape.vertices(v, 0), shape.vertices(v, 1), shape.vertices(v, 2)});
+  }
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Mesh::Vertex_index a(static_cast<Mesh::size_type>(shape.triangles(f, 0)));
+    const Mesh::Vertex_index b(static_cast<Mesh::size_type>(shape.triangles(f, 1)));
+    const Mesh::Vertex_index c(static_cast<Mesh::size_type>(shape.triangles(f, 2)));
+    if (a == b || b == c || c == a || mesh.add_face(a, b, c) == Mesh::null_face()) {
+      throw InputError(
+          fmt::format("triangle {} (counted from 0) has a corner twice, meets the others in a non-manifold edge or "
+                      "vertex, or is oriented against a neighbour: the cgal engine cannot use such a mesh; choose the "
+                      "embree engine",
+                      f));
+    }
+  }
+  return mesh;
+}
+
+/// At least one face must have a value: CGAL fills the others from their neighbours or with the lowest.
+void postprocess(const Mesh& mesh, const FaceValues& values) {
+  const auto [lowest, highest] = CGAL::sdf_values_postprocessing(mesh, values);
+  if (lowest < highest) return;
+  // CGAL leaves values that are all equal as they are; scaled to [0, 1] they are the lowest.
+  for (const Mesh::Face_index face : mesh.faces()) values[face] = 0;
+}
+
+}  // namespace
+
+ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options) {
+  const Clock::time_point build_start = Clock::now();
+  Mesh mesh = mesh_of(shape);
+  const FaceValues values = mesh.add_property_map<Mesh::Face_index, double>("f:sdf", no_answer).first;
+  ConeSdfResult result;
+  result.build_seconds = seconds_since(build_start);
+
+  const Clock::time_point query_start = Clock::now();
+  const double angle = options.opening_angle_degrees / 180 * std::numbers::pi;
+  const double highest =
+      CGAL::sdf_values(mesh, values, angle, static_cast<std::size_t>(options.rays), /*postprocess=*/false).second;
+  if (options.postprocess && highest >= 0) postprocess(mesh, values);
+  result.values.resize(shape.triangles.rows());
+  for (const Mesh::Face_index face : mesh.faces()) {
+    const double value = values[face];
+    result.values[static_cast<Eigen::Index>(face)] =
+        value == no_answer ? std::numeric_limits<double>::quiet_NaN() : value;
+  }
+  result.query_seconds = seconds_since(query_start);
+  return result;
+}
+
+}  // namespace shapegauge

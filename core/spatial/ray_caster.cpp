@@ -1,0 +1,158 @@
+#include "shapegauge/core/spatial/ray_caster.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <embree3/rtcore.h>
+#include <limits>
+#include <new>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace shapegauge {
+
+namespace {
+
+/// How far the distance in single precision may be from that in double precision, both in diagonals; further apart the
+/// ray grazes the triangle's plane, and the plane says nothing of where in the triangle the hit is.
+constexpr double grazing_difference = 1e-5;
+
+struct Release {
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+
+/// One device serves the process: it holds no scene, and making one takes longer than building a small tree.
+RTCDevice device() {
+  static const std::unique_ptr<RTCDeviceTy, Release> shared(rtcNewDevice(nullptr));
+  if (!shared) throw std::runtime_error("Embree, the library that casts rays, could not be started");
+  return shared.get();
+}
+
+/// What the filter below needs to know of the ray.
+struct Context {
+  RTCIntersectContext embree;  // the first member: Embree hands its address to the filter
+  std::span<const std::int32_t> skipped;
+  std::uint32_t best = RTC_INVALID_GEOMETRY_ID;
+  float best_distance = std::numeric_limits<float>::infinity();
+};
+
+static_assert(std::is_standard_layout_v<Context>);
+
+/// Leaves out the triangles to skip and, of several at the same distance, all but the first in the shape: Embree would
+/// report whichever its tree, which depends on the number of threads, comes to last.
+void filter(const RTCFilterFunctionNArguments* arguments) {
+  auto& context = *reinterpret_cast<Context*>(arguments->context);
+  const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
+  const float distance = RTCRayN_tfar(arguments->ray, 1, 0);
+  const bool later_in_order = distance == context.best_distance && triangle > context.best;
+  if (later_in_order ||
+      std::ranges::find(context.skipped, static_cast<std::int32_t>(triangle)) != context.skipped.end()) {
+    arguments->valid[0] = 0;
+    return;
+  }
+  context.best = triangle;
+  context.best_distance = distance;
+}
+
+/// Plane of a triangle: normal . x = offset; the normal is a unit vector or zero.
+struct Plane {
+  Eigen::Vector3d normal;
+  double offset;
+};
+
+}  // namespace
+
+struct RayCaster::Scene {
+  std::unique_ptr<RTCSceneTy, Release> scene{rtcNewScene(device())};
+  std::vector<Plane> planes;  // in the scene's coordinates
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double size = 1;
+
+  void fit(const Shape& shape);
+  void add_triangles(const Shape& shape);
+  [[nodiscard]] Eigen::Vector3d to_scene(const Eigen::Vector3d& point) const { return (point - centre) / size; }
+};
+
+void RayCaster::Scene::fit(const Shape& shape) {
+  Eigen::AlignedBox3d box;
+  for (const std::int32_t vertex : shape.triangles.reshaped()) box.extend(shape.vertices.row(vertex).transpose());
+  if (box.isEmpty()) return;
+  centre = box.min() / 2 + box.max() / 2;
+  const double diagonal = box.sizes().stableNorm();
+  if (diagonal > 0) size = diagonal;
+}
+
+void RayCaster::Scene::add_triangles(const Shape& shape) {
+  const auto vertex_count = static_cast<std::size_t>(shape.vertices.rows());
+  const auto triangle_count = static_cast<std::size_t>(shape.triangles.rows());
+  RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), vertex_count));
+  auto* triangles = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangle_count));
+  if (vertices == nullptr || triangles == nullptr) {
+    rtcReleaseGeometry(geometry);
+    throw std::bad_alloc();
+  }
+  Points points(shape.vertices.rows(), 3);
+  for (Eigen::Index v = 0; v < points.rows(); ++v) points.row(v) = to_scene(shape.vertices.row(v)).transpose();
+  std::ranges::copy(points.reshaped<Eigen::RowMajor>().cast<float>(), vertices);
+  std::ranges::copy(shape.triangles.reshaped<Eigen::RowMajor>(), triangles);
+
+  planes.reserve(triangle_count);
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = points.row(shape.triangles(f, 0));
+    const Eigen::Vector3d b = points.row(shape.triangles(f, 1));
+    const Eigen::Vector3d c = points.row(shape.triangles(f, 2));
+    const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
+    planes.push_back({normal, normal.dot(a)});
+  }
+  rtcSetGeometryIntersectFilterFunction(geometry, filter);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene.get(), geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+RayCaster::RayCaster(const Shape& shape) : scene_(std::make_unique<Scene>()) {
+  scene_->fit(shape);
+  rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no gaps between triangles that share an edge
+  if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
+  rtcCommitScene(scene_->scene.get());
+}
+
+RayCaster::~RayCaster() = default;
+RayCaster::RayCaster(RayCaster&&) noexcept = default;
+RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
+
+RayHit RayCaster::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                            std::span<const std::int32_t> skipped) const {
+  Context context;
+  rtcInitIntersectContext(&context.embree);
+  context.skipped = skipped;
+  const Eigen::Vector3d from = scene_->to_scene(origin);
+  RTCRayHit query = {};
+  query.ray.org_x = static_cast<float>(from.x());
+  query.ray.org_y = static_cast<float>(from.y());
+  query.ray.org_z = static_cast<float>(from.z());
+  query.ray.dir_x = static_cast<float>(direction.x());
+  query.ray.dir_y = static_cast<float>(direction.y());
+  query.ray.dir_z = static_cast<float>(direction.z());
+  query.ray.tfar = std::numeric_limits<float>::infinity();
+  query.ray.mask = ~0U;  // Embree may be built with ray masks, and then zero hits nothing
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_->scene.get(), &context.embree, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+
+  const Plane& plane = scene_->planes[query.hit.primID];
+  const double slope = plane.normal.dot(direction);
+  const double distance = (plane.offset - plane.normal.dot(from)) / slope;
+  const double distance_in_float = query.ray.tfar;
+  const bool plane_tells = std::abs(distance - distance_in_float) <= grazing_difference;
+  return {.triangle = static_cast<std::int32_t>(query.hit.primID),
+          .distance = std::max(0.0, plane_tells ? distance : distance_in_float) * scene_->size,
+          .leaving = slope > 0};
+}
+
+}  // namespace shapegauge
