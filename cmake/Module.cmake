@@ -1,4 +1,5 @@
-# shapegauge_add_module(NAME): the library shapegauge_NAME, alias shapegauge::NAME, from the folder of that name.
+# shapegauge_add_module(NAME): the library shapegauge_NAME, alias shapegauge::NAME, from the folder of that name, and its
+# installation.
 #
 # A module sees the headers of the modules it links to and no others: each module's headers are reachable only through
 # an include directory of its own, <build>/include/NAME, in which shapegauge/NAME links to the source folder. An include
@@ -10,9 +11,12 @@ function(shapegauge_add_module name)
   file(MAKE_DIRECTORY ${include_root}/shapegauge)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${include_root}/shapegauge/${name} SYMBOLIC)
   target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
-                                                       $<INSTALL_INTERFACE:include>)
+                                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
+  install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge
+          FILES_MATCHING PATTERN "*.h")
 endfunction()
 
 # What all of our own targets share: the language standard, the warnings, the sanitizers.
@@ -23,7 +27,8 @@ function(shapegauge_configure_target target)
                                            -Wcast-align -Woverloaded-virtual -Wnull-dereference
                                            $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SHAPEGAUGE_SANITIZE)
-    target_compile_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-omit-frame-pointer)
+    target_compile_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-sanitize-recover=all
+                                            -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE})
   endif()
 endfunction()

@@ -1,0 +1,68 @@
+# shellcheck shell=bash
+# What scripts/quickstart, scripts/test and .ci/run share. Sourced by them, with the repository as working directory.
+# All progress goes to standard error: standard output belongs to the results.
+
+say() { printf '== %s\n' "$*" >&2; }
+
+# fail MESSAGE...: one line a message, then out.
+fail() {
+  printf '%s\n' "$@" >&2
+  exit 1
+}
+
+# missing_packages FILE: those of the Debian packages listed in FILE that are not installed.
+missing_packages() {
+  local package
+  grep -Ev '^(#|$)' "$1" | while read -r package; do
+    dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || echo "$package"
+  done
+}
+
+# install_packages FILE: installs the listed Debian packages that are missing, asking nothing.
+install_packages() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "not a Debian system: taking it that the packages' counterparts in $1 are installed"
+    return
+  fi
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages "$1")
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+  if [[ $EUID -ne 0 ]]; then
+    command -v sudo >/dev/null ||
+      fail "Packages are missing, and installing them takes root or sudo. As root, run:" \
+        "  apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  "${as_root[@]}" apt-get --quiet --option DPkg::Lock::Timeout=300 update >&2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get --quiet --yes --no-install-recommends \
+    --option DPkg::Lock::Timeout=300 --option Dpkg::Use-Pty=0 install "${missing[@]}" </dev/null >&2
+}
+
+# build_jobs: how many compilers may run at once. Each of those that include CGAL takes up to 2 GB.
+build_jobs() {
+  local cores memory limit
+  cores=$(nproc)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1024) }' /proc/meminfo)
+  # In a container the limit of the control group counts too.
+  limit=$(cat /sys/fs/cgroup/memory.max 2>/dev/null || echo max)
+  [[ $limit == max || $((limit / 1048576)) -ge $memory ]] || memory=$((limit / 1048576))
+  local jobs=$((memory / 2048))
+  [[ $jobs -le $cores ]] || jobs=$cores
+  [[ $jobs -ge 1 ]] || jobs=1
+  echo "$jobs"
+}
+
+# build PRESET FOLDER TARGET...: configures where that has not been done, and builds the targets.
+build() {
+  local preset=$1 folder=$2
+  shift 2
+  if [[ ! -f $folder/build.ninja ]]; then
+    say "configuring $folder"
+    cmake --preset "$preset" >&2
+  fi
+  local jobs
+  jobs=$(build_jobs)
+  say "building in $folder, $jobs at a time"
+  cmake --build "$folder" --parallel "$jobs" --target "$@" >&2
+}
