@@ -10,22 +10,29 @@ fail() {
   exit 1
 }
 
-# missing_packages FILE: those of the Debian packages listed in FILE that are not installed.
+# install_build_packages: installs what building shapegauge and its tests takes.
+install_build_packages() {
+  local packages
+  mapfile -t packages < <(grep -Ev '^(#|$)' scripts/packages.txt)
+  install_packages "${packages[@]}"
+}
+
+# missing_packages PACKAGE...: those of the Debian packages that are not installed, one a line.
 missing_packages() {
   local package
-  grep -Ev '^(#|$)' "$1" | while read -r package; do
+  for package in "$@"; do
     dpkg-query --show --showformat='${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || echo "$package"
   done
 }
 
-# install_packages FILE: installs the listed Debian packages that are missing, asking nothing.
+# install_packages PACKAGE...: installs those of the Debian packages that are missing, asking nothing.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    say "not a Debian system: taking it that the packages' counterparts in $1 are installed"
+    say "not a Debian system: taking it that the counterparts of these packages are installed: $*"
     return
   fi
   local missing as_root=()
-  mapfile -t missing < <(missing_packages "$1")
+  mapfile -t missing < <(missing_packages "$@")
   [[ ${#missing[@]} -gt 0 ]] || return 0
   if [[ $EUID -ne 0 ]]; then
     command -v sudo >/dev/null ||
