@@ -1,0 +1,154 @@
+#include "shapegauge/core/sdf/offset_sdf.h"
+
+#include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <chrono>
+#include <cmath>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/spatial/exterior_entry.h"
+#include "shapegauge/core/spatial/nearest_exterior.h"
+#include "shapegauge/core/spatial/offset_exterior.h"
+#include "shapegauge/core/spatial/offset_tolerance.h"
+#include "shapegauge/core/spatial/surface_tree.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// A shape moved to the origin and scaled to a diagonal of 1, so that single precision and fixed thresholds serve.
+struct UnitFrame {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double diagonal = 1;
+
+  [[nodiscard]] Eigen::Vector3d to_unit(const Eigen::Vector3d& x) const { return (x - centre) / diagonal; }
+};
+
+UnitFrame unit_frame(const Shape& shape) {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) box.extend(shape.vertices.row(shape.triangles(f, k)).transpose());
+  }
+  const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) {
+    throw InputError(fmt::format(
+        "the shape has no usable extent (the diagonal of its bounding box is {}): an offset SDF needs triangles that "
+        "span some space",
+        diagonal));
+  }
+  return {box.center(), diagonal};
+}
+
+Shape in_frame(const Shape& shape, const UnitFrame& frame) {
+  Shape result{shape.vertices, shape.triangles};
+  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
+    result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
+  }
+  return result;
+}
+
+Eigen::AlignedBox3d bounds_of(const Shape& shape) {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) box.extend(shape.vertices.row(shape.triangles(f, k)).transpose());
+  }
+  return box;
+}
+
+enum class Outcome : std::uint8_t { direct, searched, undecided };
+
+struct Answer {
+  double value;  ///< |qq'| - 2r
+  Eigen::Vector3d normal;
+  Outcome outcome;
+};
+
+/// q = p + r n, or p - r n where only that is exterior; nothing where another part of the offset solid covers both.
+std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const Eigen::Vector3d& p,
+                                          const Eigen::Vector3d& normal) {
+  if (normal.isZero()) return std::nullopt;
+  const double r = exterior.r();
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector3d q = p + side * r * normal;
+    if (exterior.tree().any_within(q, r * (1 - offset_slack))) continue;
+    const auto is_exterior = exterior.contains(q);
+    if (is_exterior.value_or(true)) return ExteriorPoint{q, is_exterior.has_value()};
+  }
+  return std::nullopt;
+}
+
+Answer answer_at(const OffsetExterior& exterior, NearestExterior& nearest, const Eigen::Vector3d& p,
+                 const Eigen::Vector3d& normal) {
+  const double r = exterior.r();
+  Outcome outcome = Outcome::direct;
+  double distance = r;
+  auto q = direct_point(exterior, p, normal);
+  if (!q) {
+    outcome = Outcome::searched;
+    q = nearest.find(p, normal);
+    distance = (q->point - p).norm();
+  }
+  const Eigen::Vector3d outward = (q->point - p).normalized();
+  const ExteriorEntry entry = first_exterior_entry(exterior, p, -outward);
+  if (!q->decided || !entry.decided) outcome = Outcome::undecided;
+  return {(distance - r) + (entry.distance - r), outward, outcome};
+}
+
+void count(OffsetSdfOutcomes& outcomes, Outcome outcome) {
+  ++outcomes.total;
+  outcomes.direct += outcome == Outcome::direct ? 1 : 0;
+  outcomes.searched += outcome == Outcome::searched ? 1 : 0;
+  outcomes.undecided += outcome == Outcome::undecided ? 1 : 0;
+}
+
+}  // namespace
+
+OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options) {
+  if (!(options.offset > 0) || !std::isfinite(options.offset)) {
+    throw InputError(fmt::format("the offset is {}: it must be a positive fraction of the diagonal", options.offset));
+  }
+  const Clock::time_point start = Clock::now();
+  const UnitFrame frame = unit_frame(shape);
+  const Shape unit_shape = in_frame(shape, frame);
+  const SurfaceTree tree(unit_shape);
+  const OffsetExterior exterior(tree, bounds_of(unit_shape), options.offset, is_closed(shape));
+
+  OffsetSdfResult result;
+  result.build_seconds = seconds_since(start);
+  const Clock::time_point built = Clock::now();
+  const Eigen::Index n = samples.points.rows();
+  result.values.resize(n);
+  result.normals.resize(n, 3);
+  std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
+  tbb::enumerable_thread_specific<NearestExterior> searches([&] { return NearestExterior(exterior); });
+  const auto answer_range = [&](Eigen::Index begin, Eigen::Index end) {
+    NearestExterior& nearest = searches.local();
+    for (Eigen::Index i = begin; i < end; ++i) {
+      const Answer answer = answer_at(exterior, nearest, frame.to_unit(samples.points.row(i).transpose()),
+                                      samples.normals.row(i).transpose());
+      result.values[i] = answer.value * frame.diagonal;
+      result.normals.row(i) = answer.normal;
+      outcomes[static_cast<std::size_t>(i)] = answer.outcome;
+    }
+  };
+  if (options.parallel) {
+    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 256),
+                      [&](const auto& range) { answer_range(range.begin(), range.end()); });
+  } else {
+    answer_range(0, n);
+  }
+  for (const Outcome outcome : outcomes) count(result.outcomes, outcome);
+  result.query_seconds = seconds_since(built);
+  return result;
+}
+
+}  // namespace shapegauge

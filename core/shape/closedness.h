@@ -1,0 +1,12 @@
+#pragma once
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// Whether the triangles separate an inside from an outside by parity: every edge belongs to an even number of
+/// triangles, vertices at the same place taken as one and triangles of no area left out. Orientation plays no part. A
+/// shape without triangles is not closed.
+bool is_closed(const Shape& shape);
+
+}  // namespace shapegauge

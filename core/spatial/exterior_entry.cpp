@@ -1,0 +1,55 @@
+#include "shapegauge/core/spatial/exterior_entry.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "shapegauge/core/spatial/offset_tolerance.h"
+#include "shapegauge/core/spatial/rounded_triangle.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The ray's parameter where it leaves a cube that it is in.
+double exit_from_cube(const ExteriorCell& cell, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  double exit = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    if (direction[k] == 0) continue;
+    const double face = cell.centre[k] + (direction[k] > 0 ? cell.half : -cell.half);
+    exit = std::min(exit, (face - origin[k]) / direction[k]);
+  }
+  return exit;
+}
+
+}  // namespace
+
+ExteriorEntry first_exterior_entry(const OffsetExterior& exterior, const Eigen::Vector3d& origin,
+                                   const Eigen::Vector3d& direction) {
+  const double r = exterior.r();
+  const SurfaceTree& tree = exterior.tree();
+  const double smallest_step = offset_slack * r;
+  double t = r;
+  std::int32_t hint = -1;
+  while (true) {
+    const Eigen::Vector3d x = origin + t * direction;
+    const auto leaf = exterior.leaf_at(x);
+    if (!leaf) return {t, true};
+    const ExteriorNode& node = exterior.nodes()[static_cast<std::size_t>(leaf->node)];
+    if (node.kind == CellKind::free && node.may_hold_exterior) return {t, true};
+    if (!node.may_hold_exterior) {
+      t = std::max(t + smallest_step / 16, exit_from_cube(*leaf, origin, direction));
+      continue;
+    }
+    if (const auto blocking = tree.any_within(x, r, hint)) {
+      const double exit = exit_from_rounded_triangle(tree.triangle(*blocking), r * (1 + offset_slack), x, direction);
+      t += std::max(exit, smallest_step / 16);
+      hint = *blocking;
+      continue;
+    }
+    const auto is_exterior = exterior.contains(x);
+    if (is_exterior.value_or(true)) return {t, is_exterior.has_value()};
+    t += std::max(smallest_step, tree.closest(x)->distance - r);
+  }
+}
+
+}  // namespace shapegauge

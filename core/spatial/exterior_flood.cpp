@@ -1,0 +1,211 @@
+#include "shapegauge/core/spatial/exterior_flood.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+
+namespace shapegauge {
+
+namespace {
+
+/// Two leaves that share a face across an axis.
+struct FacePair {
+  std::int32_t low;
+  std::int32_t high;
+  int axis;
+};
+
+/// The leaves' geometry and all pairs of leaves that share a face.
+class LeafGraph {
+ public:
+  LeafGraph(const OffsetExterior& exterior) : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
+    visit(exterior.root());
+  }
+
+  [[nodiscard]] const std::vector<FacePair>& pairs() const { return pairs_; }
+  [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const { return centres_[static_cast<std::size_t>(leaf)]; }
+  [[nodiscard]] double half(std::int32_t leaf) const { return halves_[static_cast<std::size_t>(leaf)]; }
+
+ private:
+  [[nodiscard]] const ExteriorNode& node(std::int32_t index) const { return nodes_[static_cast<std::size_t>(index)]; }
+
+  void visit(const ExteriorCell& cell) {
+    centres_[static_cast<std::size_t>(cell.node)] = cell.centre;
+    halves_[static_cast<std::size_t>(cell.node)] = cell.half;
+    if (node(cell.node).kind != CellKind::divided) return;
+    const std::int32_t first = node(cell.node).first_child;
+    for (int i = 0; i < 8; ++i) visit(OffsetExterior::octant(cell, i, first + i));
+    for (int axis = 0; axis < 3; ++axis) {
+      for (int i = 0; i < 8; ++i) {
+        if ((i & (1 << axis)) == 0) pair(first + i, first + (i | (1 << axis)), axis);
+      }
+    }
+  }
+
+  /// The pairs of leaves across the face that two cubes of the same size share.
+  void pair(std::int32_t low, std::int32_t high, int axis) {
+    const bool low_divided = node(low).kind == CellKind::divided;
+    const bool high_divided = node(high).kind == CellKind::divided;
+    if (!low_divided && !high_divided) {
+      pairs_.push_back({low, high, axis});
+      return;
+    }
+    for (int i = 0; i < 8; ++i) {
+      if ((i & (1 << axis)) != 0) continue;
+      pair(low_divided ? node(low).first_child + (i | (1 << axis)) : low,
+           high_divided ? node(high).first_child + i : high, axis);
+    }
+  }
+
+  const std::vector<ExteriorNode>& nodes_;
+  std::vector<Eigen::Vector3d> centres_;
+  std::vector<double> halves_;
+  std::vector<FacePair> pairs_;
+};
+
+/// Disjoint sets of leaves.
+class Parts {
+ public:
+  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  std::int32_t find(std::int32_t i) {
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
+    return i;
+  }
+
+  void join(std::int32_t i, std::int32_t j) {
+    i = find(i);
+    j = find(j);
+    if (i != j) parent(std::max(i, j)) = std::min(i, j);
+  }
+
+ private:
+  std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
+  std::vector<std::int32_t> parent_;
+};
+
+bool is_open(const ExteriorNode& node) {
+  return node.kind == CellKind::free || (node.kind == CellKind::mixed && node.clearance > 0);
+}
+
+/// Whether all of a segment lies outside of the offset solid, by halving it until balls of free space cover it.
+bool segment_is_free(const OffsetExterior& exterior, const Eigen::Vector3d& a, const Eigen::Vector3d& b, int depth) {
+  const Eigen::Vector3d middle = (a + b) / 2;
+  const double half_length = (b - a).norm() / 2;
+  const auto hit = exterior.tree().closest(middle, exterior.r() + half_length);
+  if (!hit) return true;
+  if (hit->distance <= exterior.r() || depth == 0) return false;
+  return segment_is_free(exterior, a, middle, depth - 1) && segment_is_free(exterior, middle, b, depth - 1);
+}
+
+/// Joins the open leaves across faces where the way is proven free: the proofs that cost nothing first, the others only
+/// where they would join different parts.
+void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& parts) {
+  constexpr int most_halvings = 3;
+  const std::vector<ExteriorNode>& nodes = exterior.nodes();
+  std::vector<FacePair> uncertain;
+  for (const FacePair& pair : graph.pairs()) {
+    const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
+    const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
+    if (!is_open(low) || !is_open(high)) continue;
+    const double way = (low.kind == CellKind::free ? 0 : graph.half(pair.low)) +
+                       (high.kind == CellKind::free ? 0 : graph.half(pair.high));
+    const double clearance = (low.kind == CellKind::free ? 0 : static_cast<double>(low.clearance)) +
+                             (high.kind == CellKind::free ? 0 : static_cast<double>(high.clearance));
+    if (clearance >= way) {
+      parts.join(pair.low, pair.high);
+    } else {
+      uncertain.push_back(pair);
+    }
+  }
+  for (const FacePair& pair : uncertain) {
+    if (parts.find(pair.low) == parts.find(pair.high)) continue;
+    // Within a free cube the way is free: it is enough to reach the shared face straight from the smaller cube's centre.
+    const bool low_is_smaller = graph.half(pair.low) <= graph.half(pair.high);
+    const std::int32_t smaller = low_is_smaller ? pair.low : pair.high;
+    const std::int32_t larger = low_is_smaller ? pair.high : pair.low;
+    Eigen::Vector3d end = graph.centre(smaller);
+    const bool free = nodes[static_cast<std::size_t>(larger)].kind == CellKind::free;
+    end[pair.axis] += (low_is_smaller ? 1 : -1) * (free ? 1 : 2) * graph.half(smaller);
+    if (segment_is_free(exterior, graph.centre(smaller), end, most_halvings)) parts.join(pair.low, pair.high);
+  }
+}
+
+/// What is known of a connected part of the free space.
+struct PartSummary {
+  std::int32_t representative = -1;  ///< the leaf whose centre is farthest from the surface
+  float clearance = -1;
+  bool holds_free_cube = false;
+};
+
+std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, Parts& parts) {
+  std::vector<PartSummary> summaries(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_open(nodes[i])) continue;
+    PartSummary& summary = summaries[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+    const bool free = nodes[i].kind == CellKind::free;
+    const float clearance = free ? std::numeric_limits<float>::infinity() : nodes[i].clearance;
+    summary.holds_free_cube |= free;
+    if (clearance <= summary.clearance) continue;
+    summary.clearance = clearance;
+    summary.representative = static_cast<std::int32_t>(i);
+  }
+  return summaries;
+}
+
+FreeSpace space_of_part(const OffsetExterior& exterior, const LeafGraph& graph, const PartSummary& summary) {
+  if (summary.holds_free_cube) return FreeSpace::enclosed;
+  const auto even = exterior.is_outside_by_parity(graph.centre(summary.representative));
+  if (!even) return FreeSpace::none;
+  return *even ? FreeSpace::exterior : FreeSpace::enclosed;
+}
+
+FreeSpace merged(FreeSpace a, FreeSpace b) {
+  if (a == FreeSpace::none || a == b) return b;
+  return b == FreeSpace::none ? a : FreeSpace::both;
+}
+
+/// Gives each mixed leaf the spaces of its surroundings, a cube wide, one axis after the other.
+void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
+  for (ExteriorNode& node : nodes) node.space = node.centre_space;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<FreeSpace> before(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i) before[i] = nodes[i].space;
+    const auto spread = [&](std::int32_t from, std::int32_t to) {
+      ExteriorNode& node = nodes[static_cast<std::size_t>(to)];
+      if (node.kind == CellKind::free) return;
+      node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
+    };
+    for (const FacePair& pair : graph.pairs()) {
+      if (pair.axis != axis) continue;
+      spread(pair.low, pair.high);
+      spread(pair.high, pair.low);
+    }
+  }
+}
+
+}  // namespace
+
+void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
+  const LeafGraph graph(exterior);
+  Parts parts(nodes.size());
+  join_leaves(exterior, graph, parts);
+  const std::vector<PartSummary> summaries = summarise(nodes, parts);
+  const ExteriorCell root = exterior.root();
+  const auto corner = exterior.leaf_at(root.centre - Eigen::Vector3d::Constant(root.half));
+  const std::int32_t outside = parts.find(corner->node);
+  std::vector<FreeSpace> spaces(nodes.size(), FreeSpace::none);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (summaries[i].representative < 0) continue;
+    spaces[i] = static_cast<std::int32_t>(i) == outside ? FreeSpace::exterior
+                                                         : space_of_part(exterior, graph, summaries[i]);
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_open(nodes[i])) nodes[i].centre_space = spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+  }
+  spread_to_mixed(graph, nodes);
+}
+
+}  // namespace shapegauge

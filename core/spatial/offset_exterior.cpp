@@ -1,0 +1,130 @@
+#include "shapegauge/core/spatial/offset_exterior.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shapegauge/core/spatial/exterior_flood.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The smallest cube, as a fraction of the diagonal, that the octree is refined to however small r is.
+constexpr double finest_resolution = 1.0 / 256;
+const double root_of_three = std::sqrt(3.0);
+
+}  // namespace
+
+OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed)
+    : tree_(tree), r_(r), closed_(closed) {
+  const double smallest = std::max(r / 2, finest_resolution * bounds.diagonal().norm());
+  // A margin of two cubes of free space all around, so that the flood can start anywhere on the root's border.
+  const double needed = bounds.sizes().maxCoeff() + 2 * r + 4 * smallest;
+  double size = smallest;
+  while (size < needed) size *= 2;
+  root_centre_ = bounds.center();
+  root_half_ = size / 2;
+  nodes_.emplace_back();
+  classify(root(), -1, smallest / 2);
+  flood_exterior(*this, nodes_);
+  mark_exterior(0);
+}
+
+ExteriorCell OffsetExterior::octant(const ExteriorCell& cell, int i, std::int32_t node) {
+  const double half = cell.half / 2;
+  const Eigen::Vector3d direction((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+  return {cell.centre + half * direction, half, node};
+}
+
+void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half) {
+  const double radius = root_of_three * cell.half;
+  const auto hit = tree_.closest(cell.centre, r_ + radius, hint);
+  ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
+  if (!hit) {
+    node.kind = CellKind::free;
+    return;
+  }
+  node.triangle = hit->triangle;
+  node.clearance = static_cast<float>(hit->distance - r_);
+  if (hit->distance + radius < r_) {
+    node.kind = CellKind::solid;
+  } else if (cell.half > smallest_half * 1.5) {
+    divide(cell, smallest_half);
+  }
+}
+
+void OffsetExterior::divide(const ExteriorCell& cell, double smallest_half) {
+  const auto first = static_cast<std::int32_t>(nodes_.size());
+  const std::int32_t hint = nodes_[static_cast<std::size_t>(cell.node)].triangle;
+  nodes_[static_cast<std::size_t>(cell.node)].kind = CellKind::divided;
+  nodes_[static_cast<std::size_t>(cell.node)].first_child = first;
+  nodes_.resize(nodes_.size() + 8);
+  for (int i = 0; i < 8; ++i) classify(octant(cell, i, first + i), hint, smallest_half);
+}
+
+bool OffsetExterior::mark_exterior(std::int32_t index) {
+  ExteriorNode& node = nodes_[static_cast<std::size_t>(index)];
+  if (node.kind == CellKind::divided) {
+    for (int i = 0; i < 8; ++i) node.may_hold_exterior |= mark_exterior(node.first_child + i);
+  } else {
+    node.may_hold_exterior = node.kind != CellKind::solid && node.space != FreeSpace::enclosed;
+  }
+  return node.may_hold_exterior;
+}
+
+std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {
+  ExteriorCell cell = root();
+  if (!((x - cell.centre).cwiseAbs().maxCoeff() <= cell.half)) return std::nullopt;
+  while (nodes_[static_cast<std::size_t>(cell.node)].kind == CellKind::divided) {
+    int i = 0;
+    for (int k = 0; k < 3; ++k) i |= x[k] > cell.centre[k] ? 1 << k : 0;
+    cell = octant(cell, i, nodes_[static_cast<std::size_t>(cell.node)].first_child + i);
+  }
+  return cell;
+}
+
+std::optional<bool> OffsetExterior::contains(const Eigen::Vector3d& x) const {
+  const auto leaf = leaf_at(x);
+  if (!leaf) return true;
+  const FreeSpace space = nodes_[static_cast<std::size_t>(leaf->node)].space;
+  if (space == FreeSpace::exterior) return true;
+  if (space == FreeSpace::enclosed) return false;
+  if (const auto decided = decide_by_walk(x)) return decided;
+  return is_outside_by_parity(x);
+}
+
+std::optional<bool> OffsetExterior::decide_by_walk(Eigen::Vector3d x) const {
+  // Walk away from the surface, through free space only, until the ball of free space around x settles it.
+  constexpr int most_steps = 12;
+  std::int32_t hint = -1;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto leaf = leaf_at(x);
+    if (!leaf) return true;
+    const auto hit = tree_.closest(x, std::numeric_limits<double>::infinity(), hint);
+    const double clearance = hit->distance - r_;
+    const ExteriorNode& node = nodes_[static_cast<std::size_t>(leaf->node)];
+    const bool sees_centre = node.kind == CellKind::free || (x - leaf->centre).norm() < clearance;
+    if (sees_centre && node.centre_space == FreeSpace::exterior) return true;
+    if (sees_centre && node.centre_space == FreeSpace::enclosed) return false;
+    const Eigen::Vector3d next = x + std::max(clearance, leaf->half / 4) * (x - hit->point).normalized();
+    if (tree_.any_within(next, r_, hit->triangle)) return std::nullopt;
+    hint = hit->triangle;
+    x = next;
+  }
+  return std::nullopt;
+}
+
+std::optional<bool> OffsetExterior::is_outside_by_parity(const Eigen::Vector3d& x) const {
+  if (!closed_) return std::nullopt;
+  // Any direction will do; the next is tried where one runs too close to an edge.
+  static const std::array<Eigen::Vector3d, 4> directions = {
+      Eigen::Vector3d(0.8437, 0.4231, 0.3302).normalized(), Eigen::Vector3d(-0.3371, 0.8119, 0.4766).normalized(),
+      Eigen::Vector3d(0.2113, -0.4027, 0.8906).normalized(), Eigen::Vector3d(-0.5309, -0.6113, -0.5871).normalized()};
+  for (const Eigen::Vector3d& direction : directions) {
+    if (const auto crossings = tree_.count_crossings(x, direction)) return *crossings % 2 == 0;
+  }
+  return std::nullopt;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "shapegauge/core/spatial/surface_tree.h"
+
+namespace shapegauge {
+
+/// What is known of a cube of space: it lies in the offset solid, it lies outside of it, or neither.
+enum class CellKind : std::uint8_t { divided, solid, free, mixed };
+
+/// To which part of the free space a cell belongs, or for a mixed cell the free space in it and around it.
+enum class FreeSpace : std::uint8_t { none, exterior, enclosed, both };
+
+/// A cube of the octree.
+struct ExteriorCell {
+  Eigen::Vector3d centre;
+  double half;             ///< half of the cube's edge
+  std::int32_t node;       ///< index into OffsetExterior::nodes()
+};
+
+/// A node of the octree: a cube that is divided into eight, or a leaf.
+struct ExteriorNode {
+  std::int32_t first_child = -1;  ///< the children are eight nodes in a row
+  std::int32_t triangle = -1;     ///< the triangle closest to the centre, where one was within reach
+  float clearance = 0;            ///< distance from the centre to the surface, minus r, for a mixed leaf
+  CellKind kind = CellKind::mixed;
+  FreeSpace centre_space = FreeSpace::none;  ///< of the centre; all of a free leaf
+  FreeSpace space = FreeSpace::none;         ///< of the leaf and, for a mixed or solid one, the leaves around it
+  bool may_hold_exterior = false;  ///< some exterior point may lie in the cube
+};
+
+/// The space around a shape, sorted into offset solid O(r), exterior E(r) and enclosed free space (the design, section
+/// 2.1): an octree, refined where the boundary of O(r) runs, flooded from outside.
+///
+/// The tree's smallest cubes measure r/2 or 1/256 of the diagonal, whichever is larger. Free space narrower than such a
+/// cube's diagonal may escape the flood. On a closed surface the parity of crossings then decides; otherwise contains()
+/// may have no answer. A cavity that is joined to the outside only through a passage so narrow counts as enclosed.
+///
+/// Expects a shape with a diagonal of about 1. Safe to query from many threads. Keeps a reference to the surface tree.
+class OffsetExterior {
+ public:
+  OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed);
+
+  [[nodiscard]] double r() const { return r_; }
+  [[nodiscard]] const SurfaceTree& tree() const { return tree_; }
+  [[nodiscard]] const std::vector<ExteriorNode>& nodes() const { return nodes_; }
+
+  /// The cube that everything lies in; all beyond it is exterior.
+  [[nodiscard]] ExteriorCell root() const { return {root_centre_, root_half_, 0}; }
+
+  /// The i-th of the eight cubes that a cube divides into (bit k of i: the upper half along axis k).
+  [[nodiscard]] static ExteriorCell octant(const ExteriorCell& cell, int i, std::int32_t node);
+
+  /// The leaf around x, or nothing where x is beyond the root.
+  [[nodiscard]] std::optional<ExteriorCell> leaf_at(const Eigen::Vector3d& x) const;
+
+  /// Whether a point outside of the offset solid belongs to the exterior; nothing where that could not be decided.
+  [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& x) const;
+
+  /// Whether a ray from x crosses the surface an even number of times; nothing where the surface is not closed or the
+  /// rays that were tried run too close to edges.
+  [[nodiscard]] std::optional<bool> is_outside_by_parity(const Eigen::Vector3d& x) const;
+
+ private:
+  void divide(const ExteriorCell& cell, double smallest_half);
+  void classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half);
+  bool mark_exterior(std::int32_t node);
+  [[nodiscard]] std::optional<bool> decide_by_walk(Eigen::Vector3d x) const;
+
+  const SurfaceTree& tree_;
+  double r_;
+  bool closed_;
+  Eigen::Vector3d root_centre_;
+  double root_half_;
+  std::vector<ExteriorNode> nodes_;
+};
+
+}  // namespace shapegauge
