@@ -1,0 +1,182 @@
+#include "shapegauge/core/render/render_shape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/spatial/ray_caster.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double smooth_edge_degrees = 40;
+
+/// Where the rays of a parallel projection start: the image plane, in front of the shape.
+struct Camera {
+  Eigen::Vector3d top_left;  ///< corner of the image
+  Eigen::Vector3d right;     ///< unit
+  Eigen::Vector3d up;        ///< unit
+  Eigen::Vector3d forward;   ///< unit, away from the viewer
+  double pixel = 0;          ///< side of a pixel in the shape's units
+
+  [[nodiscard]] Eigen::Vector3d at(double column, double row) const {
+    return top_left + pixel * (column * right - row * up);
+  }
+};
+
+void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, const RenderOptions& options) {
+  const Eigen::Index sites = site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
+  if (static_cast<Eigen::Index>(colours.size()) != sites) {
+    throw InputError(fmt::format("{} colours for {} {} of the shape", colours.size(), sites,
+                                 site == SampleSite::faces ? "triangles" : "vertices"));
+  }
+  const double diagonal = bounding_box_diagonal(shape);
+  if (shape.triangles.rows() == 0 || !(diagonal > 0) || !std::isfinite(diagonal)) {
+    throw InputError("nothing to draw: the shape has no triangles, or no finite extent");
+  }
+  constexpr int largest_side = 1 << 15;
+  if (options.width < 1 || options.height < 1 || options.width > largest_side || options.height > largest_side ||
+      options.rays_per_side < 1 || options.rays_per_side > 16 || !(options.margin >= 0 && options.margin < 0.5)) {
+    throw InputError(
+        fmt::format("an image of {} x {} pixels with {} rays per side and a margin of {} cannot be made; "
+                    "the limits are 1 to {}, 1 to 16, and 0 to less than 0.5",
+                    options.width, options.height, options.rays_per_side, options.margin, largest_side));
+  }
+  const double sine = options.up.normalized().cross(options.towards_viewer.normalized()).norm();
+  if (!(sine > 1e-6)) throw InputError("the directions to the viewer and up must be finite, not zero and not parallel");
+}
+
+Camera camera_for(const Shape& shape, const RenderOptions& options) {
+  Camera camera;
+  camera.forward = -options.towards_viewer.normalized();
+  camera.right = camera.forward.cross(options.up).normalized();
+  camera.up = camera.right.cross(camera.forward);
+  Eigen::Matrix3d axes;
+  axes << camera.right, camera.up, camera.forward;
+  Eigen::AlignedBox3d box;  // in the camera's axes
+  for (const std::int32_t v : shape.triangles.reshaped()) box.extend((shape.vertices.row(v) * axes).transpose());
+  const double inside = 1 - 2 * options.margin;
+  const double depth = box.sizes().norm();
+  camera.pixel = std::max({box.sizes().x() / (inside * options.width), box.sizes().y() / (inside * options.height),
+                           1e-9 * depth});  // a flat shape seen edge-on still has a picture
+  const Eigen::Vector3d centre = box.center();
+  camera.top_left = axes * Eigen::Vector3d(centre.x() - camera.pixel * options.width / 2,
+                                           centre.y() + camera.pixel * options.height / 2, box.min().z() - depth / 2);
+  return camera;
+}
+
+/// The shape with what its look needs.
+class Scene {
+ public:
+  Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site)
+      : shape_(shape),
+        colours_(colours),
+        site_(site),
+        face_normals_(sample_shape(shape, SampleSite::faces).normals),
+        vertex_normals_(sample_shape(shape, SampleSite::vertices).normals),
+        caster_(shape) {}
+
+  /// Red, green, blue and 255 of what the ray meets; zeros where it meets nothing.
+  [[nodiscard]] Eigen::Array4d look(const Eigen::Vector3d& origin, const Camera& camera) const {
+    const RayHit hit = caster_.first_hit(origin, camera.forward);
+    if (!hit) return Eigen::Array4d::Zero();
+    const Eigen::Vector3d parts = barycentric(hit.triangle, origin + hit.distance * camera.forward);
+    Eigen::Array4d result;
+    result << colour(hit.triangle, parts) * shade(normal(hit.triangle, parts), camera), 255;
+    return result;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector3d barycentric(std::int32_t triangle, const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d a = shape_.vertices.row(shape_.triangles(triangle, 0));
+    const Eigen::Vector3d ab = shape_.vertices.row(shape_.triangles(triangle, 1)).transpose() - a;
+    const Eigen::Vector3d ac = shape_.vertices.row(shape_.triangles(triangle, 2)).transpose() - a;
+    const Eigen::Vector3d n = face_normals_.row(triangle);
+    const double twice_area = n.dot(ab.cross(ac));
+    if (!(twice_area > 0)) return Eigen::Vector3d::Constant(1.0 / 3);
+    const double b = n.dot((point - a).cross(ac)) / twice_area;
+    const double c = n.dot(ab.cross(point - a)) / twice_area;
+    const Eigen::Vector3d parts = Eigen::Vector3d(1 - b - c, b, c).cwiseMax(0);
+    return parts / parts.sum();
+  }
+
+  [[nodiscard]] Eigen::Array3d colour(std::int32_t triangle, const Eigen::Vector3d& parts) const {
+    const auto channels = [](const Colour& c) { return Eigen::Array3d(c[0], c[1], c[2]); };
+    if (site_ == SampleSite::faces) return channels(colours_[triangle]);
+    Eigen::Array3d sum = Eigen::Array3d::Zero();
+    for (int k = 0; k < 3; ++k) sum += parts[k] * channels(colours_[shape_.triangles(triangle, k)]);
+    return sum;
+  }
+
+  /// Blend of the corners' normals, those beyond a sharp edge replaced by the triangle's own.
+  [[nodiscard]] Eigen::Vector3d normal(std::int32_t triangle, const Eigen::Vector3d& parts) const {
+    static const double smooth = std::cos(smooth_edge_degrees / 180 * std::numbers::pi);
+    const Eigen::Vector3d own = face_normals_.row(triangle);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d corner = vertex_normals_.row(shape_.triangles(triangle, k));
+      sum += parts[k] * (corner.dot(own) > smooth ? corner : own);
+    }
+    return sum.normalized();
+  }
+
+  /// Light from the upper left that wraps around the form, and a little from the viewer.
+  [[nodiscard]] static double shade(Eigen::Vector3d normal, const Camera& camera) {
+    if (normal.dot(camera.forward) > 0) normal = -normal;
+    const Eigen::Vector3d light = (camera.up - 0.6 * camera.right - 0.9 * camera.forward).normalized();
+    const double wrapped = (normal.dot(light) + 0.6) / 1.6;
+    return 0.3 + 0.6 * std::max(0.0, wrapped) + 0.1 * std::max(0.0, -normal.dot(camera.forward));
+  }
+
+  const Shape& shape_;
+  const std::vector<Colour>& colours_;
+  SampleSite site_;
+  Points face_normals_;
+  Points vertex_normals_;
+  RayCaster caster_;
+};
+
+/// Sum over a pixel's rays of colour and opacity, as the bytes of the pixel.
+std::array<std::uint8_t, 4> pixel_of(const Eigen::Array4d& sum, int rays, bool transparent) {
+  const double covered = sum[3] / 255;
+  Eigen::Array4d pixel = sum / rays;
+  if (transparent) {
+    if (covered > 0) pixel.head<3>() = sum.head<3>() / covered;
+  } else {
+    pixel.head<3>() += 255 * (1 - covered / rays);
+    pixel[3] = 255;
+  }
+  std::array<std::uint8_t, 4> bytes = {};
+  for (int k = 0; k < 4; ++k) bytes[k] = static_cast<std::uint8_t>(std::lround(std::clamp(pixel[k], 0.0, 255.0)));
+  return bytes;
+}
+
+}  // namespace
+
+Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
+                   const RenderOptions& options) {
+  check(shape, colours, site, options);
+  const Camera camera = camera_for(shape, options);
+  const Scene scene(shape, colours, site);
+  const int n = options.rays_per_side;
+  Image image{.width = options.width, .height = options.height, .pixels = {}};
+  image.pixels.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
+  tbb::parallel_for(0, options.height, [&](int row) {
+    auto target = image.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(options.width) * row;
+    for (int column = 0; column < options.width; ++column) {
+      Eigen::Array4d sum = Eigen::Array4d::Zero();
+      for (int i = 0; i < n * n; ++i) {
+        sum += scene.look(camera.at(column + (i % n + 0.5) / n, row + (i / n + 0.5) / n), camera);
+      }
+      target = std::ranges::copy(pixel_of(sum, n * n, options.transparent), target).out;
+    }
+  });
+  return image;
+}
+
+}  // namespace shapegauge
