@@ -1,0 +1,98 @@
+#include "shapegauge/experiments/configuration/configuration.h"
+
+#include <utility>
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+
+enum class Visit { not_yet, under_way, done };
+
+/// Appends the signature after its parts; the index of a signature that is a part of itself, or nothing.
+std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& signatures, std::size_t index,
+                                 std::vector<Visit>& visits, std::vector<std::size_t>& order) {
+  if (visits[index] == Visit::done) return std::nullopt;
+  if (visits[index] == Visit::under_way) return index;
+  visits[index] = Visit::under_way;
+  for (const std::size_t part : signatures[index].parts) {
+    if (const auto cyclic = visit(signatures, part, visits, order)) return cyclic;
+  }
+  visits[index] = Visit::done;
+  order.push_back(index);
+  return std::nullopt;
+}
+
+Json dataset_to_json(const Configuration& configuration) {
+  if (configuration.generator) {
+    const GeneratorOptions& generator = *configuration.generator;
+    return {{"generate",
+             {{"classes", generator.classes},
+              {"models_per_class", generator.models_per_class},
+              {"faces", generator.faces},
+              {"seed", generator.seed}}}};
+  }
+  const DatasetLocation& location = configuration.location.value();
+  Json json{{"layout", location.layout}, {"root", location.root.string()}};
+  if (!location.classification.empty()) json["classification"] = location.classification.string();
+  if (location.layout == "folders") json["split"] = location.split;
+  return json;
+}
+
+Json histogram_to_json(const HistogramConfiguration& histogram) {
+  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
+  if (histogram.range == HistogramRange::fixed) {
+    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
+  } else {
+    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
+  }
+  return json;
+}
+
+Json signatures_to_json(const std::vector<SignatureConfiguration>& signatures) {
+  Json list = Json::array();
+  for (const SignatureConfiguration& signature : signatures) {
+    Json json{{"name", signature.name}};
+    if (signature.field) {
+      json["field"] = signature.field->settings;
+      json["histogram"] = histogram_to_json(signature.histogram);
+    } else {
+      for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<std::size_t> order;
+  std::vector<Visit> visits(signatures.size(), Visit::not_yet);
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (const auto cyclic = visit(signatures, i, visits, order)) return cyclic;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<std::size_t> order;
+  std::vector<Visit> visits(signatures.size(), Visit::not_yet);
+  for (std::size_t i = 0; i < signatures.size(); ++i) visit(signatures, i, visits, order);
+  return order;
+}
+
+Json to_json(const Configuration& configuration) {
+  Json json{{"name", configuration.name},
+            {"dataset", dataset_to_json(configuration)},
+            {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
+            {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
+            {"signatures", signatures_to_json(configuration.signatures)},
+            {"distance", configuration.distance}};
+  if (!configuration.description.empty()) json["description"] = configuration.description;
+  for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
+  return json;
+}
+
+}  // namespace shapegauge

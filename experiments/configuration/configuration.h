@@ -1,0 +1,68 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shapegauge/experiments/fields/field.h"
+#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/metrics/protocol.h"
+#include "shapegauge/retrieval/histogram.h"
+
+namespace shapegauge {
+
+/// Where a data set is and how it is laid out.
+struct DatasetLocation {
+  std::string layout;                    ///< "shrec11", "folders" or "csv"
+  std::filesystem::path root;            ///< its folder
+  std::filesystem::path classification;  ///< shrec11: the .cla file; csv: the table; folders: not used
+  std::string split = "all";             ///< folders only: "all", "train" or "test"
+};
+
+/// Where the range of a histogram comes from (the design, section 3).
+enum class HistogramRange { per_shape, dataset, fixed };
+
+/// How a field becomes a histogram.
+struct HistogramConfiguration {
+  HistogramOptions options;
+  HistogramRange range = HistogramRange::per_shape;
+  Interval fixed;  ///< with HistogramRange::fixed, in lengths of shapes of unit area
+};
+
+/// A signature: the histogram of a field, or, where there is no field, signatures side by side.
+struct SignatureConfiguration {
+  std::string name;
+  std::optional<Field> field;
+  HistogramConfiguration histogram;
+  std::vector<std::size_t> parts;  ///< without a field: the signatures to concatenate, by index; each comes earlier in
+                                   ///< computation_order()
+};
+
+/// What to do with a model that cannot be used.
+enum class OnError { stop, skip };
+
+/// A whole experiment, checked, with all defaults filled in.
+struct Configuration {
+  std::string name;
+  std::string description;
+  std::optional<DatasetLocation> location;    ///< a data set on disk, or else
+  std::optional<GeneratorOptions> generator;  ///< one that the program makes
+  std::vector<Protocol> protocols{Protocol::psb};
+  int minimum_class_size = 2;
+  OnError on_error = OnError::stop;
+  std::vector<SignatureConfiguration> signatures;
+  std::string distance = "l1";
+};
+
+/// The index of a signature that concatenates itself, by whatever way round; nothing where there is none.
+std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures);
+
+/// The signatures' indices, parts before the signatures that concatenate them. None may be a part of itself.
+std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
+
+/// The configuration as JSON with all defaults filled in, in the form that configurations are read from.
+nlohmann::json to_json(const Configuration& configuration);
+
+}  // namespace shapegauge

@@ -1,0 +1,77 @@
+#include "shapegauge/experiments/configuration/parse_json.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "shapegauge/core/error.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// "line:column" of a byte of the text, both from 1.
+std::string position_of(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+  const std::size_t line_start = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
+  return fmt::format("{}:{}", line, before.size() - line_start + 1);
+}
+
+/// The library's message without its identifier and position, which we give in our own form.
+std::string plain_message(std::string message) {
+  for (const std::string_view marker : {"] ", ": "}) {
+    const std::size_t at = message.find(marker);
+    if (at != std::string::npos) message.erase(0, at + marker.size());
+  }
+  return message;
+}
+
+/// Parser callback that refuses a second key of the same name; the library alone would keep the last one silently.
+class UniqueKeys {
+ public:
+  explicit UniqueKeys(std::string source) : source_(std::move(source)) {}
+
+  bool operator()(int /*depth*/, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) keys_.emplace_back();
+    if (event == Event::object_end) keys_.pop_back();
+    if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
+      throw InputError(
+          fmt::format("{}: the key {} stands twice in the same object; remove one", source_, parsed.dump()));
+    }
+    return true;
+  }
+
+ private:
+  std::string source_;
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
+nlohmann::json parse_json(std::string_view text, const std::string& source) {
+  try {
+    return nlohmann::json::parse(text, UniqueKeys(source));
+  } catch (const nlohmann::json::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid JSON: {}", source,
+                                 position_of(text, error.byte > 0 ? error.byte - 1 : 0), plain_message(error.what())));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not valid JSON: {}", source, plain_message(error.what())));
+  }
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path) || !file) {
+    throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_json(text.str(), path.string());
+}
+
+}  // namespace shapegauge

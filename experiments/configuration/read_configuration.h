@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "shapegauge/experiments/configuration/configuration.h"
+
+namespace shapegauge {
+
+/// Reads a configuration file, applies the overrides (see apply_override), and checks everything that can be checked
+/// without looking at the data: the schema, unique names, `concatenate` that points somewhere and not to itself,
+/// settings that contradict each other. Paths are relative to the file's folder, `${VARIABLE}` in them is expanded.
+/// Throws InputError with the file, the path to the value, what is wrong and the nearest valid word.
+Configuration read_configuration(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// The same for a document that was read already. `source` is what messages call it; relative paths are relative to
+/// `folder`.
+Configuration configuration_from_json(const nlohmann::json& document, const std::string& source,
+                                      const std::filesystem::path& folder);
+
+}  // namespace shapegauge

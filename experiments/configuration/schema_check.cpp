@@ -1,0 +1,115 @@
+#include "shapegauge/experiments/configuration/schema_check.h"
+
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <optional>
+#include <string_view>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+#include <vector>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/experiments/configuration/experiment_schema.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/schema_hints.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using Error = valijson::ValidationResults::Error;
+
+constexpr std::string_view unknown_key = "Object contains a property";
+constexpr std::string_view missing_key = "Missing required property";
+
+/// What the validator says about a failure inside, once more, at the levels above it.
+bool is_echo(const Error& error) {
+  return error.description.starts_with("Failed to validate") &&
+         error.description.find("uniqueness") == std::string::npos;
+}
+
+/// Keys and indices from the root: the validator writes <root>, ["key"] and [index].
+std::vector<std::string> path_of(const Error& error) {
+  std::vector<std::string> path;
+  for (const std::string& step : error.context) {
+    if (!step.starts_with('[')) continue;
+    const std::string inner = step.substr(1, step.size() - 2);
+    path.push_back(inner.starts_with('"') ? inner.substr(1, inner.size() - 2) : inner);
+  }
+  return path;
+}
+
+/// The last word in single quotes.
+std::string quoted_word(const std::string& description) {
+  const std::size_t end = description.rfind('\'');
+  const std::size_t begin =
+      description.find(": '") == std::string::npos ? description.find('\'') + 1 : description.find(": '") + 3;
+  return description.substr(begin, end - begin);
+}
+
+std::string wrong_value(const Json& value, const SchemaHints& hints) {
+  if (!value.is_string()) {
+    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""), value.dump());
+  }
+  return fmt::format("unknown word {}{}", value.dump(), suggestion(value.get<std::string>(), hints.words));
+}
+
+/// "Expected number greater than 0.000000" -> "must be a number greater than 0".
+std::string wrong_number(std::string description, const Json& value) {
+  const std::size_t space = description.rfind(' ');
+  const double limit = std::stod(description.substr(space + 1));
+  description = description.substr(std::string_view("Expected number ").size(),
+                                   space - std::string_view("Expected number ").size());
+  return fmt::format("must be a number {} {:g}, not {}", description, limit, value.dump());
+}
+
+std::string describe(const Error& error, const Json& value, const SchemaHints& hints) {
+  const std::string& text = error.description;
+  if (text.starts_with(unknown_key)) {
+    const std::string key = quoted_word(text);
+    return fmt::format("unknown key \"{}\"{}", key, suggestion(key, hints.keys));
+  }
+  if (text.starts_with(missing_key)) return fmt::format("the key \"{}\" is missing", quoted_word(text));
+  if (text.find("enum values") != std::string::npos) return wrong_value(value, hints);
+  if (text.find("'type' constraint") != std::string::npos) {
+    return fmt::format("must be of type {}, not {} ({})", fmt::join(hints.types, " or "), value.type_name(),
+                       value.dump().substr(0, 60));
+  }
+  if (text.starts_with("Expected number")) return wrong_number(text, value);
+  return fmt::format("{} (found {})", text.substr(0, text.find_last_not_of('.') + 1), value.dump().substr(0, 60));
+}
+
+/// Rank of an error: the larger, the more it tells.
+std::size_t weight(const Error& error) {
+  return (error.description.starts_with(unknown_key) ? 1000 : 0) + error.context.size();
+}
+
+}  // namespace
+
+void check_against_schema(const Json& configuration, const std::string& source) {
+  const Json schema_document = Json::parse(experiment_schema());
+  valijson::Schema schema;
+  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
+      .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
+  valijson::ValidationResults results;
+  valijson::Validator validator;
+  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(configuration), &results)) return;
+
+  std::optional<Error> worst;
+  for (const Error& error : results) {
+    if (!is_echo(error) && (!worst || weight(error) > weight(*worst))) worst = error;
+  }
+  if (!worst) throw InputError(fmt::format("{}: does not match the schema of an experiment", source));
+  const std::vector<std::string> path = path_of(*worst);
+  const Json* value = &configuration;
+  for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
+  const std::string place = path.empty() ? "" : fmt::format("{}: ", fmt::join(path, "."));
+  throw InputError(fmt::format("{}: {}{}", source, place,
+                               describe(*worst, *value, schema_hints(schema_document, configuration, path))));
+}
+
+}  // namespace shapegauge

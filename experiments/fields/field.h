@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// How many samples had which outcome, by the outcome's name. "total" is always there; "undecided" and "missing" are
+/// the outcomes that a run warns about.
+using FieldOutcomes = std::map<std::string, std::size_t>;
+
+/// The values of a field on one shape.
+struct FieldValues {
+  Eigen::VectorXd values;  ///< one a sample; NaN where there is none
+  FieldOutcomes outcomes;
+};
+
+/// A scalar field that a configuration asks for: where its samples are and how its values are computed.
+struct Field {
+  nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
+  SampleSite site = SampleSite::faces;
+  /// The values at the samples of a shape; parallel: spread the samples over the threads of the calling TBB arena.
+  std::function<FieldValues(const Shape&, const Samples&, bool parallel)> compute;
+};
+
+}  // namespace shapegauge
