@@ -1,0 +1,84 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+#include <rapidcheck/gtest.h>
+#include <stdexcept>
+#include <tbb/global_control.h>
+
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+namespace {
+
+Signatures random_signatures(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  return Signatures::NullaryExpr(rows, columns, [&] { return uniform(generator); });
+}
+
+DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+  return distance_matrix(signatures);
+}
+
+TEST(DistanceMatrix, KnowsL1) { EXPECT_THAT(distance_names(), testing::ElementsAre("l1")); }
+
+TEST(DistanceMatrix, SmallExample) {
+  Signatures signatures(3, 2);
+  signatures << 0, 0, 1, 2, -1, 0.5F;
+  DistanceMatrix expected(3, 3);
+  expected << 0, 3, 1.5, 3, 0, 3.5, 1.5, 3.5, 0;
+  EXPECT_EQ(distance_matrix(signatures), expected);
+}
+
+TEST(DistanceMatrix, OfNothingIsEmpty) { EXPECT_EQ(distance_matrix(Signatures(0, 5)).size(), 0); }
+
+TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
+  const Signatures signatures = random_signatures(151, 80, 7);
+  const DistanceMatrix one = with_threads(signatures, 1);
+  EXPECT_EQ(with_threads(signatures, 2), one);
+  EXPECT_EQ(with_threads(signatures, 5), one);
+}
+
+TEST(DistanceMatrix, UnknownNameSaysWhatIsKnown) {
+  try {
+    distance_matrix(Signatures(2, 2), "manhatten");
+    FAIL() << "no error";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("\"manhatten\""), testing::HasSubstr("l1")));
+  }
+}
+
+TEST(DistanceMatrix, NotFiniteSaysWhere) {
+  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    Signatures signatures = Signatures::Ones(4, 3);
+    signatures(2, 1) = bad;
+    try {
+      distance_matrix(signatures);
+      FAIL() << "no error";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr("entry 1 of signature 2"));
+    }
+  }
+}
+
+RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {
+  const auto rows = *rc::gen::inRange<Eigen::Index>(0, 80);
+  const auto columns = *rc::gen::inRange<Eigen::Index>(0, 40);
+  const Signatures signatures = random_signatures(rows, columns, *rc::gen::arbitrary<unsigned>());
+  const DistanceMatrix matrix = distance_matrix(signatures);
+  RC_ASSERT(matrix.rows() == rows);
+  RC_ASSERT(matrix.cols() == rows);
+  const auto precise = signatures.cast<double>().eval();
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index j = 0; j < rows; ++j) {
+      // Another order of summation may round each of the additions another way.
+      RC_ASSERT(std::abs(matrix(i, j) - (precise.row(i) - precise.row(j)).lpNorm<1>()) <= 1e-14 * (1 + matrix(i, j)));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge
