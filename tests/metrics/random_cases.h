@@ -1,0 +1,24 @@
+#pragma once
+
+#include <rapidcheck.h>
+#include <vector>
+
+#include "tests/metrics/naive_evaluation.h"
+
+namespace shapegauge {
+
+/// A distance matrix, the classes of its models, and a protocol.
+struct EvaluationCase {
+  naive::Matrix distances;
+  std::vector<int> labels;
+  Protocol protocol = Protocol::psb;
+};
+
+/// Random cases of 2 to 60 models in classes of very unequal sizes, at least one of two models or more. Distances are
+/// drawn from a few values, so that most are tied, infinity among them; symmetric or not; the diagonal too is random.
+rc::Gen<EvaluationCase> cases_with_ties();
+
+/// The same with all distances different.
+rc::Gen<EvaluationCase> cases_without_ties();
+
+}  // namespace shapegauge

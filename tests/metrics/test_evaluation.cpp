@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <rapidcheck/gtest.h>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tbb/global_control.h>
+#include <vector>
+
+#include "shapegauge/metrics/evaluation.h"
+#include "tests/metrics/random_cases.h"
+
+namespace shapegauge {
+namespace {
+
+using testing::HasSubstr;
+
+// Both sides sum the same numbers, of at most 60 models, in orders that may differ.
+constexpr double rounding = 1e-13;
+
+EvaluationOptions under(Protocol protocol, int minimum_class_size = 2) {
+  EvaluationOptions options;
+  options.protocol = protocol;
+  options.minimum_class_size = minimum_class_size;
+  return options;
+}
+
+Evaluation evaluate(const EvaluationCase& data) { return evaluate(data.distances, data.labels, under(data.protocol)); }
+
+std::string error_of(const naive::Matrix& distances, const std::vector<int>& labels, const EvaluationOptions& options) {
+  try {
+    evaluate(distances, labels, options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool same_results(const Evaluation& a, const Evaluation& b) {
+  return a.queries == b.queries && a.classes == b.classes && a.per_query == b.per_query && a.per_class == b.per_class &&
+         a.micro == b.micro && a.macro == b.macro && a.micro_curve.precision == b.micro_curve.precision &&
+         a.macro_curve.precision == b.macro_curve.precision;
+}
+
+int class_size(const std::vector<int>& labels, int label) {
+  return static_cast<int>(std::ranges::count(labels, label));
+}
+
+RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  const Evaluation result = evaluate(data);
+  for (std::size_t i = 0; i < result.queries.size(); ++i) {
+    const auto expected =
+        naive::measures_of(data.distances, data.labels, static_cast<int>(result.queries[i]), data.protocol);
+    for (std::size_t j = 0; j < expected.size(); ++j) {
+      const double actual = result.per_query(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      RC_ASSERT(std::abs(actual - expected[j]) <= rounding);
+    }
+  }
+}
+
+RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  const int minimum = *rc::gen::inRange(2, 6);
+  std::vector<Eigen::Index> queries;
+  std::set<int> classes;
+  for (std::size_t i = 0; i < data.labels.size(); ++i) {
+    if (class_size(data.labels, data.labels[i]) < minimum) continue;
+    queries.push_back(static_cast<Eigen::Index>(i));
+    classes.insert(data.labels[i]);
+  }
+  if (queries.empty()) {
+    RC_ASSERT_THROWS_AS(evaluate(data.distances, data.labels, under(data.protocol, minimum)), std::invalid_argument);
+    return;
+  }
+  const Evaluation result = evaluate(data.distances, data.labels, under(data.protocol, minimum));
+  RC_ASSERT(result.queries == queries);
+  RC_ASSERT(result.classes == std::vector<int>(classes.begin(), classes.end()));
+  RC_ASSERT(result.models_left_out == static_cast<Eigen::Index>(data.labels.size() - queries.size()));
+}
+
+RC_GTEST_PROP(Evaluation, AveragesAreThoseOfTheQueries, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  const Evaluation result = evaluate(data);
+  RC_ASSERT((result.micro - result.per_query.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);
+  RC_ASSERT((result.macro - result.per_class.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);
+  for (std::size_t c = 0; c < result.classes.size(); ++c) {
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(result.per_query.cols());
+    for (std::size_t i = 0; i < result.queries.size(); ++i) {
+      const int label = data.labels[static_cast<std::size_t>(result.queries[i])];
+      if (label == result.classes[c]) sum += result.per_query.row(static_cast<Eigen::Index>(i));
+    }
+    sum /= class_size(data.labels, result.classes[c]);
+    RC_ASSERT((sum - result.per_class.row(static_cast<Eigen::Index>(c))).cwiseAbs().maxCoeff() <= rounding);
+  }
+}
+
+// The mean over queries, or over the means of classes, of what the naive formulas give; where the protocol defines
+// nothing for any query, the level is left out.
+std::vector<double> naive_curve(const EvaluationCase& data, const Evaluation& result, bool macro) {
+  std::map<int, std::vector<std::vector<double>>> groups;
+  for (const Eigen::Index query : result.queries) {
+    const int label = macro ? data.labels[static_cast<std::size_t>(query)] : static_cast<int>(query);
+    groups[label].push_back(naive::precisions_of(data.distances, data.labels, static_cast<int>(query), data.protocol));
+  }
+  std::vector<double> curve;
+  for (std::size_t level = 0; level < result.micro_curve.recall.size(); ++level) {
+    double sum = 0;
+    int counted = 0;
+    for (const auto& [label, rows] : groups) {
+      double of_group = 0;
+      for (const auto& row : rows) of_group += row[level] / static_cast<double>(rows.size());
+      if (std::isnan(of_group)) continue;
+      sum += of_group;
+      ++counted;
+    }
+    curve.push_back(sum / counted);
+  }
+  return curve;
+}
+
+RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  const Evaluation result = evaluate(data);
+  for (const bool macro : {false, true}) {
+    const auto expected = naive_curve(data, result, macro);
+    const auto& actual = (macro ? result.macro_curve : result.micro_curve).precision;
+    RC_ASSERT(actual.size() == expected.size());
+    for (std::size_t level = 0; level < expected.size(); ++level) {
+      if (std::isnan(expected[level])) continue;
+      RC_ASSERT(std::abs(actual[level] - expected[level]) <= rounding);
+    }
+  }
+}
+
+RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
+  const Evaluation result = evaluate(*cases_with_ties());
+  // Written so that a NaN fails too.
+  RC_ASSERT((result.per_query.array() >= 0 && result.per_query.array() <= 1).all());
+  RC_ASSERT((result.per_class.array() >= 0 && result.per_class.array() <= 1 + rounding).all());
+  for (const auto* const curve : {&result.micro_curve, &result.macro_curve}) {
+    for (const double precision : curve->precision) RC_ASSERT(precision >= 0 && precision <= 1 + rounding);
+  }
+}
+
+RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  EvaluationCase transformed = data;
+  // Distances are 0, 0.25, ... 7.25 and infinity; cubes of those are exact, so ties stay and nothing else becomes one.
+  transformed.distances = data.distances.unaryExpr([](double d) { return d * d * d - 5; });
+  RC_ASSERT(same_results(evaluate(data), evaluate(transformed)));
+}
+
+RC_GTEST_PROP(Evaluation, TheDiagonalPlaysNoPart, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  EvaluationCase changed = data;
+  changed.distances.diagonal().setConstant(std::numeric_limits<double>::infinity());
+  RC_ASSERT(same_results(evaluate(data), evaluate(changed)));
+}
+
+RC_GTEST_PROP(Evaluation, PermutedModelsGivePermutedResults, ()) {
+  const EvaluationCase data = *cases_without_ties();
+  std::vector<std::size_t> order(data.labels.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+  std::ranges::shuffle(order, random);
+  EvaluationCase permuted = data;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    permuted.labels[i] = data.labels[order[i]];
+    for (std::size_t j = 0; j < order.size(); ++j) {
+      permuted.distances(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          data.distances(static_cast<Eigen::Index>(order[i]), static_cast<Eigen::Index>(order[j]));
+    }
+  }
+  const Evaluation before = evaluate(data);
+  const Evaluation after = evaluate(permuted);
+  std::map<Eigen::Index, Eigen::RowVectorXd> row_of_model;
+  for (std::size_t i = 0; i < before.queries.size(); ++i) {
+    row_of_model[before.queries[i]] = before.per_query.row(static_cast<Eigen::Index>(i));
+  }
+  RC_ASSERT(after.queries.size() == before.queries.size());
+  for (std::size_t i = 0; i < after.queries.size(); ++i) {
+    const auto model = static_cast<Eigen::Index>(order[static_cast<std::size_t>(after.queries[i])]);
+    RC_ASSERT(after.per_query.row(static_cast<Eigen::Index>(i)) == row_of_model.at(model));
+  }
+}
+
+TEST(Evaluation, SameBytesForAnyNumberOfThreads) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const naive::Matrix distances = naive::Matrix::NullaryExpr(200, 200, [&] { return uniform(random); });
+  std::vector<int> labels;
+  for (int i = 0; i < 200; ++i) labels.push_back(static_cast<int>(std::sqrt(i)));
+  const auto with_threads = [&](std::size_t threads) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return evaluate(distances, labels, under(Protocol::psb));
+  };
+  const Evaluation one = with_threads(1);
+  EXPECT_TRUE(same_results(one, with_threads(2)));
+  EXPECT_TRUE(same_results(one, with_threads(5)));
+}
+
+TEST(Evaluation, NamesProtocolAndMeasures) {
+  const Evaluation result = evaluate(naive::Matrix::Zero(2, 2), std::vector<int>{4, 4}, under(Protocol::paper));
+  EXPECT_EQ(result.protocol, Protocol::paper);
+  EXPECT_THAT(result.measures, testing::ElementsAre("NN", "FT", "ST", "E", "DCG", "mAP"));
+}
+
+TEST(Evaluation, NanNamesItsRowAndColumn) {
+  naive::Matrix distances = naive::Matrix::Ones(4, 4);
+  distances(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_of(distances, {0, 0, 1, 1}, {}), HasSubstr("row 2, column 1"));
+}
+
+TEST(Evaluation, RefusesWhatDoesNotFit) {
+  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 3), {0, 0}, {}), HasSubstr("square, not 2 x 3"));
+  EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 0}, {}), HasSubstr("3 models, but 2"));
+  EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));
+  EXPECT_THAT(error_of(naive::Matrix(0, 0), {}, {}), HasSubstr("no class has 2"));
+  EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)), HasSubstr("at least 2, not 1"));
+}
+
+}  // namespace
+}  // namespace shapegauge
