@@ -130,7 +130,7 @@ class Scene {
     if (normal.dot(camera.forward) > 0) normal = -normal;
     const Eigen::Vector3d light = (camera.up - 0.6 * camera.right - 0.9 * camera.forward).normalized();
     const double wrapped = (normal.dot(light) + 0.6) / 1.6;
-    return 0.3 + 0.6 * std::max(0.0, wrapped) + 0.1 * std::max(0.0, -normal.dot(camera.forward));
+    return 0.36 + 0.54 * std::max(0.0, wrapped) + 0.1 * std::max(0.0, -normal.dot(camera.forward));
   }
 
   const Shape& shape_;

@@ -1,0 +1,176 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+#include <rapidcheck/gtest.h>
+#include <vector>
+
+#include "shapegauge/core/spatial/ray_caster.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+Eigen::Vector3d random_point(std::mt19937& random, double extent) {
+  std::uniform_real_distribution<double> uniform(-extent, extent);
+  const double x = uniform(random);
+  const double y = uniform(random);
+  return {x, y, uniform(random)};
+}
+
+Shape random_soup(std::mt19937& random, int triangles) {
+  Shape soup;
+  soup.vertices.resize(3 * triangles, 3);
+  soup.triangles.resize(triangles, 3);
+  for (int f = 0; f < triangles; ++f) {
+    const Eigen::Vector3d middle = random_point(random, 1);
+    for (int k = 0; k < 3; ++k) {
+      soup.vertices.row(3 * f + k) = (middle + random_point(random, 0.4)).transpose();
+      soup.triangles(f, k) = 3 * f + k;
+    }
+  }
+  return soup;
+}
+
+/// Distance to the triangle along the ray, in double precision; negative where the ray clearly misses it, NaN where it
+/// passes so close to an edge, or so flat, that single precision may see it otherwise.
+double distance_along_ray(const Shape& shape, Eigen::Index f, const Eigen::Vector3d& origin, const Eigen::Vector3d& u) {
+  const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
+  const Eigen::Vector3d ab = shape.vertices.row(shape.triangles(f, 1)).transpose() - a;
+  const Eigen::Vector3d ac = shape.vertices.row(shape.triangles(f, 2)).transpose() - a;
+  Eigen::Matrix3d system;
+  system << -u, ab, ac;
+  const Eigen::Vector3d solution = system.fullPivLu().solve(origin - a);
+  const double inside = std::min({solution[1], solution[2], 1 - solution[1] - solution[2]});
+  const double flatness = std::abs(u.dot(ab.cross(ac).normalized()));
+  constexpr double unsure = 1e-3;
+  if (!(flatness > unsure) || std::abs(inside) < unsure || std::abs(solution[0]) < unsure) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  return inside > 0 ? solution[0] : -1;
+}
+
+struct Expected {
+  RayHit hit;
+  bool sure = true;
+};
+
+Expected brute_force(const Shape& shape, const Eigen::Vector3d& origin, const Eigen::Vector3d& u,
+                     std::int32_t skipped) {
+  Expected expected;
+  expected.hit.distance = std::numeric_limits<double>::infinity();
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    if (f == skipped) continue;
+    const double distance = distance_along_ray(shape, f, origin, u);
+    expected.sure = expected.sure && !std::isnan(distance);
+    if (distance >= 0 && distance < expected.hit.distance) {
+      expected.hit = {.triangle = static_cast<std::int32_t>(f), .distance = distance, .leaving = false};
+    }
+  }
+  return expected;
+}
+
+RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) {
+  std::mt19937 random(seed);
+  const Shape soup = random_soup(random, 40);
+  const RayCaster caster(soup);
+  int compared = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Eigen::Vector3d origin = random_point(random, 2);
+    const Eigen::Vector3d direction = random_point(random, 1).normalized();
+    std::int32_t skipped = -1;
+    for (int pass = 0; pass < 2; ++pass) {
+      const Expected expected = brute_force(soup, origin, direction, skipped);
+      const std::array<std::int32_t, 1> skip = {skipped};
+      const RayHit hit = caster.first_hit(origin, direction, skip);
+      if (!expected.sure) break;
+      ++compared;
+      RC_ASSERT(hit.triangle == expected.hit.triangle);
+      if (!hit) break;
+      RC_ASSERT(std::abs(hit.distance - expected.hit.distance) < 1e-10);
+      const Eigen::Vector3d a = soup.vertices.row(3 * hit.triangle);
+      const Eigen::Vector3d b = soup.vertices.row(3 * hit.triangle + 1);
+      const Eigen::Vector3d c = soup.vertices.row(3 * hit.triangle + 2);
+      RC_ASSERT(hit.leaving == ((b - a).cross(c - a).dot(direction) > 0));
+      skipped = hit.triangle;
+    }
+  }
+  RC_ASSERT(compared > 50);
+}
+
+TEST(RayCaster, NoRayEscapesThroughAnEdgeOrVertex) {
+  const Shape sphere = test_shapes::transformed(test_shapes::sphere(1, 3), 3, test_shapes::rotation(5), {7, -2, 1});
+  const Eigen::Vector3d centre(7, -2, 1);
+  const RayCaster caster(sphere);
+  for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d a = sphere.vertices.row(sphere.triangles(f, k));
+      const Eigen::Vector3d b = sphere.vertices.row(sphere.triangles(f, (k + 1) % 3));
+      for (const double part : {0.0, 0.3, 0.5}) {
+        const Eigen::Vector3d target = a + part * (b - a);
+        const RayHit hit = caster.first_hit(centre, (target - centre).normalized());
+        ASSERT_TRUE(hit);
+        EXPECT_TRUE(hit.leaving);
+        EXPECT_NEAR(hit.distance, (target - centre).norm(), 1e-7);  // the neighbour's plane, a float's error away
+      }
+    }
+  }
+}
+
+TEST(RayCaster, SizeAndPlaceDoNotMatter) {
+  const Shape torus = test_shapes::torus(3, 1, 30, 60);
+  const Eigen::Vector3d origin(3.2, 0.1, 0.2);
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.2, -0.9).normalized();
+  const RayHit expected = RayCaster(torus).first_hit(origin, direction);
+  ASSERT_TRUE(expected);
+  for (const double scale : {1e-150, 1e-30, 1e-3, 1e30, 1e150}) {
+    const Eigen::Vector3d move = scale * Eigen::Vector3d(1000, -2000, 500);
+    const Shape moved = test_shapes::transformed(torus, scale, Eigen::Matrix3d::Identity(), move);
+    const RayHit hit = RayCaster(moved).first_hit(scale * origin + move, direction);
+    EXPECT_EQ(hit.triangle, expected.triangle) << scale;
+    EXPECT_NEAR(hit.distance / scale, expected.distance, 1e-11) << scale;
+    EXPECT_EQ(hit.leaving, expected.leaving) << scale;
+  }
+}
+
+TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
+  const Shape sheet = test_shapes::box({1, 1, 1}, 1);
+  const Shape sheets = test_shapes::joined({sheet, sheet, test_shapes::flipped(sheet)});
+  const RayHit alone = RayCaster(sheet).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+  const RayHit hit = RayCaster(sheets).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+  EXPECT_EQ(hit.triangle, alone.triangle);
+  EXPECT_FALSE(hit.leaving);
+}
+
+TEST(RayCaster, SkipsAllThatAreNamed) {
+  const Shape box = test_shapes::box({1, 1, 1}, 1);
+  const RayCaster caster(box);
+  std::vector<std::int32_t> skipped;
+  for (int i = 0; i < 2; ++i) skipped.push_back(caster.first_hit({0.1, 0.2, 5}, {0, 0, -1}, skipped).triangle);
+  EXPECT_NE(skipped[0], skipped[1]);
+  EXPECT_FALSE(caster.first_hit({0.1, 0.2, 5}, {0, 0, -1}, skipped));
+}
+
+TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
+  Shape box = test_shapes::box({1, 1, 1}, 1);
+  const Eigen::Index triangles = box.triangles.rows();
+  box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
+  box.vertices.bottomRows<1>().setConstant(1e12);
+  box.triangles.conservativeResize(triangles + 1, 3);
+  box.triangles.bottomRows<1>() << 0, 1, 1;
+  const RayHit hit = RayCaster(box).first_hit({0.1, 0.2, 0}, {0, 0, 1});
+  EXPECT_NEAR(hit.distance, 0.5, 1e-14);
+}
+
+TEST(RayCaster, NothingToHit) {
+  EXPECT_FALSE(RayCaster(Shape{}).first_hit({0, 0, 0}, {0, 0, 1}));
+  Shape point = test_shapes::box({0, 0, 0}, 1);
+  EXPECT_FALSE(RayCaster(point).first_hit({1, 1, 1}, {0, 0, 1}));
+  EXPECT_FALSE(RayCaster(test_shapes::sphere(1, 1)).first_hit({0, 0, 3}, {0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace shapegauge
