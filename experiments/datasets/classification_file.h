@@ -1,38 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "shapegauge/experiments/datasets/classification.h"
 
 namespace shapegauge {
-
-/// A class of models. Classes form a forest; a class that only groups others has no models of its own.
-struct ModelClass {
-  std::string name;
-  std::optional<std::size_t> parent;  ///< index of the parent, smaller than the class's own; nothing for a root
-  std::vector<std::string> models;    ///< ids as the file has them
-};
-
-/// Which models belong to which class. No class name and no model occurs twice.
-struct Classification {
-  std::vector<ModelClass> classes;  ///< parents before children
-};
-
-/// Number of models in all classes.
-std::size_t model_count(const Classification& classification);
-
-/// The ids of all models as the classification has them, in natural order.
-std::vector<std::string> models_in_natural_order(const Classification& classification);
-
-/// The class (index in classification.classes) of each model; ids are compared as canonical_model_id has it. Throws
-/// InputError where a model has no class, and where the classification has a model that is not among the ids; the
-/// message begins with `source`, the name of the classification's file.
-std::vector<int> class_labels(const Classification& classification, std::span<const std::string> ids,
-                              const std::string& source);
 
 /// Parses the Princeton Shape Benchmark's `.cla` format: "PSB 1"; the numbers of classes and of models; for each class
 /// its name, its parent's name or 0, its number of models and that many ids. Words are separated by any white space,
