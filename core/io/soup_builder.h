@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// A shape as it grows vertex by vertex and corner by corner. Polygons become fans of triangles about their first
+/// corner, in order; a face with fewer than three corners has no surface and leaves no triangle.
+class SoupBuilder {
+ public:
+  void reserve(std::size_t vertices, std::size_t triangles) {
+    vertices_.reserve(vertices);
+    triangles_.reserve(triangles);
+  }
+
+  void add_vertex(const std::array<double, 3>& position) { vertices_.push_back(position); }
+
+  void begin_face() { corners_ = 0; }
+
+  /// Adds a corner to the face begun last. The caller has checked the index.
+  void add_corner(std::int32_t vertex) {
+    if (++corners_ == 1) first_ = vertex;
+    if (corners_ >= 3) triangles_.push_back({first_, previous_, vertex});
+    previous_ = vertex;
+  }
+
+  [[nodiscard]] std::size_t vertices() const { return vertices_.size(); }
+  [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
+  /// Corners of the face begun last.
+  [[nodiscard]] std::size_t corners() const { return corners_; }
+
+  /// The shape so far.
+  [[nodiscard]] Shape shape() const;
+
+ private:
+  std::vector<std::array<double, 3>> vertices_;
+  std::vector<std::array<std::int32_t, 3>> triangles_;
+  std::size_t corners_ = 0;
+  std::int32_t first_ = 0;
+  std::int32_t previous_ = 0;
+};
+
+}  // namespace shapegauge
