@@ -51,6 +51,17 @@ std::vector<std::string> split_csv_line(std::string_view line, const std::string
   }
 }
 
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source) {
+  std::vector<CsvRow> rows;
+  std::size_t number = 0;
+  for (const std::string_view line : split_lines(text)) {
+    ++number;
+    if (without_outer_blanks(line).empty()) continue;
+    rows.push_back({split_csv_line(line, source + ':' + std::to_string(number)), number});
+  }
+  return rows;
+}
+
 std::string csv_cell(std::string_view text) {
   const bool plain = text.find_first_of(",\"") == std::string_view::npos && text == without_outer_blanks(text);
   if (plain) return std::string(text);
