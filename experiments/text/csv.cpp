@@ -70,4 +70,13 @@ std::string csv_cell(std::string_view text) {
   return cell + '"';
 }
 
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += csv_cell(cell);
+  }
+  return line + '\n';
+}
+
 }  // namespace shapegauge

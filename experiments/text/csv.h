@@ -26,4 +26,7 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source);
 /// The text as a cell that split_csv_line reads back: in quotation marks where it needs them. The text has no line end.
 std::string csv_cell(std::string_view text);
 
+/// The cells as one line, with its LF.
+std::string csv_line(const std::vector<std::string>& cells);
+
 }  // namespace shapegauge

@@ -1,0 +1,92 @@
+#include "shapegauge/experiments/matrices/csv_matrix.h"
+
+#include <fmt/format.h>
+#include <iterator>
+#include <stdexcept>
+#include <unordered_set>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/matrices/square_rows.h"
+#include "shapegauge/experiments/text/csv.h"
+#include "shapegauge/experiments/text/parse_number.h"
+#include "shapegauge/experiments/text/quoted_word.h"
+
+namespace shapegauge {
+namespace {
+
+// The ids of the columns, behind the first cell of the header row.
+std::vector<std::string> read_ids(const CsvRow& header, const std::string& source) {
+  std::vector<std::string> ids(header.cells.begin() + 1, header.cells.end());
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& id : ids) {
+    if (id.empty()) throw InputError(fmt::format("{}:{}: an id in the header row is empty", source, header.line));
+    if (seen.insert(id).second) continue;
+    throw InputError(
+        fmt::format("{}:{}: the id {} occurs twice in the header row", source, header.line, quoted_word(id)));
+  }
+  return ids;
+}
+
+void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::string>& ids,
+                  const std::string& source) {
+  if (index >= ids.size()) {
+    throw InputError(
+        fmt::format("{}:{}: there are more rows than the {} ids of the header row", source, row.line, ids.size()));
+  }
+  if (row.cells.front() == ids[index]) return;
+  throw InputError(
+      fmt::format("{}:{}: the row is of {}, but the column of the same number is of {}; rows and columns "
+                  "must have the same ids in the same order",
+                  source, row.line, quoted_word(row.cells.front()), quoted_word(ids[index])));
+}
+
+}  // namespace
+
+LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
+  const std::string source = path.string();
+  const std::vector<CsvRow> table = parse_csv(read_file_bytes(path), source);
+  LabelledDistances result;
+  const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
+  if (has_ids) result.ids = read_ids(table.front(), source);
+  const std::size_t first_row = has_ids ? 1 : 0;
+  SquareRows rows(source);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (has_ids) check_row_id(row, i - first_row, result.ids, source);
+    for (std::size_t j = first_row; j < row.cells.size(); ++j) rows.add_number(row.cells[j], row.line);
+    rows.end_row(row.line);
+  }
+  result.distances = rows.matrix();
+  if (has_ids && result.ids.size() != static_cast<std::size_t>(result.distances.cols())) {
+    throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
+                                 result.ids.size(), result.distances.rows(), result.distances.cols()));
+  }
+  return result;
+}
+
+void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
+  const bool has_ids = !matrix.ids.empty();
+  if (has_ids && matrix.ids.size() != static_cast<std::size_t>(matrix.distances.rows())) {
+    throw std::invalid_argument(
+        fmt::format("{} ids for a matrix of {} rows", matrix.ids.size(), matrix.distances.rows()));
+  }
+  std::vector<std::string> cells;
+  for (const std::string& id : matrix.ids) {
+    if (id.find_first_of("\r\n") != std::string::npos) {
+      throw InputError(fmt::format("cannot write {}: the id {} contains a line break", path.string(), quoted_word(id)));
+    }
+    cells.push_back(csv_cell(id));
+  }
+  std::string text;
+  if (has_ids) text = fmt::format("id,{}\n", fmt::join(cells, ","));
+  for (Eigen::Index row = 0; row < matrix.distances.rows(); ++row) {
+    if (has_ids) text += cells[static_cast<std::size_t>(row)] + ',';
+    const auto numbers = matrix.distances.row(row);
+    fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(numbers.begin(), numbers.end(), ","));
+  }
+  write_file_atomically(path, text);
+}
+
+}  // namespace shapegauge

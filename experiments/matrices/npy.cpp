@@ -1,0 +1,68 @@
+#include "shapegauge/experiments/matrices/npy.h"
+
+#include <bit>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/matrices/matrix_bytes.h"
+#include "shapegauge/experiments/matrices/npy_header.h"
+#include "shapegauge/experiments/text/quoted_word.h"
+
+namespace shapegauge {
+namespace {
+
+std::string shape_as_text(const NpyHeader& header) { return fmt::format("({})", fmt::join(header.shape, ", ")); }
+
+// Checks that the data is a square matrix of numbers of that size, and gives N.
+Eigen::Index checked_size(const NpyHeader& header, std::size_t data_bytes, std::size_t bytes_per_number,
+                          const std::string& source) {
+  if (header.shape.size() != 2 || header.shape[0] != header.shape[1] || header.shape[0] == 0) {
+    throw InputError(
+        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
+  }
+  const std::uint64_t size = header.shape[0];
+  // Compared by division: the claimed size may be so large that its square does not fit into a number.
+  const bool fits = size <= data_bytes / bytes_per_number / size && size * size * bytes_per_number == data_bytes;
+  if (!fits) {
+    throw InputError(
+        fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
+                    "type {} has; the file is cut off or damaged",
+                    source, data_bytes, shape_as_text(header), header.type));
+  }
+  return static_cast<Eigen::Index>(size);
+}
+
+template <typename Number>
+DistanceMatrix decode(std::string_view data, const NpyHeader& header, std::endian order, const std::string& source) {
+  const Eigen::Index size = checked_size(header, data.size(), sizeof(Number), source);
+  return matrix_of_bytes<Number>(data, size, order, header.column_by_column);
+}
+
+}  // namespace
+
+DistanceMatrix read_npy(const std::filesystem::path& path) {
+  const std::string source = path.string();
+  const std::string bytes = read_file_bytes(path);
+  const NpyHeader header = parse_npy_header(bytes, source);
+  const std::string_view data = std::string_view(bytes).substr(header.data_begin);
+  if (header.type == "<f8") return decode<double>(data, header, std::endian::little, source);
+  if (header.type == "<f4") return decode<float>(data, header, std::endian::little, source);
+  if (header.type == ">f8") return decode<double>(data, header, std::endian::big, source);
+  if (header.type == ">f4") return decode<float>(data, header, std::endian::big, source);
+  throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
+                               quoted_word(header.type)));
+}
+
+void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix) {
+  std::string bytes =
+      npy_header_of_matrix(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols()));
+  bytes.reserve(bytes.size() + static_cast<std::size_t>(matrix.size()) * sizeof(double));
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) append_number(bytes, matrix.data()[i]);
+  write_file_atomically(path, bytes);
+}
+
+}  // namespace shapegauge
