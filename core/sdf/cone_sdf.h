@@ -28,8 +28,18 @@ struct ConeSdfResult {
   double query_seconds = 0;  ///< all samples
 };
 
-/// Conventional SDF at the given samples of the shape (Shapira et al. 2008, with CGAL 5.5's choices; the design, section
-/// 2.3). The cgal engine answers at faces only. Throws InputError for options out of range.
+/// Conventional SDF at the given samples of the shape (Shapira et al. 2008, with the choices of CGAL 5.5).
+///
+/// From each sample, rays go out in a cone about the inward normal, denser near its axis; they pass through the
+/// triangles that touch the sample. Of each ray the nearest hit counts, and only if the ray leaves the shape there (the
+/// triangle's normal is within 90 degrees of the ray). The value is the mean of the distances that lie within 1.5
+/// median absolute deviations of their median. There is none (NaN) where the sample has no normal or no ray counts: on
+/// faces turned inwards, for example.
+///
+/// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
+/// then says where, not what. The same input gives the same bytes on any number of threads. Throws InputError for
+/// options out of range, a shape without triangles, samples that are not the shape's, and a mesh that the cgal engine
+/// cannot use.
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge
