@@ -1,11 +1,10 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -86,15 +85,15 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const 
   return std::nullopt;
 }
 
-Answer answer_at(const OffsetExterior& exterior, NearestExterior& nearest, const Eigen::Vector3d& p,
-                 const Eigen::Vector3d& normal) {
+Answer answer_at(const OffsetExterior& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                 CoveringTriangles& covering) {
   const double r = exterior.r();
   Outcome outcome = Outcome::direct;
   double distance = r;
   auto q = direct_point(exterior, p, normal);
   if (!q) {
     outcome = Outcome::searched;
-    q = nearest.find(p, normal);
+    q = nearest_exterior_point(exterior, p, normal, covering);
     distance = (q->point - p).norm();
   }
   const Eigen::Vector3d outward = (q->point - p).normalized();
@@ -129,22 +128,24 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   result.values.resize(n);
   result.normals.resize(n, 3);
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
-  tbb::enumerable_thread_specific<NearestExterior> searches([&] { return NearestExterior(exterior); });
-  const auto answer_range = [&](Eigen::Index begin, Eigen::Index end) {
-    NearestExterior& nearest = searches.local();
-    for (Eigen::Index i = begin; i < end; ++i) {
-      const Answer answer = answer_at(exterior, nearest, frame.to_unit(samples.points.row(i).transpose()),
-                                      samples.normals.row(i).transpose());
+  // What a search remembers of the ones before it ends with the block, so that threads do not change the answers.
+  constexpr Eigen::Index block_size = 256;
+  const auto answer_block = [&](Eigen::Index block) {
+    CoveringTriangles covering;
+    const Eigen::Index end = std::min(n, (block + 1) * block_size);
+    for (Eigen::Index i = block * block_size; i < end; ++i) {
+      const Answer answer = answer_at(exterior, frame.to_unit(samples.points.row(i).transpose()),
+                                      samples.normals.row(i).transpose(), covering);
       result.values[i] = answer.value * frame.diagonal;
       result.normals.row(i) = answer.normal;
       outcomes[static_cast<std::size_t>(i)] = answer.outcome;
     }
   };
+  const Eigen::Index blocks = (n + block_size - 1) / block_size;
   if (options.parallel) {
-    tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 256),
-                      [&](const auto& range) { answer_range(range.begin(), range.end()); });
+    tbb::parallel_for(Eigen::Index{0}, blocks, answer_block);
   } else {
-    answer_range(0, n);
+    for (Eigen::Index block = 0; block < blocks; ++block) answer_block(block);
   }
   for (const Outcome outcome : outcomes) count(result.outcomes, outcome);
   result.query_seconds = seconds_since(built);

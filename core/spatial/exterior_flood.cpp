@@ -186,6 +186,26 @@ void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   }
 }
 
+/// Settles by parity what the surroundings of a mixed leaf leave open. Valid where no surface passes through the ball
+/// around the leaf: then all free points in the leaf are on the side of its centre.
+void settle_by_parity(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    ExteriorNode& node = nodes[i];
+    const bool open = node.space == FreeSpace::none || node.space == FreeSpace::both;
+    if (node.kind != CellKind::mixed || !open) continue;
+    const auto leaf = static_cast<std::int32_t>(i);
+    const double distance = static_cast<double>(node.clearance) + exterior.r();
+    if (distance <= std::sqrt(3.0) * graph.half(leaf)) continue;
+    const auto outside = exterior.is_outside_by_parity(graph.centre(leaf));
+    if (!outside) continue;
+    if (!*outside) {
+      node.space = FreeSpace::enclosed;
+    } else if (node.space == FreeSpace::none) {
+      node.space = FreeSpace::exterior;
+    }
+  }
+}
+
 }  // namespace
 
 void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
@@ -206,6 +226,7 @@ void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& n
     if (is_open(nodes[i])) nodes[i].centre_space = spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
   }
   spread_to_mixed(graph, nodes);
+  settle_by_parity(exterior, graph, nodes);
 }
 
 }  // namespace shapegauge

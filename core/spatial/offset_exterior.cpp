@@ -73,6 +73,20 @@ bool OffsetExterior::mark_exterior(std::int32_t index) {
   return node.may_hold_exterior;
 }
 
+bool OffsetExterior::may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const {
+  const Eigen::Vector3d offset = (centre - cell.centre).cwiseAbs();
+  const double squared_distance = (offset.array() - cell.half).cwiseMax(0).matrix().squaredNorm();
+  if (squared_distance > radius * radius) return false;
+  const ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
+  if (node.kind != CellKind::divided) return true;
+  for (int i = 0; i < 8; ++i) {
+    const std::int32_t child = node.first_child + i;
+    if (!nodes_[static_cast<std::size_t>(child)].may_hold_exterior) continue;
+    if (may_hold_exterior(octant(cell, i, child), centre, radius)) return true;
+  }
+  return false;
+}
+
 std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {
   ExteriorCell cell = root();
   if (!((x - cell.centre).cwiseAbs().maxCoeff() <= cell.half)) return std::nullopt;

@@ -23,6 +23,12 @@ struct ExteriorCell {
   std::int32_t node;       ///< index into OffsetExterior::nodes()
 };
 
+/// A point of the exterior or of the outer offset surface.
+struct ExteriorPoint {
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  bool decided = true;  ///< false where its belonging to the exterior could not be decided and was assumed
+};
+
 /// A node of the octree: a cube that is divided into eight, or a leaf.
 struct ExteriorNode {
   std::int32_t first_child = -1;  ///< the children are eight nodes in a row
@@ -62,6 +68,11 @@ class OffsetExterior {
   /// Whether a point outside of the offset solid belongs to the exterior; nothing where that could not be decided.
   [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& x) const;
 
+  /// Whether some exterior point may lie in a ball, as far as the octree's leaves tell.
+  [[nodiscard]] bool may_hold_exterior(const Eigen::Vector3d& centre, double radius) const {
+    return may_hold_exterior(root(), centre, radius);
+  }
+
   /// Whether a ray from x crosses the surface an even number of times; nothing where the surface is not closed or the
   /// rays that were tried run too close to edges.
   [[nodiscard]] std::optional<bool> is_outside_by_parity(const Eigen::Vector3d& x) const;
@@ -70,6 +81,7 @@ class OffsetExterior {
   void divide(const ExteriorCell& cell, double smallest_half);
   void classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half);
   bool mark_exterior(std::int32_t node);
+  [[nodiscard]] bool may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const;
   [[nodiscard]] std::optional<bool> decide_by_walk(Eigen::Vector3d x) const;
 
   const SurfaceTree& tree_;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "shapegauge/core/spatial/offset_exterior.h"
+
+namespace shapegauge {
+
+/// Remembers which triangle covered which part of the last spheres. Spheres about neighbouring points are covered alike,
+/// so it saves queries; what is found may depend on it within the tolerance of the search.
+class CoveringTriangles {
+ public:
+  static constexpr int levels = 4;
+
+  CoveringTriangles() { triangles_.fill(-1); }
+
+  /// The place for a patch: a face of the circumscribed cube, and the column and row of the patch among the 2^level times
+  /// 2^level patches of the face; level is below levels.
+  std::int32_t& at(int face, int level, int column, int row) {
+    const int side = 1 << level;
+    return triangles_[static_cast<std::size_t>(face * patches_per_face + (side * side - 1) / 3 + row * side + column)];
+  }
+
+ private:
+  static constexpr int patches_per_face = ((1 << (2 * levels)) - 1) / 3;
+  std::array<std::int32_t, static_cast<std::size_t>(6 * patches_per_face)> triangles_;
+};
+
+/// Some exterior point on a sphere, or nothing where the sphere is proven to have none, down to patches that reach
+/// smallest_radius from their centres.
+std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
+                                                      double radius, double smallest_radius,
+                                                      CoveringTriangles& covering);
+
+}  // namespace shapegauge
