@@ -25,14 +25,7 @@ std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& sign
 }
 
 Json dataset_to_json(const Configuration& configuration) {
-  if (configuration.generator) {
-    const GeneratorOptions& generator = *configuration.generator;
-    return {{"generate",
-             {{"classes", generator.classes},
-              {"models_per_class", generator.models_per_class},
-              {"faces", generator.faces},
-              {"seed", generator.seed}}}};
-  }
+  if (configuration.generator) return {{"generate", to_json(*configuration.generator)}};
   const DatasetLocation& location = configuration.location.value();
   Json json{{"layout", location.layout}, {"root", location.root.string()}};
   if (!location.classification.empty()) json["classification"] = location.classification.string();
@@ -81,6 +74,13 @@ std::vector<std::size_t> computation_order(const std::vector<SignatureConfigurat
   std::vector<Visit> visits(signatures.size(), Visit::not_yet);
   for (std::size_t i = 0; i < signatures.size(); ++i) visit(signatures, i, visits, order);
   return order;
+}
+
+Json to_json(const GeneratorOptions& generator) {
+  return {{"classes", generator.classes},
+          {"models_per_class", generator.models_per_class},
+          {"faces", generator.faces},
+          {"seed", generator.seed}};
 }
 
 Json to_json(const Configuration& configuration) {

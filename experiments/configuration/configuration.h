@@ -1,25 +1,17 @@
 #pragma once
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
-
-/// Where a data set is and how it is laid out.
-struct DatasetLocation {
-  std::string layout;                    ///< "shrec11", "folders" or "csv"
-  std::filesystem::path root;            ///< its folder
-  std::filesystem::path classification;  ///< shrec11: the .cla file; csv: the table; folders: not used
-  std::string split = "all";             ///< folders only: "all", "train" or "test"
-};
 
 /// Where the range of a histogram comes from (the design, section 3).
 enum class HistogramRange { per_shape, dataset, fixed };
@@ -61,6 +53,9 @@ std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfigurati
 
 /// The signatures' indices, parts before the signatures that concatenate them. None may be a part of itself.
 std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
+
+/// The generator's settings as JSON, in the form of a configuration's "generate".
+nlohmann::json to_json(const GeneratorOptions& generator);
 
 /// The configuration as JSON with all defaults filled in, in the form that configurations are read from.
 nlohmann::json to_json(const Configuration& configuration);

@@ -10,6 +10,7 @@
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/parse_json.h"
 #include "shapegauge/experiments/configuration/schema_check.h"
+#include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/fields/field_registry.h"
 
 namespace shapegauge {
@@ -55,9 +56,9 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
     return location;
   }
   if (dataset.contains("split")) throw MisplacedValue{"split", "only the layout \"folders\" has a split"};
-  const char* usual = location.layout == "csv" ? "models.csv" : "test.cla";
-  location.classification =
-      dataset.contains("classification") ? path_value(dataset, "classification", location.root) : location.root / usual;
+  location.classification = dataset.contains("classification")
+                                ? path_value(dataset, "classification", location.root)
+                                : location.root / dataset_layout(location.layout).usual_classification;
   return location;
 }
 

@@ -30,4 +30,11 @@ struct Field {
   std::function<FieldValues(const Shape&, const Samples&, bool parallel)> compute;
 };
 
+/// What a run did with a field, over all models used.
+struct FieldReport {
+  nlohmann::json settings;
+  FieldOutcomes outcomes;  ///< sums
+  double seconds = 0;      ///< sum over the models, whatever ran at the same time
+};
+
 }  // namespace shapegauge

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace shapegauge {
+
+/// Where a data set is and how it is laid out.
+struct DatasetLocation {
+  std::string layout;                    ///< a name of dataset_layouts()
+  std::filesystem::path root;            ///< its folder
+  std::filesystem::path classification;  ///< shrec11: the .cla file; csv: the table; folders: not used
+  std::string split = "all";             ///< folders only: "all", "train" or "test"
+};
+
+/// One shape of a data set.
+struct Model {
+  std::string id;
+  std::filesystem::path file;  ///< may be absent; check_models says so
+  int label = 0;               ///< index of its class in Dataset::classes
+};
+
+/// The models of a data set, in natural order of their ids, and the names of their classes.
+struct Dataset {
+  std::vector<Model> models;
+  std::vector<std::string> classes;
+};
+
+}  // namespace shapegauge

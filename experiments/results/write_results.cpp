@@ -1,0 +1,130 @@
+#include "shapegauge/experiments/results/write_results.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <string>
+#include <string_view>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/experiments/configuration/parse_json.h"
+#include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/results/file_names.h"
+#include "shapegauge/experiments/results/manifest.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr std::string_view manifest_name = "manifest.json";
+
+std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
+  std::vector<NamedEvaluation> all;
+  for (const MethodResults& method : results.methods) {
+    for (const Evaluation& evaluation : method.evaluations)
+      all.push_back({.method = method.name, .evaluation = &evaluation});
+  }
+  return all;
+}
+
+std::string summary_json(const ExperimentResults& results) {
+  OrderedJson rows = OrderedJson::array();
+  for (const auto& [method, evaluation] : all_evaluations(results)) {
+    for (const bool micro : {true, false}) {
+      OrderedJson row{
+          {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
+      const Eigen::VectorXd& values = micro ? evaluation->micro : evaluation->macro;
+      for (std::size_t i = 0; i < evaluation->measures.size(); ++i) {
+        row[evaluation->measures[i]] = 100 * values[static_cast<Eigen::Index>(i)];
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  return OrderedJson{{"name", results.configuration.name}, {"unit", "percent"}, {"rows", std::move(rows)}}.dump(2) +
+         "\n";
+}
+
+/// The text files of the results by name.
+std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
+  const std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  std::vector<std::string> ids;
+  std::vector<int> labels;
+  for (const Model& model : results.models) {
+    ids.push_back(model.id);
+    labels.push_back(model.label);
+  }
+  const Table rounded = summary_table(evaluations, 2);
+  return {{"summary.csv", to_csv(summary_table(evaluations, 4))},
+          {"summary.json", summary_json(results)},
+          {"summary.md", to_markdown(rounded)},
+          {"summary.tex", to_latex(rounded)},
+          {"per_class.csv", to_csv(per_class_table(evaluations, labels, results.classes))},
+          {"per_query.csv", to_csv(per_query_table(evaluations, ids, labels, results.classes))},
+          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))}};
+}
+
+/// The distance matrices that an earlier manifest in the folder lists.
+std::vector<std::string> earlier_matrices(const fs::path& folder) {
+  std::vector<std::string> matrices;
+  try {
+    if (!fs::exists(folder / manifest_name)) return {};
+    for (const auto& file : read_json(folder / manifest_name).value("files", std::vector<std::string>())) {
+      const fs::path path = file;
+      if (path.parent_path() == "distances" && path.extension() == ".npy") matrices.push_back(file);
+    }
+  } catch (const std::exception&) {
+    matrices.clear();  // not a manifest of ours: nothing to clear away
+  }
+  return matrices;
+}
+
+std::vector<std::string> matrix_files(const ExperimentResults& results) {
+  std::vector<std::string> names;
+  for (const MethodResults& method : results.methods) names.push_back(method.name);
+  std::vector<std::string> files = file_safe_names(names);
+  for (std::string& file : files) file = fmt::format("distances/{}.npy", file);
+  return files;
+}
+
+}  // namespace
+
+bool has_results(const fs::path& folder) {
+  static constexpr std::array<std::string_view, 9> names{"summary.csv",   "summary.json",  "summary.md",
+                                                         "summary.tex",   "per_class.csv", "per_query.csv",
+                                                         "pr_curves.csv", "distances",     manifest_name};
+  return std::ranges::any_of(names, [&](std::string_view name) { return fs::exists(folder / name); });
+}
+
+void write_results(const fs::path& folder, const ExperimentResults& results) {
+  const std::vector<std::string> earlier = earlier_matrices(folder);
+  const std::vector<std::string> matrices = matrix_files(results);
+  std::vector<std::string> files;
+  for (const auto& [name, text] : text_files(results)) {
+    write_file_atomically(folder / name, text);
+    files.push_back(name);
+  }
+  std::error_code failure;
+  fs::create_directories(folder / "distances", failure);
+  if (failure)
+    throw InputError(fmt::format("cannot make the folder {}: {}", (folder / "distances").string(), failure.message()));
+  for (std::size_t i = 0; i < matrices.size(); ++i) {
+    write_npy(folder / matrices[i], results.methods[i].distances);
+    files.push_back(matrices[i]);
+  }
+  write_file_atomically(folder / manifest_name, manifest(results, files).dump(2) + "\n");
+  for (const std::string& matrix : earlier) {
+    if (std::ranges::find(matrices, matrix) == matrices.end()) fs::remove(folder / matrix, failure);
+  }
+}
+
+std::string summary_text(const ExperimentResults& results) {
+  return to_plain_text(summary_table(all_evaluations(results), 2));
+}
+
+}  // namespace shapegauge

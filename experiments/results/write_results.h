@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+
+#include "shapegauge/experiments/results/experiment_results.h"
+
+namespace shapegauge {
+
+/// Writes all result files (the design, section 5) into the folder, each whole or not at all, the manifest last; then
+/// removes distance matrices that the manifest of an earlier run lists and this run has not written. Throws InputError
+/// where a file cannot be written.
+void write_results(const std::filesystem::path& folder, const ExperimentResults& results);
+
+/// Whether a file that write_results would write is in the folder.
+bool has_results(const std::filesystem::path& folder);
+
+/// The results' summary for a terminal.
+std::string summary_text(const ExperimentResults& results);
+
+}  // namespace shapegauge

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/runner/field_plan.h"
+
+namespace shapegauge {
+
+/// What one shape gave for one field.
+struct FieldDescription {
+  Interval range;           ///< of the values
+  Eigen::VectorXf values;   ///< kept where the plan says so, else empty; single precision, as there is one a sample and
+  Eigen::VectorXf weights;  ///< a data set has millions
+  FieldOutcomes outcomes;
+  double seconds = 0;
+};
+
+/// What is kept of one shape; its mesh is not.
+struct ModelDescription {
+  std::vector<FieldDescription> fields;     ///< as in the plan
+  std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
+};
+
+/// Reads the model, scales it to unit area and computes the planned fields and their histograms. parallel: spread the
+/// samples over threads. Throws InputError or std::invalid_argument where the shape is of no use.
+ModelDescription describe_model(const Model& model, std::span<const PlannedField> plan,
+                                std::span<const SignatureConfiguration> signatures, bool parallel);
+
+/// The histogram of values that were kept, over a range.
+Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);
+
+}  // namespace shapegauge

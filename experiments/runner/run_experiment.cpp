@@ -1,0 +1,93 @@
+#include "shapegauge/experiments/runner/run_experiment.h"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/experiments/runner/compute_signatures.h"
+#include "shapegauge/experiments/runner/prepare_dataset.h"
+#include "shapegauge/experiments/runner/with_threads.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Seconds since the last call, or since the beginning.
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+std::vector<int> labels_of(const std::vector<Model>& models) {
+  std::vector<int> labels;
+  labels.reserve(models.size());
+  for (const Model& model : models) labels.push_back(model.label);
+  return labels;
+}
+
+std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::vector<Model>& models,
+                                       const Configuration& configuration) {
+  const std::vector<int> labels = labels_of(models);
+  std::vector<Evaluation> evaluations;
+  for (const Protocol protocol : configuration.protocols) {
+    evaluations.push_back(evaluate(method.distances, labels,
+                                   {.protocol = protocol, .minimum_class_size = configuration.minimum_class_size}));
+  }
+  return evaluations;
+}
+
+void run_stages(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                const RunControl& control, ExperimentResults& results) {
+  Stopwatch stopwatch;
+  const Dataset dataset = prepare_dataset(configuration, generated_folder, control);
+  results.timings.emplace_back("dataset", stopwatch.lap());
+
+  ComputedSignatures computed = compute_signatures(dataset, configuration, control);
+  results.classes = dataset.classes;
+  for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
+  for (const ModelFailure& failure : computed.failures) {
+    results.failures.push_back({.model = dataset.models[failure.model], .message = failure.message});
+  }
+  results.fields = std::move(computed.fields);
+  results.timings.emplace_back("signatures", stopwatch.lap());
+
+  for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
+    if (control.interrupted()) throw Interrupted();
+    control.progress("distances", i, configuration.signatures.size());
+    results.methods.push_back({.name = configuration.signatures[i].name,
+                               .distances = distance_matrix(computed.signatures[i], configuration.distance),
+                               .evaluations = {}});
+  }
+  results.timings.emplace_back("distances", stopwatch.lap());
+
+  for (MethodResults& method : results.methods) {
+    if (control.interrupted()) throw Interrupted();
+    method.evaluations = evaluations_of(method, results.models, configuration);
+  }
+  results.timings.emplace_back("evaluation", stopwatch.lap());
+}
+
+}  // namespace
+
+ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                                 const RunControl& control) {
+  ExperimentResults results;
+  results.configuration = configuration;
+  results.threads = control.threads > 0 ? control.threads : available_threads();
+  try {
+    with_threads(results.threads, [&] { run_stages(configuration, generated_folder, control, results); });
+  } catch (const std::invalid_argument& error) {
+    // What the modules below say of data that they cannot use: here the data come from the user.
+    throw InputError(error.what());
+  }
+  return results;
+}
+
+}  // namespace shapegauge
