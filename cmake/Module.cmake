@@ -26,7 +26,7 @@ function(shapegauge_configure_target target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                                            -Wcast-align -Woverloaded-virtual -Wnull-dereference
                                            $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
-  # GCC 12 warns of overlap in std::string's own operator+ (https://gcc.gnu.org/PR105651, mended in 13).
+  # GCC 12 warns, wrongly, of overlap inside std::string's own operator+ (GCC's bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
