@@ -14,6 +14,7 @@
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "shapegauge/core/spatial/offset_tolerance.h"
+#include "shapegauge/core/spatial/space_filling_curve.h"
 #include "shapegauge/core/spatial/surface_tree.h"
 
 namespace shapegauge {
@@ -86,14 +87,14 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const 
 }
 
 Answer answer_at(const OffsetExterior& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                 CoveringTriangles& covering) {
+                 SearchMemory& memory) {
   const double r = exterior.r();
   Outcome outcome = Outcome::direct;
   double distance = r;
   auto q = direct_point(exterior, p, normal);
   if (!q) {
     outcome = Outcome::searched;
-    q = nearest_exterior_point(exterior, p, normal, covering);
+    q = nearest_exterior_point(exterior, p, normal, memory);
     distance = (q->point - p).norm();
   }
   const Eigen::Vector3d outward = (q->point - p).normalized();
@@ -128,14 +129,16 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   result.values.resize(n);
   result.normals.resize(n, 3);
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
+  const std::vector<std::int32_t> order = order_along_curve(samples.points);
   // What a search remembers of the ones before it ends with the block, so that threads do not change the answers.
   constexpr Eigen::Index block_size = 256;
   const auto answer_block = [&](Eigen::Index block) {
-    CoveringTriangles covering;
+    SearchMemory memory;
     const Eigen::Index end = std::min(n, (block + 1) * block_size);
-    for (Eigen::Index i = block * block_size; i < end; ++i) {
+    for (Eigen::Index k = block * block_size; k < end; ++k) {
+      const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Answer answer = answer_at(exterior, frame.to_unit(samples.points.row(i).transpose()),
-                                      samples.normals.row(i).transpose(), covering);
+                                      samples.normals.row(i).transpose(), memory);
       result.values[i] = answer.value * frame.diagonal;
       result.normals.row(i) = answer.normal;
       outcomes[static_cast<std::size_t>(i)] = answer.outcome;

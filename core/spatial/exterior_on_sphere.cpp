@@ -17,16 +17,22 @@ struct Patch {
   std::int32_t hint;  ///< a triangle that is likely to cover the patch
 };
 
+/// What a triangle was found to cover of a patch.
+enum class Cover { unknown, middle, all };
+
+/// Patches that reach farther than this, as a fraction of r, are divided rather than looked at closely.
+constexpr double large_patch = 0.15;
+
 /// The sphere and what is being looked for on it.
 class SphereSearch {
  public:
   SphereSearch(const OffsetExterior& exterior, const Eigen::Vector3d& centre, double radius, double smallest_radius,
-               CoveringTriangles& covering)
+               SearchMemory& memory)
       : exterior_(exterior),
         centre_(centre),
         radius_(radius),
         smallest_radius_(smallest_radius),
-        covering_(covering) {}
+        memory_(memory) {}
 
   std::optional<ExteriorPoint> run() {
     for (int face = 0; face < 6; ++face) split({face, 0, 0, 0, -1}, -1);
@@ -39,6 +45,13 @@ class SphereSearch {
   }
 
  private:
+  /// A patch's middle and corners, and the distance from the middle to the farthest corner.
+  struct Outline {
+    Eigen::Vector3d middle;
+    std::array<Eigen::Vector3d, 4> corners;
+    double reach = 0;
+  };
+
   [[nodiscard]] Eigen::Vector3d on_sphere(int face, double u, double v) const {
     Eigen::Vector3d direction;
     const int axis = face % 3;
@@ -56,17 +69,24 @@ class SphereSearch {
 
   std::optional<ExteriorPoint> look_into(const Patch& patch) {
     const Outline outline = outline_of(patch);
-    if (patch.hint >= 0 && is_covered(outline, patch.hint)) return std::nullopt;
-    const bool remembered = patch.level < CoveringTriangles::levels;
+    const bool remembered = patch.level < SearchMemory::levels;
     std::int32_t unused = -1;
-    std::int32_t& before = remembered ? covering_.at(patch.face, patch.level, patch.column, patch.row) : unused;
-    if (before >= 0 && before != patch.hint && is_covered(outline, before)) return std::nullopt;
+    std::int32_t& before =
+        remembered ? memory_.covering_triangle(patch.face, patch.level, patch.column, patch.row) : unused;
+    for (const std::int32_t triangle : {patch.hint, before}) {
+      const Cover cover = cover_by(outline, triangle);
+      if (cover == Cover::all) return std::nullopt;
+      if (cover == Cover::middle && outline.reach > large_patch * exterior_.r()) {
+        if (exterior_.may_hold_exterior(outline.middle, outline.reach)) split(patch, triangle);
+        return std::nullopt;
+      }
+    }
     if (!exterior_.may_hold_exterior(outline.middle, outline.reach)) return std::nullopt;
     const double r = exterior_.r();
     const auto hit = exterior_.tree().closest(outline.middle, r + outline.reach, patch.hint);
     if (hit) before = hit->triangle;
     if (hit && hit->distance < r) {
-      if (outline.reach > smallest_radius_ && !is_covered(outline, hit->triangle)) split(patch, hit->triangle);
+      if (outline.reach > smallest_radius_ && cover_by(outline, hit->triangle) != Cover::all) split(patch, hit->triangle);
       return std::nullopt;
     }
     const auto is_exterior = exterior_.contains(outline.middle);
@@ -74,13 +94,6 @@ class SphereSearch {
     if (hit && outline.reach > smallest_radius_) split(patch, hit->triangle);
     return std::nullopt;
   }
-
-  /// A patch's middle and corners, and the distance from the middle to the farthest corner.
-  struct Outline {
-    Eigen::Vector3d middle;
-    std::array<Eigen::Vector3d, 4> corners;
-    double reach = 0;
-  };
 
   [[nodiscard]] Outline outline_of(const Patch& patch) const {
     const double side = 1 << patch.level;
@@ -96,29 +109,28 @@ class SphereSearch {
     return outline;
   }
 
-  /// Whether all of a patch is within r of the triangle. The points within some distance of a triangle are a convex set:
+  /// How much of a patch is within r of the triangle. The points within some distance of a triangle are a convex set:
   /// with the corners it holds their hull, and the patch rises above that by no more than its sagitta.
-  [[nodiscard]] bool is_covered(const Outline& outline, std::int32_t triangle_index) const {
+  [[nodiscard]] Cover cover_by(const Outline& outline, std::int32_t triangle_index) const {
+    if (triangle_index < 0) return Cover::unknown;
     const double r = exterior_.r();
-    const Triangle triangle = exterior_.tree().triangle(triangle_index);
-    const auto squared_distance = [&](const Eigen::Vector3d& x) {
-      return (closest_point(triangle, x) - x).squaredNorm();
-    };
+    const TriangleDistance squared_distance(exterior_.tree().triangle(triangle_index));
     const double middle = squared_distance(outline.middle);
-    if (middle >= r * r) return false;
+    if (middle >= r * r) return Cover::unknown;
     const double limit = r - outline.reach;
-    if (limit > 0 && middle < limit * limit) return true;
+    if (limit > 0 && middle < limit * limit) return Cover::all;
     const double corner_limit = r - outline.reach * outline.reach / (2 * radius_);
-    return corner_limit > 0 && std::all_of(outline.corners.begin(), outline.corners.end(), [&](const auto& corner) {
-             return squared_distance(corner) < corner_limit * corner_limit;
-           });
+    const bool all = corner_limit > 0 && std::all_of(outline.corners.begin(), outline.corners.end(), [&](const auto& x) {
+                       return squared_distance(x) < corner_limit * corner_limit;
+                     });
+    return all ? Cover::all : Cover::middle;
   }
 
   const OffsetExterior& exterior_;
   Eigen::Vector3d centre_;
   double radius_;
   double smallest_radius_;
-  CoveringTriangles& covering_;
+  SearchMemory& memory_;
   std::vector<Patch> waiting_;
 };
 
@@ -126,8 +138,8 @@ class SphereSearch {
 
 std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
                                                       double radius, double smallest_radius,
-                                                      CoveringTriangles& covering) {
-  return SphereSearch(exterior, centre, radius, smallest_radius, covering).run();
+                                                      SearchMemory& memory) {
+  return SphereSearch(exterior, centre, radius, smallest_radius, memory).run();
 }
 
 }  // namespace shapegauge

@@ -10,17 +10,17 @@
 
 namespace shapegauge {
 
-/// Remembers which triangle covered which part of the last spheres. Spheres about neighbouring points are covered alike,
-/// so it saves queries; what is found may depend on it within the tolerance of the search.
-class CoveringTriangles {
+/// What searches for neighbouring points have in common: which triangle covered which part of the last spheres. It saves
+/// queries; what is found may depend on it within the tolerance of the search.
+class SearchMemory {
  public:
   static constexpr int levels = 4;
 
-  CoveringTriangles() { triangles_.fill(-1); }
+  SearchMemory() { triangles_.fill(-1); }
 
-  /// The place for a patch: a face of the circumscribed cube, and the column and row of the patch among the 2^level times
-  /// 2^level patches of the face; level is below levels.
-  std::int32_t& at(int face, int level, int column, int row) {
+  /// The triangle for a patch: a face of the circumscribed cube, and the column and row of the patch among the 2^level
+  /// times 2^level patches of the face; level is below levels.
+  std::int32_t& covering_triangle(int face, int level, int column, int row) {
     const int side = 1 << level;
     return triangles_[static_cast<std::size_t>(face * patches_per_face + (side * side - 1) / 3 + row * side + column)];
   }
@@ -34,6 +34,6 @@ class CoveringTriangles {
 /// smallest_radius from their centres.
 std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
                                                       double radius, double smallest_radius,
-                                                      CoveringTriangles& covering);
+                                                      SearchMemory& memory);
 
 }  // namespace shapegauge

@@ -30,8 +30,8 @@ struct Contact {
 /// The search for one point p.
 class Search {
  public:
-  Search(const OffsetExterior& exterior, const Eigen::Vector3d& p, CoveringTriangles& covering)
-      : exterior_(exterior), tree_(exterior.tree()), r_(exterior.r()), p_(p), covering_(covering) {}
+  Search(const OffsetExterior& exterior, const Eigen::Vector3d& p, SearchMemory& memory)
+      : exterior_(exterior), tree_(exterior.tree()), r_(exterior.r()), p_(p), memory_(memory) {}
 
   ExteriorPoint run(const Eigen::Vector3d& normal) {
     if (!normal.isZero()) {
@@ -43,7 +43,7 @@ class Search {
       // No exterior point is closer to the surface, hence to p, than r.
       const double radius = best_distance_ - search_tolerance * r_;
       if (radius <= r_) break;
-      const auto closer = exterior_point_on_sphere(exterior_, p_, radius, smallest_patch * r_, covering_);
+      const auto closer = exterior_point_on_sphere(exterior_, p_, radius, smallest_patch * r_, memory_);
       if (!closer) break;
       descend_from(*closer);
     }
@@ -148,7 +148,7 @@ class Search {
   const SurfaceTree& tree_;
   double r_;
   Eigen::Vector3d p_;
-  CoveringTriangles& covering_;
+  SearchMemory& memory_;
   ExteriorPoint best_{};
   double best_distance_ = std::numeric_limits<double>::infinity();
 };
@@ -156,8 +156,8 @@ class Search {
 }  // namespace
 
 ExteriorPoint nearest_exterior_point(const OffsetExterior& exterior, const Eigen::Vector3d& p,
-                                     const Eigen::Vector3d& normal, CoveringTriangles& covering) {
-  return Search(exterior, p, covering).run(normal);
+                                     const Eigen::Vector3d& normal, SearchMemory& memory) {
+  return Search(exterior, p, memory).run(normal);
 }
 
 }  // namespace shapegauge

@@ -17,6 +17,6 @@ namespace shapegauge {
 /// starts the next descent. A passage whose half-width exceeds r by less than 0.003 r may go unseen. Pass the
 /// same object for neighbouring points.
 ExteriorPoint nearest_exterior_point(const OffsetExterior& exterior, const Eigen::Vector3d& p,
-                                     const Eigen::Vector3d& normal, CoveringTriangles& covering);
+                                     const Eigen::Vector3d& normal, SearchMemory& memory);
 
 }  // namespace shapegauge
