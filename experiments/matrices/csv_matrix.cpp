@@ -16,16 +16,18 @@
 namespace shapegauge {
 namespace {
 
+void check_ids(const std::vector<std::string>& ids, const std::string& where) {
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& id : ids) {
+    if (id.empty()) throw InputError(fmt::format("{}: an id is empty", where));
+    if (!seen.insert(id).second) throw InputError(fmt::format("{}: the id {} occurs twice", where, quoted_word(id)));
+  }
+}
+
 // The ids of the columns, behind the first cell of the header row.
 std::vector<std::string> read_ids(const CsvRow& header, const std::string& source) {
   std::vector<std::string> ids(header.cells.begin() + 1, header.cells.end());
-  std::unordered_set<std::string_view> seen;
-  for (const std::string& id : ids) {
-    if (id.empty()) throw InputError(fmt::format("{}:{}: an id in the header row is empty", source, header.line));
-    if (seen.insert(id).second) continue;
-    throw InputError(
-        fmt::format("{}:{}: the id {} occurs twice in the header row", source, header.line, quoted_word(id)));
-  }
+  check_ids(ids, fmt::format("{}:{}", source, header.line));
   return ids;
 }
 
@@ -72,6 +74,7 @@ void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances
     throw std::invalid_argument(
         fmt::format("{} ids for a matrix of {} rows", matrix.ids.size(), matrix.distances.rows()));
   }
+  check_ids(matrix.ids, "cannot write " + path.string());
   std::vector<std::string> cells;
   for (const std::string& id : matrix.ids) {
     if (id.find_first_of("\r\n") != std::string::npos) {

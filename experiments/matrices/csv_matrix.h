@@ -14,8 +14,8 @@ namespace shapegauge {
 LabelledDistances read_csv_matrix(const std::filesystem::path& path);
 
 /// Writes a matrix as CSV, with ids where it has them; every distance with as many digits as it takes to read back the
-/// same number. Throws InputError where the file cannot be written or an id contains a line break, and
-/// std::invalid_argument where there are ids but not one for each row.
+/// same number. Throws InputError where the file cannot be written or an id is empty, occurs twice or contains a line
+/// break, and std::invalid_argument where there are ids but not one for each row.
 void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix);
 
 }  // namespace shapegauge

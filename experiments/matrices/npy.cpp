@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <fmt/format.h>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -57,12 +58,25 @@ DistanceMatrix read_npy(const std::filesystem::path& path) {
                                quoted_word(header.type)));
 }
 
+namespace {
+
+void write_numbers(const std::filesystem::path& path, std::string header, std::span<const double> numbers) {
+  header.reserve(header.size() + numbers.size_bytes());
+  for (const double number : numbers) append_number(header, number);
+  write_file_atomically(path, header);
+}
+
+}  // namespace
+
 void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix) {
-  std::string bytes =
-      npy_header_of_matrix(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols()));
-  bytes.reserve(bytes.size() + static_cast<std::size_t>(matrix.size()) * sizeof(double));
-  for (Eigen::Index i = 0; i < matrix.size(); ++i) append_number(bytes, matrix.data()[i]);
-  write_file_atomically(path, bytes);
+  write_numbers(path,
+                npy_header_of_matrix(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())),
+                {matrix.data(), static_cast<std::size_t>(matrix.size())});
+}
+
+void write_npy_vector(const std::filesystem::path& path, const Eigen::VectorXd& values) {
+  const auto size = static_cast<std::size_t>(values.size());
+  write_numbers(path, npy_header_of_vector(size), {values.data(), size});
 }
 
 }  // namespace shapegauge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <filesystem>
 
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -14,5 +15,8 @@ DistanceMatrix read_npy(const std::filesystem::path& path);
 /// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where
 /// the file cannot be written.
 void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix);
+
+/// Writes values as a one-dimensional array, in the same way.
+void write_npy_vector(const std::filesystem::path& path, const Eigen::VectorXd& values);
 
 }  // namespace shapegauge

@@ -156,9 +156,10 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
   return header;
 }
 
-std::string npy_header_of_matrix(std::size_t rows, std::size_t columns) {
-  std::string dictionary =
-      fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+namespace {
+
+std::string header_of_shape(const std::string& shape) {
+  std::string dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
   const std::size_t fixed = magic.size() + 2 + sizeof(std::uint16_t);
   while ((fixed + dictionary.size() + 1) % alignment != 0) dictionary += ' ';
   dictionary += '\n';
@@ -167,5 +168,13 @@ std::string npy_header_of_matrix(std::size_t rows, std::size_t columns) {
   append_number(header, static_cast<std::uint16_t>(dictionary.size()));
   return header + dictionary;
 }
+
+}  // namespace
+
+std::string npy_header_of_matrix(std::size_t rows, std::size_t columns) {
+  return header_of_shape(fmt::format("{}, {}", rows, columns));
+}
+
+std::string npy_header_of_vector(std::size_t size) { return header_of_shape(fmt::format("{},", size)); }
 
 }  // namespace shapegauge

@@ -23,4 +23,7 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
 /// The header (version 1.0) of a matrix of little-endian float64, row by row.
 std::string npy_header_of_matrix(std::size_t rows, std::size_t columns);
 
+/// The header (version 1.0) of so many little-endian float64 in one dimension.
+std::string npy_header_of_vector(std::size_t size);
+
 }  // namespace shapegauge

@@ -1,0 +1,57 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/experiments/datasets/natural_order.h"
+
+namespace shapegauge {
+namespace {
+
+using testing::ElementsAre;
+
+std::vector<std::string> sorted(std::vector<std::string> names) {
+  std::ranges::sort(names, natural_less);
+  return names;
+}
+
+TEST(NaturalOrder, NumbersCountByTheirValue) {
+  EXPECT_THAT(sorted({"T10", "T2", "T1", "T100", "T0"}), ElementsAre("T0", "T1", "T2", "T10", "T100"));
+  EXPECT_THAT(sorted({"a10b2", "a10b10", "a9b99"}), ElementsAre("a9b99", "a10b2", "a10b10"));
+}
+
+TEST(NaturalOrder, NumbersMayBeLongerThanAnyInteger) {
+  EXPECT_TRUE(natural_less("x99999999999999999999", "x100000000000000000000"));
+}
+
+TEST(NaturalOrder, WhatBeginsAnotherNameComesFirst) {
+  EXPECT_THAT(sorted({"T1.off", "T1", "T", ""}), ElementsAre("", "T", "T1", "T1.off"));
+}
+
+TEST(NaturalOrder, LeadingZerosDecideLast) {
+  EXPECT_THAT(sorted({"a1", "a01b", "a01", "a2", "a001"}), ElementsAre("a001", "a01", "a1", "a01b", "a2"));
+  EXPECT_THAT(sorted({"0", "00", "1"}), ElementsAre("0", "00", "1"));
+}
+
+TEST(NaturalOrder, BytesCompareWithoutSign) { EXPECT_TRUE(natural_less("z", "\xC3\xA9")); }
+
+RC_GTEST_PROP(NaturalOrder, IsAStrictTotalOrder, ()) {
+  const auto names = rc::gen::container<std::string>(rc::gen::element('0', '1', '9', 'a', 'T', '.'));
+  const std::string a = *names;
+  const std::string b = *names;
+  const std::string c = *names;
+  RC_ASSERT(!natural_less(a, a));
+  RC_ASSERT((a == b) == (!natural_less(a, b) && !natural_less(b, a)));
+  RC_ASSERT(!(natural_less(a, b) && natural_less(b, a)));
+  if (natural_less(a, b) && natural_less(b, c)) RC_ASSERT(natural_less(a, c));
+}
+
+RC_GTEST_PROP(NaturalOrder, OfNumbersIsTheirOrder, (unsigned a, unsigned b)) {
+  const auto name_of = [](unsigned number) { return std::string("T").append(std::to_string(number)).append(".off"); };
+  RC_ASSERT(natural_less(name_of(a), name_of(b)) == (a < b));
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <rapidcheck.h>
+
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+/// Square matrices of 1 to 12 rows with entries of all magnitudes, exactly representable as float32, infinity among
+/// them, none NaN.
+rc::Gen<DistanceMatrix> square_matrices();
+
+}  // namespace shapegauge
