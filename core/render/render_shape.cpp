@@ -170,8 +170,10 @@ Image render_shape(const Shape& shape, const std::vector<Colour>& colours, Sampl
     auto target = image.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(options.width) * row;
     for (int column = 0; column < options.width; ++column) {
       Eigen::Array4d sum = Eigen::Array4d::Zero();
-      for (int i = 0; i < n * n; ++i) {
-        sum += scene.look(camera.at(column + (i % n + 0.5) / n, row + (i / n + 0.5) / n), camera);
+      for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+          sum += scene.look(camera.at(column + (j + 0.5) / n, row + (i + 0.5) / n), camera);
+        }
       }
       target = std::ranges::copy(pixel_of(sum, n * n, options.transparent), target).out;
     }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "tests/core/test_shapes.h"
 
@@ -36,6 +37,14 @@ TEST(ConeSdfCgal, BothEnginesAgree) {
   expect_agreement(generic(test_shapes::torus(3, 1, 20, 40)));
   expect_agreement(generic(test_shapes::capsule(0.5, 3, 20, 5)));
   expect_agreement(generic(test_shapes::joined({test_shapes::sphere(1, 2), test_shapes::sphere(0.3, 1)})));
+}
+
+TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
+  const char* const data = std::getenv("SHAPEGAUGE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
+  for (const char* const name : {"T0.off", "T350.off", "T550.off"}) {
+    expect_agreement(read_shape(std::filesystem::path(data) / "shrec11_nonrigid" / name));
+  }
 }
 
 TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
