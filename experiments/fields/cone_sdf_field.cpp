@@ -42,7 +42,9 @@ Field cone_sdf_field(const nlohmann::json& settings) {
             ConeSdfResult result = cone_sdf(shape, samples, now);
             const auto total = static_cast<std::size_t>(result.values.size());
             return FieldValues{.values = std::move(result.values),
-                               .outcomes = {{"total", total}, {"missing", result.missing}}};
+                               .outcomes = {{"total", total}, {"missing", result.missing}},
+                               .build_seconds = result.build_seconds,
+                               .query_seconds = result.query_seconds};
           }};
 }
 

@@ -20,6 +20,8 @@ using FieldOutcomes = std::map<std::string, std::size_t>;
 struct FieldValues {
   Eigen::VectorXd values;  ///< one a sample; NaN where there is none
   FieldOutcomes outcomes;
+  double build_seconds = 0;  ///< spatial structures
+  double query_seconds = 0;  ///< all samples
 };
 
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.

@@ -20,7 +20,9 @@ Field offset_sdf_field(const nlohmann::json& settings) {
                                .outcomes = {{"total", outcomes.total},
                                             {"direct", outcomes.direct},
                                             {"searched", outcomes.searched},
-                                            {"undecided", outcomes.undecided}}};
+                                            {"undecided", outcomes.undecided}},
+                               .build_seconds = result.build_seconds,
+                               .query_seconds = result.query_seconds};
           }};
 }
 

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <mutex>
 #include <optional>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/experiments/runner/describe_model.h"
+#include "shapegauge/experiments/runner/for_each_model.h"
 #include "shapegauge/retrieval/signature.h"
 
 namespace shapegauge {
@@ -28,74 +28,33 @@ struct Described {
                                dataset.models[first.model].id, first.message, others));
 }
 
-/// Describes every model that has not failed yet.
-class ModelJobs {
- public:
-  ModelJobs(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
-            std::span<const PlannedField> plan)
-      : dataset_(dataset), configuration_(configuration), control_(control), plan_(plan) {}
+void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
+  const bool none_left = failures.size() == dataset.models.size();
+  if (!failures.empty() && (none_left || on_error == OnError::stop)) stop_for(dataset, failures);
+}
 
-  Described run() {
-    described_.models.resize(dataset_.models.size());
-    described_.failures = check_models(dataset_);
-    stop_if_told();
-    std::vector<std::size_t> todo;
-    for (std::size_t i = 0; i < dataset_.models.size(); ++i) {
-      if (std::ranges::find(described_.failures, i, &ModelFailure::model) == described_.failures.end())
-        todo.push_back(i);
-    }
-    // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
-    const bool parallel_within = todo.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    control_.progress("signatures", 0, todo.size());
-    tbb::task_group_context group;
-    tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, todo.size(), 1),
-        [&](const tbb::blocked_range<std::size_t>& range) {
-          for (std::size_t i = range.begin(); i != range.end(); ++i) {
-            if (control_.interrupted()) group.cancel_group_execution();
-            if (group.is_group_execution_cancelled()) return;
-            describe(todo[i], parallel_within, group);
-            const std::scoped_lock lock(mutex_);
-            control_.progress("signatures", ++done_, todo.size());
-          }
-        },
-        tbb::simple_partitioner(), group);
-    if (control_.interrupted()) throw Interrupted();
-    std::ranges::sort(described_.failures, {}, &ModelFailure::model);
-    stop_if_told();
-    return std::move(described_);
+Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
+                          std::span<const PlannedField> plan) {
+  Described described;
+  described.models.resize(dataset.models.size());
+  described.failures = check_models(dataset);
+  stop_if_told(dataset, described.failures, configuration.on_error);
+  std::vector<std::size_t> todo;
+  for (std::size_t i = 0; i < dataset.models.size(); ++i) {
+    if (std::ranges::find(described.failures, i, &ModelFailure::model) == described.failures.end()) todo.push_back(i);
   }
-
- private:
-  void describe(std::size_t model, bool parallel_within, tbb::task_group_context& group) {
-    try {
-      // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
-      tbb::this_task_arena::isolate([&] {
-        described_.models[model] =
-            describe_model(dataset_.models[model], plan_, configuration_.signatures, parallel_within);
+  // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
+  const bool parallel_within = todo.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::vector<ModelFailure> failures =
+      for_each_model(todo, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
+        described.models[model] =
+            describe_model(dataset.models[model], plan, configuration.signatures, parallel_within);
       });
-    } catch (const std::exception& error) {
-      const std::scoped_lock lock(mutex_);
-      described_.failures.push_back({.model = model, .message = error.what()});
-      if (configuration_.on_error == OnError::stop) group.cancel_group_execution();
-    }
-  }
-
-  void stop_if_told() const {
-    const bool all = described_.failures.size() == dataset_.models.size();
-    if (!described_.failures.empty() && (all || configuration_.on_error == OnError::stop)) {
-      stop_for(dataset_, described_.failures);
-    }
-  }
-
-  const Dataset& dataset_;
-  const Configuration& configuration_;
-  const RunControl& control_;
-  std::span<const PlannedField> plan_;
-  Described described_;
-  std::mutex mutex_;
-  std::size_t done_ = 0;
-};
+  described.failures.insert(described.failures.end(), failures.begin(), failures.end());
+  std::ranges::sort(described.failures, {}, &ModelFailure::model);
+  stop_if_told(dataset, described.failures, configuration.on_error);
+  return described;
+}
 
 /// The union of the ranges of a field over all models.
 Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
@@ -153,7 +112,7 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control) {
   const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
-  Described described = ModelJobs(dataset, configuration, control, plan).run();
+  Described described = describe_models(dataset, configuration, control, plan);
   ComputedSignatures computed;
   std::vector<const ModelDescription*> models;
   for (std::size_t i = 0; i < described.models.size(); ++i) {

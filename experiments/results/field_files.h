@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <functional>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// Writes the values of a field at the samples of a shape to a file, whole or not at all.
+using FieldFileWriter =
+    std::function<void(const std::filesystem::path&, const Shape&, const Samples&, const Eigen::VectorXd& values)>;
+
+/// The writer for the format that the name's extension tells: .csv (columns index,sdf,weight, shortest numbers that
+/// read back the same), .npy (the values, one-dimensional), .ply (the mesh, coloured, with the values as a property),
+/// .png (a picture). Colours go from the smallest value to the largest. Throws InputError for another extension.
+FieldFileWriter field_file_writer(const std::filesystem::path& path);
+
+}  // namespace shapegauge

@@ -1,0 +1,43 @@
+#include "shapegauge/experiments/runner/for_each_model.h"
+
+#include <algorithm>
+#include <mutex>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace shapegauge {
+
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control,
+                                         const std::function<void(std::size_t model)>& job) {
+  std::vector<ModelFailure> failures;
+  std::mutex mutex;
+  std::size_t done = 0;
+  tbb::task_group_context group;
+  const auto attempt = [&](std::size_t model) {
+    if (control.interrupted()) group.cancel_group_execution();
+    if (group.is_group_execution_cancelled()) return;
+    try {
+      // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
+      tbb::this_task_arena::isolate([&] { job(model); });
+    } catch (const std::exception& error) {
+      const std::scoped_lock lock(mutex);
+      failures.push_back({.model = model, .message = error.what()});
+      if (stop_at_failure) group.cancel_group_execution();
+    }
+    const std::scoped_lock lock(mutex);
+    control.progress(stage, ++done, models.size());
+  };
+  control.progress(stage, 0, models.size());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, models.size(), 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) attempt(models[i]);
+      },
+      tbb::simple_partitioner(), group);
+  if (control.interrupted()) throw Interrupted();
+  std::ranges::sort(failures, {}, &ModelFailure::model);
+  return failures;
+}
+
+}  // namespace shapegauge
