@@ -58,22 +58,26 @@ TriangleForm form_of(const Corners& corners) {
     largest_coordinate = std::max(largest_coordinate, corners[k].cwiseAbs().maxCoeff());
   }
   if (!(longest > 0)) return form;
-  for (Eigen::Vector3d& edge : edges) edge /= longest;  // so that neither products nor squares leave the range
-  const Eigen::Vector3d cross = edges[2].cross(-edges[1]);
+  // In units near the triangle's size neither products nor squares leave the range; a power of two rounds nothing.
+  const double unit = std::exp2(std::ilogb(longest));
+  for (Eigen::Vector3d& edge : edges) edge /= unit;
+  // Of the three equal products the one that CGAL's sdf_values forms, rounding included: where a cone's rays begin
+  // turns on whether a component of the normal is exactly zero.
+  const Eigen::Vector3d cross = edges[0].cross(-edges[2]);
   const double twice_area = cross.norm();
   // Coordinates rounded to double move each corner by up to an epsilon of their size.
-  if (!(twice_area > 4 * std::numeric_limits<double>::epsilon() * (largest_coordinate / longest))) return form;
+  if (!(twice_area > 4 * std::numeric_limits<double>::epsilon() * (largest_coordinate / unit))) return form;
 
   form.degenerate = false;
   form.normal = cross / twice_area;
-  form.area = twice_area / 2 * longest * longest;
+  form.area = twice_area / 2 * unit * unit;
   std::array<double, 3> cotangents = {};
   std::array<double, 3> squared_edges = {};
   for (int k = 0; k < 3; ++k) {
     const double dot = -edges[(k + 1) % 3].dot(edges[(k + 2) % 3]);
     cotangents[k] = dot / twice_area;
     form.angles[k] = std::atan2(twice_area, dot);
-    squared_edges[k] = edges[k].squaredNorm() * longest * longest;
+    squared_edges[k] = edges[k].squaredNorm() * unit * unit;
   }
   form.mixed_areas = mixed_areas(form.area, cotangents, squared_edges);
   return form;
