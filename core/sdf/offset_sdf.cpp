@@ -1,12 +1,11 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 
-#include <fmt/format.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/closedness.h"

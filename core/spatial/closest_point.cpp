@@ -47,7 +47,8 @@ double TriangleDistance::operator()(const Eigen::Vector3d& x) const {
     const double height = from_a.dot(normal_);
     return height * height;
   }
-  return std::min({squared_distance_to_edge(from_a, ab_, inverse_ab_), squared_distance_to_edge(from_a, ac_, inverse_ac_),
+  return std::min({squared_distance_to_edge(from_a, ab_, inverse_ab_),
+                   squared_distance_to_edge(from_a, ac_, inverse_ac_),
                    squared_distance_to_edge(from_a - ab_, ac_ - ab_, inverse_bc_)});
 }
 

@@ -9,8 +9,8 @@ struct Triangle {
   Eigen::Vector3d a, b, c;
 };
 
-/// The point of a triangle closest to x, by the Voronoi regions of its features. Degenerate triangles are treated as the
-/// segment or point that they are.
+/// The point of a triangle closest to x, by the Voronoi regions of its features. Degenerate triangles are treated as
+/// the segment or point that they are.
 Eigen::Vector3d closest_point(const Triangle& triangle, const Eigen::Vector3d& x);
 
 /// The point of the segment ab closest to x.
@@ -25,8 +25,8 @@ class TriangleDistance {
 
  private:
   Eigen::Vector3d a_, ab_, ac_;
-  Eigen::Vector3d normal_;          ///< of length 1
-  Eigen::Vector3d dual_b_, dual_c_; ///< dot(x - a, dual_b) is the barycentric coordinate of b
+  Eigen::Vector3d normal_;           ///< of length 1
+  Eigen::Vector3d dual_b_, dual_c_;  ///< dot(x - a, dual_b) is the barycentric coordinate of b
   double inverse_ab_, inverse_ac_, inverse_bc_;
 };
 

@@ -48,7 +48,7 @@ ExteriorEntry first_exterior_entry(const OffsetExterior& exterior, const Eigen::
     }
     const auto is_exterior = exterior.contains(x);
     if (is_exterior.value_or(true)) return {t, is_exterior.has_value()};
-    t += std::max(smallest_step, tree.closest(x)->distance - r);
+    t += std::max(5 * smallest_step, tree.closest(x)->distance - r);
   }
 }
 

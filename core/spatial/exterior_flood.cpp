@@ -20,12 +20,15 @@ struct FacePair {
 /// The leaves' geometry and all pairs of leaves that share a face.
 class LeafGraph {
  public:
-  LeafGraph(const OffsetExterior& exterior) : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
+  LeafGraph(const OffsetExterior& exterior)
+      : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
     visit(exterior.root());
   }
 
   [[nodiscard]] const std::vector<FacePair>& pairs() const { return pairs_; }
-  [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const { return centres_[static_cast<std::size_t>(leaf)]; }
+  [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const {
+    return centres_[static_cast<std::size_t>(leaf)];
+  }
   [[nodiscard]] double half(std::int32_t leaf) const { return halves_[static_cast<std::size_t>(leaf)]; }
 
  private:
@@ -122,7 +125,8 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& 
   }
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
-    // Within a free cube the way is free: it is enough to reach the shared face straight from the smaller cube's centre.
+    // Within a free cube the way is free: it is enough to reach the shared face straight from the smaller cube's
+    // centre.
     const bool low_is_smaller = graph.half(pair.low) <= graph.half(pair.high);
     const std::int32_t smaller = low_is_smaller ? pair.low : pair.high;
     const std::int32_t larger = low_is_smaller ? pair.high : pair.low;
@@ -157,9 +161,9 @@ std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, Parts
 
 FreeSpace space_of_part(const OffsetExterior& exterior, const LeafGraph& graph, const PartSummary& summary) {
   if (summary.holds_free_cube) return FreeSpace::enclosed;
-  const auto even = exterior.is_outside_by_parity(graph.centre(summary.representative));
-  if (!even) return FreeSpace::none;
-  return *even ? FreeSpace::exterior : FreeSpace::enclosed;
+  const auto outside = exterior.is_outside_by_crossings(graph.centre(summary.representative));
+  if (!outside) return FreeSpace::none;
+  return *outside ? FreeSpace::exterior : FreeSpace::enclosed;
 }
 
 FreeSpace merged(FreeSpace a, FreeSpace b) {
@@ -186,9 +190,9 @@ void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   }
 }
 
-/// Settles by parity what the surroundings of a mixed leaf leave open. Valid where no surface passes through the ball
+/// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. Valid where no surface passes through the ball
 /// around the leaf: then all free points in the leaf are on the side of its centre.
-void settle_by_parity(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
+void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ExteriorNode& node = nodes[i];
     const bool open = node.space == FreeSpace::none || node.space == FreeSpace::both;
@@ -196,7 +200,7 @@ void settle_by_parity(const OffsetExterior& exterior, const LeafGraph& graph, st
     const auto leaf = static_cast<std::int32_t>(i);
     const double distance = static_cast<double>(node.clearance) + exterior.r();
     if (distance <= std::sqrt(3.0) * graph.half(leaf)) continue;
-    const auto outside = exterior.is_outside_by_parity(graph.centre(leaf));
+    const auto outside = exterior.is_outside_by_crossings(graph.centre(leaf));
     if (!outside) continue;
     if (!*outside) {
       node.space = FreeSpace::enclosed;
@@ -214,19 +218,20 @@ void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& n
   join_leaves(exterior, graph, parts);
   const std::vector<PartSummary> summaries = summarise(nodes, parts);
   const ExteriorCell root = exterior.root();
-  const auto corner = exterior.leaf_at(root.centre - Eigen::Vector3d::Constant(root.half));
+  const auto corner = exterior.leaf_at(root.centre - 0.999 * Eigen::Vector3d::Constant(root.half));
   const std::int32_t outside = parts.find(corner->node);
   std::vector<FreeSpace> spaces(nodes.size(), FreeSpace::none);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (summaries[i].representative < 0) continue;
-    spaces[i] = static_cast<std::int32_t>(i) == outside ? FreeSpace::exterior
-                                                         : space_of_part(exterior, graph, summaries[i]);
+    spaces[i] =
+        static_cast<std::int32_t>(i) == outside ? FreeSpace::exterior : space_of_part(exterior, graph, summaries[i]);
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_open(nodes[i])) nodes[i].centre_space = spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+    if (is_open(nodes[i]))
+      nodes[i].centre_space = spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
   }
   spread_to_mixed(graph, nodes);
-  settle_by_parity(exterior, graph, nodes);
+  settle_by_crossings(exterior, graph, nodes);
 }
 
 }  // namespace shapegauge

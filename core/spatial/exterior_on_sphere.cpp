@@ -11,8 +11,8 @@ namespace {
 
 /// A patch of the sphere: a square of the circumscribed cube's face, seen from the centre.
 struct Patch {
-  int face;           ///< 0 to 5: axis face % 3, negative side for 3 to 5
-  int level;          ///< the face is cut into 2^level columns and as many rows
+  int face;   ///< 0 to 5: axis face % 3, negative side for 3 to 5
+  int level;  ///< the face is cut into 2^level columns and as many rows
   int column, row;
   std::int32_t hint;  ///< a triangle that is likely to cover the patch
 };
@@ -28,11 +28,7 @@ class SphereSearch {
  public:
   SphereSearch(const OffsetExterior& exterior, const Eigen::Vector3d& centre, double radius, double smallest_radius,
                SearchMemory& memory)
-      : exterior_(exterior),
-        centre_(centre),
-        radius_(radius),
-        smallest_radius_(smallest_radius),
-        memory_(memory) {}
+      : exterior_(exterior), centre_(centre), radius_(radius), smallest_radius_(smallest_radius), memory_(memory) {}
 
   std::optional<ExteriorPoint> run() {
     for (int face = 0; face < 6; ++face) split({face, 0, 0, 0, -1}, -1);
@@ -86,7 +82,8 @@ class SphereSearch {
     const auto hit = exterior_.tree().closest(outline.middle, r + outline.reach, patch.hint);
     if (hit) before = hit->triangle;
     if (hit && hit->distance < r) {
-      if (outline.reach > smallest_radius_ && cover_by(outline, hit->triangle) != Cover::all) split(patch, hit->triangle);
+      if (outline.reach > smallest_radius_ && cover_by(outline, hit->triangle) != Cover::all)
+        split(patch, hit->triangle);
       return std::nullopt;
     }
     const auto is_exterior = exterior_.contains(outline.middle);
@@ -120,9 +117,9 @@ class SphereSearch {
     const double limit = r - outline.reach;
     if (limit > 0 && middle < limit * limit) return Cover::all;
     const double corner_limit = r - outline.reach * outline.reach / (2 * radius_);
-    const bool all = corner_limit > 0 && std::all_of(outline.corners.begin(), outline.corners.end(), [&](const auto& x) {
-                       return squared_distance(x) < corner_limit * corner_limit;
-                     });
+    const bool all = corner_limit > 0 &&
+                     std::all_of(outline.corners.begin(), outline.corners.end(),
+                                 [&](const auto& x) { return squared_distance(x) < corner_limit * corner_limit; });
     return all ? Cover::all : Cover::middle;
   }
 
@@ -137,8 +134,7 @@ class SphereSearch {
 }  // namespace
 
 std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
-                                                      double radius, double smallest_radius,
-                                                      SearchMemory& memory) {
+                                                      double radius, double smallest_radius, SearchMemory& memory) {
   return SphereSearch(exterior, centre, radius, smallest_radius, memory).run();
 }
 

@@ -10,8 +10,8 @@
 
 namespace shapegauge {
 
-/// What searches for neighbouring points have in common: which triangle covered which part of the last spheres. It saves
-/// queries; what is found may depend on it within the tolerance of the search.
+/// What searches for neighbouring points have in common: which triangle covered which part of the last spheres. It
+/// saves queries; what is found may depend on it within the tolerance of the search.
 class SearchMemory {
  public:
   static constexpr int levels = 4;
@@ -33,7 +33,6 @@ class SearchMemory {
 /// Some exterior point on a sphere, or nothing where the sphere is proven to have none, down to patches that reach
 /// smallest_radius from their centres.
 std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
-                                                      double radius, double smallest_radius,
-                                                      SearchMemory& memory);
+                                                      double radius, double smallest_radius, SearchMemory& memory);
 
 }  // namespace shapegauge

@@ -16,6 +16,8 @@ namespace {
 constexpr double search_tolerance = 8e-3;
 constexpr double smallest_patch = 3e-3;
 constexpr double descent_tolerance = 1e-4;
+/// Beyond this distance the octree is asked for a start: descents from far away end in poor minima.
+constexpr double far = 2;
 constexpr int most_descent_steps = 16;
 constexpr std::size_t most_contacts = 7;
 constexpr int most_pull_steps = 200;
@@ -38,7 +40,7 @@ class Search {
       descend({contact_at(-1, p_, p_ + normal)});
       if (!std::isfinite(best_distance_)) descend({contact_at(-1, p_, p_ - normal)});
     }
-    if (!std::isfinite(best_distance_)) descend_from(nearest_known_exterior());
+    if (best_distance_ > far * r_) descend_from(nearest_known_exterior());
     for (int i = 0; i < most_improvements; ++i) {
       // No exterior point is closer to the surface, hence to p, than r.
       const double radius = best_distance_ - search_tolerance * r_;
@@ -108,8 +110,8 @@ class Search {
     }
   }
 
-  /// The half-spaces lie inside of what the triangles really leave free: lays those that x lies on anew at the point that
-  /// it was pulled to.
+  /// The half-spaces lie inside of what the triangles really leave free: lays those that x lies on anew at the point
+  /// that it was pulled to.
   [[nodiscard]] std::vector<Contact> renewed(const std::vector<Contact>& contacts, const Eigen::Vector3d& x,
                                              const Touching& touching) const {
     std::vector<Contact> result;

@@ -105,7 +105,7 @@ std::optional<bool> OffsetExterior::contains(const Eigen::Vector3d& x) const {
   if (space == FreeSpace::exterior) return true;
   if (space == FreeSpace::enclosed) return false;
   if (const auto decided = decide_by_walk(x)) return decided;
-  return is_outside_by_parity(x);
+  return is_outside_by_crossings(x);
 }
 
 std::optional<bool> OffsetExterior::decide_by_walk(Eigen::Vector3d x) const {
@@ -129,14 +129,14 @@ std::optional<bool> OffsetExterior::decide_by_walk(Eigen::Vector3d x) const {
   return std::nullopt;
 }
 
-std::optional<bool> OffsetExterior::is_outside_by_parity(const Eigen::Vector3d& x) const {
+std::optional<bool> OffsetExterior::is_outside_by_crossings(const Eigen::Vector3d& x) const {
   if (!closed_) return std::nullopt;
   // Any direction will do; the next is tried where one runs too close to an edge.
   static const std::array<Eigen::Vector3d, 4> directions = {
       Eigen::Vector3d(0.8437, 0.4231, 0.3302).normalized(), Eigen::Vector3d(-0.3371, 0.8119, 0.4766).normalized(),
       Eigen::Vector3d(0.2113, -0.4027, 0.8906).normalized(), Eigen::Vector3d(-0.5309, -0.6113, -0.5871).normalized()};
   for (const Eigen::Vector3d& direction : directions) {
-    if (const auto crossings = tree_.count_crossings(x, direction)) return *crossings % 2 == 0;
+    if (const auto crossings = tree_.count_crossings(x, direction)) return crossings->count % 2 == 0 && crossings->balance == 0;
   }
   return std::nullopt;
 }

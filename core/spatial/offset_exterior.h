@@ -19,8 +19,8 @@ enum class FreeSpace : std::uint8_t { none, exterior, enclosed, both };
 /// A cube of the octree.
 struct ExteriorCell {
   Eigen::Vector3d centre;
-  double half;             ///< half of the cube's edge
-  std::int32_t node;       ///< index into OffsetExterior::nodes()
+  double half;        ///< half of the cube's edge
+  std::int32_t node;  ///< index into OffsetExterior::nodes()
 };
 
 /// A point of the exterior or of the outer offset surface.
@@ -37,14 +37,14 @@ struct ExteriorNode {
   CellKind kind = CellKind::mixed;
   FreeSpace centre_space = FreeSpace::none;  ///< of the centre; all of a free leaf
   FreeSpace space = FreeSpace::none;         ///< of the leaf and, for a mixed or solid one, the leaves around it
-  bool may_hold_exterior = false;  ///< some exterior point may lie in the cube
+  bool may_hold_exterior = false;            ///< some exterior point may lie in the cube
 };
 
 /// The space around a shape, sorted into offset solid O(r), exterior E(r) and enclosed free space (the design, section
 /// 2.1): an octree, refined where the boundary of O(r) runs, flooded from outside.
 ///
 /// The tree's smallest cubes measure r/2 or 1/256 of the diagonal, whichever is larger. Free space narrower than such a
-/// cube's diagonal may escape the flood. On a closed surface the parity of crossings then decides; otherwise contains()
+/// cube's diagonal may escape the flood. On a closed surface the crossings of a ray then decide; otherwise contains()
 /// may have no answer. A cavity that is joined to the outside only through a passage so narrow counts as enclosed.
 ///
 /// Expects a shape with a diagonal of about 1. Safe to query from many threads. Keeps a reference to the surface tree.
@@ -73,9 +73,10 @@ class OffsetExterior {
     return may_hold_exterior(root(), centre, radius);
   }
 
-  /// Whether a ray from x crosses the surface an even number of times; nothing where the surface is not closed or the
-  /// rays that were tried run too close to edges.
-  [[nodiscard]] std::optional<bool> is_outside_by_parity(const Eigen::Vector3d& x) const;
+  /// Whether x is outside of the surface as far as the crossings of a ray from x tell: even in number, and as many in as
+  /// out where the triangles are oriented alike (the overlap of two parts is crossed evenly too). Nothing where the
+  /// surface is not closed, or the rays that were tried run too close to edges.
+  [[nodiscard]] std::optional<bool> is_outside_by_crossings(const Eigen::Vector3d& x) const;
 
  private:
   void divide(const ExteriorCell& cell, double smallest_half);

@@ -19,8 +19,9 @@ float widened_square(double distance) {
                                                     : std::numeric_limits<float>::infinity();
 }
 
-/// How a ray meets a triangle: not at all, through its inside, or too close to its border to say.
-enum class Crossing { none, inside, border };
+/// How a ray meets a triangle: not at all, through its inside along its normal or against it, or too close to its border
+/// to say.
+enum class Crossing { none, along, against, border };
 
 Crossing crossing(const Triangle& triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
   constexpr double border_width = 1e-9;
@@ -40,7 +41,8 @@ Crossing crossing(const Triangle& triangle, const Eigen::Vector3d& x, const Eige
   const double w = direction.dot(q) / determinant;
   const double margin = std::min({v, w, 1 - v - w});
   if (margin < -border_width || ac.dot(q) / determinant < 0) return Crossing::none;
-  return margin > border_width ? Crossing::inside : Crossing::border;
+  if (margin <= border_width) return Crossing::border;
+  return determinant < 0 ? Crossing::along : Crossing::against;
 }
 
 bool ray_meets_box(const SurfaceTreeNode& node, std::size_t child, const Eigen::Vector3d& x,
@@ -93,8 +95,8 @@ std::optional<std::int32_t> SurfaceTree::any_within(const Eigen::Vector3d& x, do
   return found < 0 ? std::nullopt : std::optional(found);
 }
 
-std::optional<int> SurfaceTree::count_crossings(const Eigen::Vector3d& x, const Eigen::Vector3d& direction) const {
-  int crossings = 0;
+std::optional<RayCrossings> SurfaceTree::count_crossings(const Eigen::Vector3d& x, const Eigen::Vector3d& direction) const {
+  RayCrossings crossings;
   if (layout_->nodes.empty()) return crossings;
   const Eigen::Vector3d inverse_direction = direction.cwiseInverse();
   std::vector<std::int32_t> stack{0};
@@ -113,7 +115,8 @@ std::optional<int> SurfaceTree::count_crossings(const Eigen::Vector3d& x, const 
         previous = index;
         const Crossing found = crossing(triangle(index), x, direction);
         if (found == Crossing::border) return std::nullopt;
-        crossings += found == Crossing::inside ? 1 : 0;
+        crossings.count += found == Crossing::none ? 0 : 1;
+        crossings.balance += found == Crossing::along ? 1 : found == Crossing::against ? -1 : 0;
       }
     }
   }

@@ -18,6 +18,12 @@ struct SurfaceHit {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
+/// How a ray crosses the surface.
+struct RayCrossings {
+  int count = 0;
+  int balance = 0;  ///< crossings along the triangles' normals minus those against them
+};
+
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries: eight children a node, sixteen
 /// triangles a leaf, both laid out for SIMD, with the instruction set chosen at run time.
 ///
@@ -45,8 +51,9 @@ class SurfaceTree {
   [[nodiscard]] std::optional<std::int32_t> any_within(const Eigen::Vector3d& x, double distance,
                                                        std::int32_t hint = -1) const;
 
-  /// How often the ray from x crosses the surface, or nothing where a crossing is too close to an edge to be sure.
-  [[nodiscard]] std::optional<int> count_crossings(const Eigen::Vector3d& x, const Eigen::Vector3d& direction) const;
+  /// The crossings of the ray from x with the surface, or nothing where one is too close to an edge to be sure.
+  [[nodiscard]] std::optional<RayCrossings> count_crossings(const Eigen::Vector3d& x,
+                                                            const Eigen::Vector3d& direction) const;
 
   /// The corners of a triangle, in the shape's numbering.
   [[nodiscard]] Triangle triangle(std::int32_t index) const;

@@ -12,7 +12,8 @@ namespace shapegauge {
 inline constexpr int children_per_node = 8;
 inline constexpr int triangles_per_leaf = 16;
 
-/// The boxes of eight children, coordinate by coordinate. Unused places hold an empty box, infinitely far from anything.
+/// The boxes of eight children, coordinate by coordinate. Unused places hold an empty box, infinitely far from
+/// anything.
 struct alignas(64) SurfaceTreeNode {
   std::array<std::array<float, children_per_node>, 3> low;
   std::array<std::array<float, children_per_node>, 3> high;
@@ -27,12 +28,12 @@ using LeafVector = std::array<LeafLane, 3>;
 /// Sixteen triangles relative to an origin near them, so that single precision is relative to their size and not to the
 /// whole shape's. Unused places repeat a used one.
 struct alignas(64) SurfaceTreeLeaf {
-  LeafVector a;         ///< first corner
-  LeafVector ab;        ///< edges from the first corner
+  LeafVector a;   ///< first corner
+  LeafVector ab;  ///< edges from the first corner
   LeafVector ac;
-  LeafVector normal;    ///< unit normal
-  LeafVector dual_b;    ///< dot(x - a, dual_b) is the barycentric coordinate of b; NaN for a degenerate triangle, so that
-  LeafVector dual_c;    ///< no point projects into it
+  LeafVector normal;  ///< unit normal
+  LeafVector dual_b;  ///< dot(x - a, dual_b) is the barycentric coordinate of b; NaN for a degenerate triangle, so that
+  LeafVector dual_c;  ///< no point projects into it
   LeafLane inverse_ab;  ///< 1 / squared length of the edge; 0 for an edge of no length
   LeafLane inverse_ac;
   LeafLane inverse_bc;

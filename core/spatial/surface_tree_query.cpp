@@ -2,10 +2,9 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/spatial/surface_tree_query.cpp"
+#include <array>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
-
-#include <array>
 #include <limits>
 
 #include "shapegauge/core/spatial/surface_tree_layout.h"
@@ -66,8 +65,8 @@ HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vect
     const auto from_b = subtract<decltype(d)>(from_a, ab);
     auto nearest = to_edge(d, from_a, ab, hn::Load(d, leaf.inverse_ab.data() + lane));
     nearest = hn::Min(nearest, to_edge(d, from_a, ac, hn::Load(d, leaf.inverse_ac.data() + lane)));
-    nearest = hn::Min(nearest, to_edge(d, from_b, subtract<decltype(d)>(ac, ab),
-                                       hn::Load(d, leaf.inverse_bc.data() + lane)));
+    nearest =
+        hn::Min(nearest, to_edge(d, from_b, subtract<decltype(d)>(ac, ab), hn::Load(d, leaf.inverse_bc.data() + lane)));
     const auto height = dot<decltype(d)>(from_a, load(d, leaf.normal, lane));
     const auto b = dot<decltype(d)>(from_a, load(d, leaf.dual_b, lane));
     const auto c = dot<decltype(d)>(from_a, load(d, leaf.dual_c, lane));

@@ -61,7 +61,7 @@ TEST(SurfaceTree, OfNoTrianglesAnswersNothing) {
   const SurfaceTree tree{Shape{}};
   EXPECT_FALSE(tree.closest({0, 0, 0}).has_value());
   EXPECT_FALSE(tree.any_within({0, 0, 0}, 1).has_value());
-  EXPECT_EQ(tree.count_crossings({0, 0, 0}, {1, 0, 0}), 0);
+  EXPECT_EQ(tree.count_crossings({0, 0, 0}, {1, 0, 0})->count, 0);
 }
 
 TEST(SurfaceTree, CopesWithManyTrianglesInOnePlace) {
@@ -88,12 +88,14 @@ Shape unit_box() {
 TEST(SurfaceTree, CountsTheCrossingsOfARay) {
   const SurfaceTree tree(unit_box());
   const Eigen::Vector3d direction = Eigen::Vector3d(1, 0.31, 0.17).normalized();
-  EXPECT_EQ(tree.count_crossings({-1, 0.2, 0.3}, direction), 2);
-  EXPECT_EQ(tree.count_crossings({0.3, 0.2, 0.3}, direction), 1);
-  EXPECT_EQ(tree.count_crossings({2, 0.2, 0.3}, direction), 0);
+  EXPECT_EQ(tree.count_crossings({-1, 0.2, 0.3}, direction)->count, 2);
+  EXPECT_EQ(tree.count_crossings({-1, 0.2, 0.3}, direction)->balance, 0);
+  EXPECT_EQ(tree.count_crossings({0.3, 0.2, 0.3}, direction)->count, 1);
+  EXPECT_EQ(tree.count_crossings({0.3, 0.2, 0.3}, direction)->balance, 1);
+  EXPECT_EQ(tree.count_crossings({2, 0.2, 0.3}, direction)->count, 0);
   // Straight through the corner at the origin: nothing can be said.
   const Eigen::Vector3d diagonal = Eigen::Vector3d(1, 1.5, 2).normalized();
-  EXPECT_EQ(tree.count_crossings(-diagonal, diagonal), std::nullopt);
+  EXPECT_EQ(tree.count_crossings(-diagonal, diagonal).has_value(), false);
 }
 
 }  // namespace

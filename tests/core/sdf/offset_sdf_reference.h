@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/closest_point.h"
+
+namespace shapegauge {
+
+/// The definition of the offset SDF taken literally (the design, sections 2.1 and 2.2): every distance is a minimum
+/// over all triangles, the exterior is a dense grid flooded from outside, the ray is followed in small steps. Slow, and
+/// meant to be obviously right; the specification that the fast implementation is held to.
+class OffsetSdfReference {
+ public:
+  /// r is a length in the shape's units.
+  OffsetSdfReference(const Shape& shape, double r);
+
+  /// d(x).
+  [[nodiscard]] double distance(const Eigen::Vector3d& x) const;
+
+  /// Whether x lies in E(r), for a smaller or larger r by the factor; passages that the grid does not resolve are
+  /// closed.
+  [[nodiscard]] bool is_exterior(const Eigen::Vector3d& x, double factor = 1) const;
+
+  /// Distance from p to the closest exterior point, to within 0.004 r.
+  [[nodiscard]] double distance_to_exterior(const Eigen::Vector3d& p) const;
+
+  /// Distance along the ray to the first point that is exterior for an offset of r * factor, in steps of r / 500.
+  [[nodiscard]] double exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double factor) const;
+
+ private:
+  [[nodiscard]] Eigen::Vector3i cell_of(const Eigen::Vector3d& x) const;
+  [[nodiscard]] Eigen::Vector3d centre_of(const Eigen::Vector3i& cell) const;
+  [[nodiscard]] bool is_in_grid(const Eigen::Vector3i& cell) const;
+  [[nodiscard]] std::size_t index_of(const Eigen::Vector3i& cell) const;
+  [[nodiscard]] bool grid_is_exterior_within(const Eigen::Vector3d& x, double distance) const;
+  void flood();
+
+  std::vector<Triangle> triangles_;
+  double r_;
+  double spacing_;
+  Eigen::Vector3d low_;
+  Eigen::Vector3i size_;
+  std::vector<char> exterior_;
+};
+
+}  // namespace shapegauge

@@ -1,0 +1,90 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/spatial/exterior_entry.h"
+#include "shapegauge/core/spatial/nearest_exterior.h"
+#include "tests/core/sdf/offset_sdf_reference.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+struct Case {
+  std::string name;
+  Shape shape;
+  double offset;
+};
+
+void PrintTo(const Case& one, std::ostream* stream) { *stream << one.name << ", offset " << one.offset; }
+
+/// Four capsules from one centre, with crevices between them.
+Shape star() {
+  std::vector<Shape> arms;
+  for (unsigned i = 0; i < 4; ++i) {
+    arms.push_back(test_shapes::transformed(test_shapes::capsule(0.18, 1, 8, 3), 1, test_shapes::rotation(i),
+                                            0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
+  }
+  return test_shapes::joined(arms);
+}
+
+/// Two walls that face each other, joined at one end.
+Shape clamp() {
+  Shape upper = test_shapes::box({2, 1, 0.2}, 2);
+  upper.vertices.col(2).array() += 0.45;
+  Shape end = test_shapes::box({0.2, 1, 0.65}, 2);
+  end.vertices.col(2).array() += 0.225;
+  end.vertices.col(0).array() -= 0.95;
+  return test_shapes::joined({test_shapes::box({2, 1, 0.2}, 2), upper, end});
+}
+
+std::vector<Case> cases() {
+  std::vector<Case> result;
+  for (const double offset : {0.04, 0.07, 0.11}) {
+    result.push_back({"torus", test_shapes::torus(1, 0.45, 14, 9), offset});
+    result.push_back({"star", star(), offset});
+    result.push_back({"clamp", clamp(), offset});
+    result.push_back({"sphere", test_shapes::sphere(1, 1), offset});
+  }
+  return result;
+}
+
+class OffsetSdfAgainstReference : public testing::TestWithParam<Case> {};
+
+TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
+  const Shape shape = test_shapes::transformed(GetParam().shape, 1 / bounding_box_diagonal(GetParam().shape),
+                                               test_shapes::rotation(5), Eigen::Vector3d::Zero());
+  const double r = GetParam().offset;
+  const OffsetSdfReference reference(shape, r);
+  const SurfaceTree tree(shape);
+  Eigen::AlignedBox3d box;
+  for (const auto& vertex : shape.vertices.rowwise()) box.extend(vertex.transpose());
+  const OffsetExterior exterior(tree, box, r, is_closed(shape));
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  SearchMemory memory;
+  for (Eigen::Index i = 0; i < samples.points.rows(); i += 7) {
+    const Eigen::Vector3d p = samples.points.row(i);
+    const ExteriorPoint q = nearest_exterior_point(exterior, p, samples.normals.row(i).transpose(), memory);
+    EXPECT_NEAR(reference.distance(q.point), r, 1e-3 * r) << i;
+    EXPECT_TRUE(reference.is_exterior(q.point)) << i;
+    EXPECT_NEAR((q.point - p).norm(), reference.distance_to_exterior(p), 1e-2 * r) << i;
+
+    const Eigen::Vector3d direction = (p - q.point).normalized();
+    const double exit = first_exterior_entry(exterior, p, direction).distance;
+    const Eigen::Vector3d end = p + exit * direction;
+    EXPECT_NEAR(reference.distance(end), r, 1e-3 * r) << i;
+    EXPECT_TRUE(reference.is_exterior(end, 1 - 1e-3)) << i;
+    // No exit is skipped: the first one of a slightly larger offset does not come before.
+    EXPECT_LE(exit, reference.exit(p, direction, 1 + 1e-3) + 1e-3 * r) << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, OffsetSdfAgainstReference, testing::ValuesIn(cases()), [](const auto& one) {
+  return one.param.name + std::to_string(std::lround(1000 * one.param.offset));
+});
+
+}  // namespace
+}  // namespace shapegauge
