@@ -1,17 +1,11 @@
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Delaunay_triangulation_cell_base_with_circumcenter_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Robust_circumcenter_traits_3.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_cell_base_3.h>
-#include <CGAL/Surface_mesh_vertex_base_3.h>
 #include <CGAL/make_surface_mesh.h>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -22,37 +16,13 @@
 #include <unordered_map>
 #include <vector>
 
+#include "shapegauge/experiments/generator/surface_triangulation.h"
+
 namespace shapegauge {
 
 namespace {
 
-// A vertex or cell that knows when it was made. CGAL then orders handles by that and not by address, without which the
-// refinement would not be the same from run to run.
-template <typename Base>
-class TimeStamped : public Base {
- public:
-  using Base::Base;
-  using Has_timestamp = CGAL::Tag_true;
-
-  template <typename DataStructure>
-  struct Rebind_TDS {
-    using Other = TimeStamped<typename Base::template Rebind_TDS<DataStructure>::Other>;
-  };
-
-  std::size_t time_stamp() const { return time_stamp_; }
-  void set_time_stamp(const std::size_t& time_stamp) { time_stamp_ = time_stamp; }
-
- private:
-  std::size_t time_stamp_ = static_cast<std::size_t>(-1);  // CGAL's sign for "none yet"
-};
-
-// CGAL's default triangulation for surface meshes, with time stamps.
-using Traits = CGAL::Robust_circumcenter_traits_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-using VertexBase = TimeStamped<CGAL::Surface_mesh_vertex_base_3<Traits>>;
-using CellBase = TimeStamped<
-    CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<Traits, CGAL::Surface_mesh_cell_base_3<Traits>>>;
-using Triangulation =
-    CGAL::Delaunay_triangulation_3<Traits, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
+using Triangulation = SurfaceTriangulation;
 using SurfaceComplex = CGAL::Complex_2_in_triangulation_3<Triangulation>;
 using Kernel = Triangulation::Geom_traits;
 using Point = Kernel::Point_3;
