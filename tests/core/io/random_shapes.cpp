@@ -1,0 +1,51 @@
+#include "tests/core/io/random_shapes.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace shapegauge::test_io {
+
+rc::Gen<double> any_finite() {
+  const auto any_bits = rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()),
+                                     [](std::uint64_t bits) { return std::bit_cast<double>(bits); });
+  return rc::gen::suchThat(rc::gen::oneOf(any_bits, rc::gen::arbitrary<double>()),
+                           [](double x) { return std::isfinite(x); });
+}
+
+rc::Gen<Polygons> any_polygons(bool triangles_only) {
+  return rc::gen::exec([triangles_only] {
+    Polygons polygons;
+    const auto points = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::array<double, 3>>>(
+        rc::gen::container<std::array<double, 3>>(any_finite())));
+    polygons.vertices.resize(static_cast<Eigen::Index>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        polygons.vertices(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) = points[i][k];
+      }
+    }
+    const auto index = rc::gen::inRange<std::int32_t>(0, static_cast<std::int32_t>(points.size()));
+    const auto face = rc::gen::mapcat(rc::gen::inRange<std::size_t>(3, triangles_only ? 4 : 7), [index](std::size_t n) {
+      return rc::gen::container<std::vector<std::int32_t>>(n, index);
+    });
+    polygons.faces = *rc::gen::container<std::vector<std::vector<std::int32_t>>>(face);
+    return polygons;
+  });
+}
+
+Shape shape_of(const Polygons& polygons) {
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  for (const auto& face : polygons.faces) {
+    for (std::size_t k = 2; k < face.size(); ++k) triangles.push_back({face[0], face[k - 1], face[k]});
+  }
+  Shape shape{polygons.vertices, Triangles(static_cast<Eigen::Index>(triangles.size()), 3)};
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)) = triangles[f][k];
+    }
+  }
+  return shape;
+}
+
+}  // namespace shapegauge::test_io

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <rapidcheck.h>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge::test_io {
+
+/// Any double that is finite: also denormal ones, and -0.
+rc::Gen<double> any_finite();
+
+/// Vertices anywhere and faces of 3 to 6 corners at random: duplicates, degenerate and non-manifold faces and unused
+/// vertices come by themselves.
+struct Polygons {
+  Points vertices;
+  std::vector<std::vector<std::int32_t>> faces;
+};
+rc::Gen<Polygons> any_polygons(bool triangles_only);
+
+/// Its shape, with polygons as fans about their first corners.
+Shape shape_of(const Polygons& polygons);
+
+}  // namespace shapegauge::test_io

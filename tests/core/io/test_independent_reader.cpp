@@ -1,0 +1,57 @@
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Simple_cartesian.h>
+#include <cstdlib>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "shapegauge/core/io/read_shape.h"
+#include "tests/core/io/encoded_shapes.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/test_shapes.h"
+
+/// CGAL reads the same from the same file.
+namespace shapegauge {
+namespace {
+
+void expect_as_cgal_reads(const std::filesystem::path& path) {
+  SCOPED_TRACE(path);
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::size_t>> polygons;
+  ASSERT_TRUE(CGAL::IO::read_polygon_soup(path.string(), points, polygons));
+  const Shape shape = read_shape(path);
+  ASSERT_EQ(static_cast<std::size_t>(shape.vertices.rows()), points.size());
+  ASSERT_EQ(static_cast<std::size_t>(shape.triangles.rows()), polygons.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      ASSERT_EQ(shape.vertices(static_cast<Eigen::Index>(i), axis), points[i][axis]) << "vertex " << i;
+    }
+  }
+  for (std::size_t f = 0; f < polygons.size(); ++f) {
+    ASSERT_EQ(polygons[f].size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      ASSERT_EQ(static_cast<std::size_t>(shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k))),
+                polygons[f][k])
+          << "face " << f;
+    }
+  }
+}
+
+TEST(IndependentReader, ReadsTheSameInEveryFormat) {
+  const test_io::TemporaryFolder folder;
+  const Shape shape = test_shapes::torus(3, 1, 20, 30);
+  for (const auto& [name, bytes, optional] : test_io::encoded_in_every_format(shape)) {
+    if (name != "binary.off") expect_as_cgal_reads(folder.file(name, bytes));  // which CGAL 5.5 does not read
+  }
+}
+
+TEST(IndependentReader, ReadsTheSameFromRealMeshes) {
+  const char* const data = std::getenv("SHAPEGAUGE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
+  for (const int i : {0, 100, 200, 300, 400, 599}) {
+    expect_as_cgal_reads(std::filesystem::path(data) / "shrec11_nonrigid" / ("T" + std::to_string(i) + ".off"));
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,115 @@
+#include <cstring>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <random>
+#include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/io/read_off.h"
+#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/io/write_off.h"
+#include "shapegauge/core/io/write_ply.h"
+#include "tests/core/io/random_shapes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace shapegauge {
+namespace {
+
+using test_io::any_polygons;
+using test_io::Polygons;
+using test_io::shape_of;
+
+/// Every bit is the same: also the sign of 0.
+void require_identical(const Shape& actual, const Shape& expected) {
+  RC_ASSERT(actual.vertices.rows() == expected.vertices.rows());
+  RC_ASSERT(std::memcmp(actual.vertices.data(), expected.vertices.data(),
+                        static_cast<std::size_t>(expected.vertices.size()) * sizeof(double)) == 0);
+  RC_ASSERT(actual.triangles.rows() == expected.triangles.rows());
+  RC_ASSERT(actual.triangles == expected.triangles);
+}
+
+RC_GTEST_PROP(RoundTrip, OffGivesTheSameDoublesAndIndices, ()) {
+  static const test_io::TemporaryFolder folder;
+  const Shape shape = shape_of(*any_polygons(true));
+  write_off(folder.path() / "t.off", shape);
+  require_identical(read_shape(folder.path() / "t.off"), shape);
+}
+
+RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
+  static const test_io::TemporaryFolder folder;
+  const Shape shape = shape_of(*any_polygons(true));
+  const Eigen::Index samples = shape.vertices.rows();
+  write_ply(folder.path() / "t.ply", shape, SampleSite::vertices, Eigen::VectorXd::Zero(samples),
+            std::vector<Colour>(static_cast<std::size_t>(samples)));
+  require_identical(read_shape(folder.path() / "t.ply"), shape);
+}
+
+/// Writes OFF as differently as programs and people do, at random.
+class RandomOffWriter {
+ public:
+  explicit RandomOffWriter(unsigned seed) : random_(seed) {}
+
+  std::string write(const Polygons& polygons) {
+    line_end_ = pick({"\n", "\r\n", "\r"});
+    const std::string keyword = pick({"OFF", "COFF", "NOFF", "STOFF", "CNOFF", "STCNOFF", ""});
+    text_ = pick({"", "\xEF\xBB\xBF"});
+    maybe_clutter();
+    text_ += keyword;
+    if (keyword.empty() || coin()) {
+      text_ += keyword.empty() ? "" : pick({"", " ", "\t"});  // the counts behind the keyword, perhaps glued to it
+    } else {
+      end_line("");
+    }
+    end_line(
+        fmt::format("{} {}{}", polygons.vertices.rows(), polygons.faces.size(), pick({"", " 0", " 99999", " -1"})));
+    const std::string vertex_extras = pick({"", " 255 0 0 255", " 0.5 1e-3 -1", " 1 2 3 4 5 6 7"});
+    for (const auto& vertex : polygons.vertices.rowwise()) {
+      end_line(number(vertex[0]) + space() + number(vertex[1]) + space() + number(vertex[2]) + vertex_extras);
+    }
+    const std::string face_extras = pick({"", " 3", " 255 0 0", " 0 0 0", " 0.1 0.2 0.3 0.4"});
+    for (const auto& face : polygons.faces) {
+      std::string line = fmt::format("{}", face.size());
+      for (const std::int32_t vertex : face) line += space() + fmt::format("{}", vertex);
+      end_line(line + face_extras);
+    }
+    return text_ + pick({"", "3 0 0 0", "# the end", "\x1A", "some words\n"});
+  }
+
+ private:
+  bool coin() { return std::uniform_int_distribution<int>(0, 1)(random_) == 1; }
+
+  std::string pick(const std::vector<std::string>& choices) {
+    return choices[std::uniform_int_distribution<std::size_t>(0, choices.size() - 1)(random_)];
+  }
+
+  std::string space() { return pick({" ", "  ", "\t", " \t "}); }
+
+  std::string number(double x) {
+    const std::string digits = pick({fmt::format("{}", x), fmt::format("{:.17e}", x), fmt::format("{:.16E}", x)});
+    return digits.front() != '-' && coin() ? "+" + digits : digits;
+  }
+
+  void maybe_clutter() {
+    text_ += pick({"", "", "", line_end_, "# 1 2 3" + line_end_, "  \t" + line_end_ + "#" + line_end_});
+  }
+
+  void end_line(const std::string& line) {
+    text_ += pick({"", "", " "}) + line + pick({"", "", "  ", "\t# comment 1 2 3", "#"}) + line_end_;
+    maybe_clutter();
+  }
+
+  std::mt19937 random_;
+  std::string line_end_;
+  std::string text_;
+};
+
+RC_GTEST_PROP(RoundTrip, OffAsAnybodyMightWriteIt, (unsigned seed)) {
+  const Polygons polygons = *any_polygons(false);
+  const std::string text = RandomOffWriter(seed).write(polygons);
+  RC_LOG(text);
+  require_identical(read_off(text, "t.off"), shape_of(polygons));
+}
+
+}  // namespace
+}  // namespace shapegauge
