@@ -1,5 +1,6 @@
 #include "shapegauge/core/spatial/exterior_flood.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -171,15 +172,20 @@ FreeSpace merged(FreeSpace a, FreeSpace b) {
   return b == FreeSpace::none ? a : FreeSpace::both;
 }
 
-/// Gives each mixed leaf the spaces of its surroundings, a cube wide, one axis after the other.
+/// Gives each of the smallest leaves the spaces of its surroundings, a cube wide, one axis after the other. Larger solid
+/// leaves do not pass anything on: that would reach through the surface.
 void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
-  for (ExteriorNode& node : nodes) node.space = node.centre_space;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes[i].space = nodes[i].centre_space;
+    smallest = std::min(smallest, graph.half(static_cast<std::int32_t>(i)));
+  }
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<FreeSpace> before(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) before[i] = nodes[i].space;
     const auto spread = [&](std::int32_t from, std::int32_t to) {
       ExteriorNode& node = nodes[static_cast<std::size_t>(to)];
-      if (node.kind == CellKind::free) return;
+      if (node.kind == CellKind::free || graph.half(to) > 1.5 * smallest) return;
       node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
     };
     for (const FacePair& pair : graph.pairs()) {
