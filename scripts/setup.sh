@@ -46,7 +46,7 @@ install_packages() {
     --option DPkg::Lock::Timeout=300 --option Dpkg::Use-Pty=0 install "${missing[@]}" </dev/null >&2
 }
 
-# build_jobs: how many compilers may run at once. Each of those that include CGAL takes up to 2 GB.
+# build_jobs: how many compilers may run at once, 2 GB for each (a source that includes CGAL takes up to 1.3 GB).
 build_jobs() {
   local cores memory limit
   cores=$(nproc)
