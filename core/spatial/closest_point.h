@@ -16,18 +16,4 @@ Eigen::Vector3d closest_point(const Triangle& triangle, const Eigen::Vector3d& x
 /// The point of the segment ab closest to x.
 Eigen::Vector3d closest_point_on_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x);
 
-/// Squared distance to a triangle, for many points.
-class TriangleDistance {
- public:
-  explicit TriangleDistance(const Triangle& triangle);
-
-  double operator()(const Eigen::Vector3d& x) const;
-
- private:
-  Eigen::Vector3d a_, ab_, ac_;
-  Eigen::Vector3d normal_;           ///< of length 1
-  Eigen::Vector3d dual_b_, dual_c_;  ///< dot(x - a, dual_b) is the barycentric coordinate of b
-  double inverse_ab_, inverse_ac_, inverse_bc_;
-};
-
 }  // namespace shapegauge

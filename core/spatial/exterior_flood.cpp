@@ -172,8 +172,8 @@ FreeSpace merged(FreeSpace a, FreeSpace b) {
   return b == FreeSpace::none ? a : FreeSpace::both;
 }
 
-/// Gives each of the smallest leaves the spaces of its surroundings, a cube wide, one axis after the other. Larger solid
-/// leaves do not pass anything on: that would reach through the surface.
+/// Gives each of the smallest leaves the spaces of its surroundings, a cube wide, one axis after the other. Larger
+/// solid leaves do not pass anything on: that would reach through the surface.
 void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -196,8 +196,8 @@ void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   }
 }
 
-/// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. Valid where no surface passes through the ball
-/// around the leaf: then all free points in the leaf are on the side of its centre.
+/// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. Valid where no surface passes through
+/// the ball around the leaf: then all free points in the leaf are on the side of its centre.
 void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ExteriorNode& node = nodes[i];

@@ -5,23 +5,24 @@
 #include <cmath>
 #include <vector>
 
+#include "shapegauge/core/spatial/patch_quad.h"
+
 namespace shapegauge {
 
 namespace {
 
-/// A patch of the sphere: a square of the circumscribed cube's face, seen from the centre.
-struct Patch {
+/// Patches that reach farther than this, as a fraction of r, are divided rather than looked at closely.
+constexpr double large_patch = 0.15;
+/// What single precision may lose of a distance, as a fraction of r.
+constexpr double rounding = 1e-5;
+
+/// A square of the circumscribed cube's face, seen from the centre: a patch of the sphere that is to be divided.
+struct Square {
   int face;   ///< 0 to 5: axis face % 3, negative side for 3 to 5
   int level;  ///< the face is cut into 2^level columns and as many rows
   int column, row;
   std::int32_t hint;  ///< a triangle that is likely to cover the patch
 };
-
-/// What a triangle was found to cover of a patch.
-enum class Cover { unknown, middle, all };
-
-/// Patches that reach farther than this, as a fraction of r, are divided rather than looked at closely.
-constexpr double large_patch = 0.15;
 
 /// The sphere and what is being looked for on it.
 class SphereSearch {
@@ -31,96 +32,107 @@ class SphereSearch {
       : exterior_(exterior), centre_(centre), radius_(radius), smallest_radius_(smallest_radius), memory_(memory) {}
 
   std::optional<ExteriorPoint> run() {
-    for (int face = 0; face < 6; ++face) split({face, 0, 0, 0, -1}, -1);
+    for (int face = 0; face < 6; ++face) waiting_.push_back({face, 0, 0, 0, -1});
     while (!waiting_.empty()) {
-      const Patch patch = waiting_.back();
+      const Square square = waiting_.back();
       waiting_.pop_back();
-      if (auto found = look_into(patch)) return found;
+      if (auto found = look_into(square)) return found;
     }
     return std::nullopt;
   }
 
  private:
-  /// A patch's middle and corners, and the distance from the middle to the farthest corner.
-  struct Outline {
-    Eigen::Vector3d middle;
-    std::array<Eigen::Vector3d, 4> corners;
-    double reach = 0;
+  /// The four quarters of a square while they are looked at.
+  struct Quarters {
+    Square square;
+    PatchQuad quad;
+    double reach = 0;  ///< no point of a quarter is farther than this from its middle
+    std::array<bool, 4> is_covered{};
+    std::array<bool, 4> middle_is_covered{};
   };
 
-  [[nodiscard]] Eigen::Vector3d on_sphere(int face, double u, double v) const {
-    Eigen::Vector3d direction;
-    const int axis = face % 3;
-    direction[axis] = face < 3 ? 1 : -1;
-    direction[(axis + 1) % 3] = u;
-    direction[(axis + 2) % 3] = v;
-    return centre_ + radius_ * direction.normalized();
-  }
-
-  void split(const Patch& patch, std::int32_t hint) {
+  std::optional<ExteriorPoint> look_into(const Square& square) {
+    Quarters quarters = quarters_of(square);
+    cover(quarters, square.hint);
     for (int i = 0; i < 4; ++i) {
-      waiting_.push_back({patch.face, patch.level + 1, 2 * patch.column + i % 2, 2 * patch.row + i / 2, hint});
+      if (quarters.is_covered[static_cast<std::size_t>(i)]) continue;
+      if (auto found = look_into(quarters, i)) return found;
     }
-  }
-
-  std::optional<ExteriorPoint> look_into(const Patch& patch) {
-    const Outline outline = outline_of(patch);
-    const bool remembered = patch.level < SearchMemory::levels;
-    std::int32_t unused = -1;
-    std::int32_t& before =
-        remembered ? memory_.covering_triangle(patch.face, patch.level, patch.column, patch.row) : unused;
-    for (const std::int32_t triangle : {patch.hint, before}) {
-      const Cover cover = cover_by(outline, triangle);
-      if (cover == Cover::all) return std::nullopt;
-      if (cover == Cover::middle && outline.reach > large_patch * exterior_.r()) {
-        if (exterior_.may_hold_exterior(outline.middle, outline.reach)) split(patch, triangle);
-        return std::nullopt;
-      }
-    }
-    if (!exterior_.may_hold_exterior(outline.middle, outline.reach)) return std::nullopt;
-    const double r = exterior_.r();
-    const auto hit = exterior_.tree().closest(outline.middle, r + outline.reach, patch.hint);
-    if (hit) before = hit->triangle;
-    if (hit && hit->distance < r) {
-      if (outline.reach > smallest_radius_ && cover_by(outline, hit->triangle) != Cover::all)
-        split(patch, hit->triangle);
-      return std::nullopt;
-    }
-    const auto is_exterior = exterior_.contains(outline.middle);
-    if (is_exterior.value_or(true)) return ExteriorPoint{outline.middle, is_exterior.has_value()};
-    if (hit && outline.reach > smallest_radius_) split(patch, hit->triangle);
     return std::nullopt;
   }
 
-  [[nodiscard]] Outline outline_of(const Patch& patch) const {
-    const double side = 1 << patch.level;
-    const double u = (2 * patch.column + 1) / side - 1;
-    const double v = (2 * patch.row + 1) / side - 1;
-    Outline outline{.middle = on_sphere(patch.face, u, v), .corners = {}};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double du = (i & 1) != 0 ? 1 / side : -1 / side;
-      const double dv = (i & 2) != 0 ? 1 / side : -1 / side;
-      outline.corners[i] = on_sphere(patch.face, u + du, v + dv);
-      outline.reach = std::max(outline.reach, (outline.corners[i] - outline.middle).norm());
+  std::optional<ExteriorPoint> look_into(Quarters& quarters, int i) {
+    const auto quarter = static_cast<std::size_t>(i);
+    const Square& parent = quarters.square;
+    Square patch{parent.face, parent.level + 1, 2 * parent.column + i % 2, 2 * parent.row + i / 2, parent.hint};
+    const Eigen::Vector3d middle = centre_ + quarters.quad.point(PatchQuad::middle_lane[quarter]);
+    std::int32_t unused = -1;
+    std::int32_t& before = patch.level < SearchMemory::levels
+                               ? memory_.covering_triangle(patch.face, patch.level, patch.column, patch.row)
+                               : unused;
+    cover(quarters, before);
+    if (quarters.is_covered[quarter]) return std::nullopt;
+    // A patch smaller than that lies in one that was found to be near the exterior.
+    const bool is_large = quarters.reach > large_patch * exterior_.r();
+    if (quarters.reach > large_patch / 2 * exterior_.r() && !exterior_.may_hold_exterior(middle, quarters.reach)) {
+      return std::nullopt;
     }
-    return outline;
+    if (quarters.middle_is_covered[quarter] && is_large) {
+      waiting_.push_back(patch);
+      return std::nullopt;
+    }
+    return look_closely(quarters, quarter, patch, middle, before);
   }
 
-  /// How much of a patch is within r of the triangle. The points within some distance of a triangle are a convex set:
-  /// with the corners it holds their hull, and the patch rises above that by no more than its sagitta.
-  [[nodiscard]] Cover cover_by(const Outline& outline, std::int32_t triangle_index) const {
-    if (triangle_index < 0) return Cover::unknown;
+  std::optional<ExteriorPoint> look_closely(Quarters& quarters, std::size_t quarter, Square patch,
+                                            const Eigen::Vector3d& middle, std::int32_t& before) {
     const double r = exterior_.r();
-    const TriangleDistance squared_distance(exterior_.tree().triangle(triangle_index));
-    const double middle = squared_distance(outline.middle);
-    if (middle >= r * r) return Cover::unknown;
-    const double limit = r - outline.reach;
-    if (limit > 0 && middle < limit * limit) return Cover::all;
-    const double corner_limit = r - outline.reach * outline.reach / (2 * radius_);
-    const bool all = corner_limit > 0 &&
-                     std::all_of(outline.corners.begin(), outline.corners.end(),
-                                 [&](const auto& x) { return squared_distance(x) < corner_limit * corner_limit; });
-    return all ? Cover::all : Cover::middle;
+    const auto hit = exterior_.tree().closest(middle, r + quarters.reach, patch.hint);
+    if (hit) before = patch.hint = hit->triangle;
+    if (!hit || hit->distance >= r) {
+      const auto is_exterior = exterior_.contains(middle);
+      if (is_exterior.value_or(true)) return ExteriorPoint{middle, is_exterior.has_value()};
+      if (!hit) return std::nullopt;
+    } else {
+      cover(quarters, hit->triangle);
+    }
+    if (!quarters.is_covered[quarter] && quarters.reach > smallest_radius_) waiting_.push_back(patch);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Quarters quarters_of(const Square& square) const {
+    const double half = 1.0 / (1 << square.level);
+    const double u = (2 * square.column + 1) * half - 1;
+    const double v = (2 * square.row + 1) * half - 1;
+    // Going from the cube's face to the sphere shrinks lengths by the distance from the centre, or more.
+    const double shrinking = std::hypot(1.0, std::max(std::abs(u) - half, 0.0), std::max(std::abs(v) - half, 0.0));
+    const double reach = radius_ * std::sqrt(0.5) * half / shrinking;
+    return {square, patch_quad(radius_, square.face, u, v, half), reach, {}, {}};
+  }
+
+  /// Marks the quarters of which all is within r of the triangle. The points within some distance of a triangle are a
+  /// convex set: with the corners it holds their hull, and the patch rises above that by no more than its sagitta.
+  void cover(Quarters& quarters, std::int32_t triangle_index) const {
+    if (triangle_index < 0) return;
+    Triangle triangle = exterior_.tree().triangle(triangle_index);
+    for (Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) *corner -= centre_;
+    const auto distances = squared_distances(quarters.quad, triangle);
+    const double r = exterior_.r() * (1 - rounding);
+    const double from_middle = std::max(0.0, r - quarters.reach);
+    const double from_corners = std::max(0.0, r - quarters.reach * quarters.reach / (2 * radius_));
+    const auto is_within = [&](int lane, double limit) {
+      return static_cast<double>(distances[static_cast<std::size_t>(lane)]) < limit * limit;
+    };
+    for (std::size_t i = 0; i < 4; ++i) {
+      const int middle = PatchQuad::middle_lane[i];
+      if (!is_within(middle, r)) continue;
+      quarters.middle_is_covered[i] = true;
+      const auto& corners = PatchQuad::corner_lanes[i];
+      if (is_within(middle, from_middle) ||
+          std::all_of(corners.begin(), corners.end(), [&](int lane) { return is_within(lane, from_corners); })) {
+        quarters.is_covered[i] = true;
+      }
+    }
   }
 
   const OffsetExterior& exterior_;
@@ -128,7 +140,7 @@ class SphereSearch {
   double radius_;
   double smallest_radius_;
   SearchMemory& memory_;
-  std::vector<Patch> waiting_;
+  std::vector<Square> waiting_;
 };
 
 }  // namespace

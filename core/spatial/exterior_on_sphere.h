@@ -14,7 +14,7 @@ namespace shapegauge {
 /// saves queries; what is found may depend on it within the tolerance of the search.
 class SearchMemory {
  public:
-  static constexpr int levels = 4;
+  static constexpr int levels = 5;
 
   SearchMemory() { triangles_.fill(-1); }
 

@@ -136,7 +136,8 @@ std::optional<bool> OffsetExterior::is_outside_by_crossings(const Eigen::Vector3
       Eigen::Vector3d(0.8437, 0.4231, 0.3302).normalized(), Eigen::Vector3d(-0.3371, 0.8119, 0.4766).normalized(),
       Eigen::Vector3d(0.2113, -0.4027, 0.8906).normalized(), Eigen::Vector3d(-0.5309, -0.6113, -0.5871).normalized()};
   for (const Eigen::Vector3d& direction : directions) {
-    if (const auto crossings = tree_.count_crossings(x, direction)) return crossings->count % 2 == 0 && crossings->balance == 0;
+    if (const auto crossings = tree_.count_crossings(x, direction))
+      return crossings->count % 2 == 0 && crossings->balance == 0;
   }
   return std::nullopt;
 }

@@ -73,8 +73,8 @@ class OffsetExterior {
     return may_hold_exterior(root(), centre, radius);
   }
 
-  /// Whether x is outside of the surface as far as the crossings of a ray from x tell: even in number, and as many in as
-  /// out where the triangles are oriented alike (the overlap of two parts is crossed evenly too). Nothing where the
+  /// Whether x is outside of the surface as far as the crossings of a ray from x tell: even in number, and as many in
+  /// as out where the triangles are oriented alike (the overlap of two parts is crossed evenly too). Nothing where the
   /// surface is not closed, or the rays that were tried run too close to edges.
   [[nodiscard]] std::optional<bool> is_outside_by_crossings(const Eigen::Vector3d& x) const;
 

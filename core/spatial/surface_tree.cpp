@@ -19,8 +19,8 @@ float widened_square(double distance) {
                                                     : std::numeric_limits<float>::infinity();
 }
 
-/// How a ray meets a triangle: not at all, through its inside along its normal or against it, or too close to its border
-/// to say.
+/// How a ray meets a triangle: not at all, through its inside along its normal or against it, or too close to its
+/// border to say.
 enum class Crossing { none, along, against, border };
 
 Crossing crossing(const Triangle& triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
@@ -95,7 +95,8 @@ std::optional<std::int32_t> SurfaceTree::any_within(const Eigen::Vector3d& x, do
   return found < 0 ? std::nullopt : std::optional(found);
 }
 
-std::optional<RayCrossings> SurfaceTree::count_crossings(const Eigen::Vector3d& x, const Eigen::Vector3d& direction) const {
+std::optional<RayCrossings> SurfaceTree::count_crossings(const Eigen::Vector3d& x,
+                                                         const Eigen::Vector3d& direction) const {
   RayCrossings crossings;
   if (layout_->nodes.empty()) return crossings;
   const Eigen::Vector3d inverse_direction = direction.cwiseInverse();

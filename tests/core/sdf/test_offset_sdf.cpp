@@ -183,7 +183,7 @@ TEST(OffsetSdf, GivesNormalsOfASphere) {
 
 /// A sphere with random bumps and dents: closed, with concavities of many widths.
 Shape bumpy_sphere(unsigned seed) {
-  Shape shape = test_shapes::sphere(1, 3);
+  Shape shape = test_shapes::sphere(1, 2);
   std::srand(seed);
   const Eigen::Matrix<double, 12, 3> centres = Eigen::Matrix<double, 12, 3>::Random().rowwise().normalized();
   const Eigen::Matrix<double, 12, 1> heights = 0.5 * Eigen::Matrix<double, 12, 1>::Random();
