@@ -30,6 +30,7 @@ std::optional<Protocol> protocol_of(std::string_view name) {
 
 std::vector<std::string> protocol_names() {
   std::vector<std::string> names;
+  names.reserve(protocols.size());
   for (const NamedProtocol& named : protocols) names.emplace_back(named.name);
   return names;
 }

@@ -11,7 +11,7 @@ constexpr double kernel_reach = 4.0;  // in standard deviations
 
 // Weights for offsets 0, 1, ... reach; the kernel is symmetric, and its two halves together sum to 1.
 Eigen::VectorXd half_kernel(double standard_deviation) {
-  const auto reach = static_cast<Eigen::Index>(kernel_reach * standard_deviation + 0.5);
+  const auto reach = static_cast<Eigen::Index>(std::lround(kernel_reach * standard_deviation));
   Eigen::VectorXd weights(reach + 1);
   double total = 0;
   for (Eigen::Index offset = 0; offset <= reach; ++offset) {

@@ -23,12 +23,12 @@ std::strong_ordering compare_by_value(std::string_view a, std::string_view b) {
     if (is_digit(a.front()) && is_digit(b.front())) {
       const std::string_view number_a = take_number(a);
       const std::string_view number_b = take_number(b);
-      if (const auto order = number_a.size() <=> number_b.size(); order != 0) return order;
-      if (const auto order = number_a <=> number_b; order != 0) return order;
+      if (const auto order = number_a.size() <=> number_b.size(); std::is_neq(order)) return order;
+      if (const auto order = number_a <=> number_b; std::is_neq(order)) return order;
       continue;
     }
     const auto order = static_cast<unsigned char>(a.front()) <=> static_cast<unsigned char>(b.front());
-    if (order != 0) return order;
+    if (std::is_neq(order)) return order;
     a.remove_prefix(1);
     b.remove_prefix(1);
   }
