@@ -13,6 +13,7 @@
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/runner/with_threads.h"
 
 namespace shapegauge {
 
@@ -61,7 +62,7 @@ int run(const RunArguments& arguments) {
                              progress.show(stage, done, total);
                            }};
   const ExperimentResults results = run_experiment(configuration, folder / "dataset", control);
-  write_results(folder, results);
+  with_threads(arguments.threads, [&] { write_results(folder, results); });
   progress.clear();
   fmt::print("{}\nResults in {}\n", summary_text(results), folder.string());
   return report_flaws(results);
@@ -80,8 +81,7 @@ void add_run_command(CLI::App& app, int& status) {
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   command->add_option("--set", arguments->overrides, "Change a value of the configuration: dotted.key=value")
-      ->take_all()
-      ->expected(1);
+      ->allow_extra_args(false);
   command->add_flag("--force", arguments->force, "Replace the results of another configuration in the folder");
   command->callback([arguments, &status] { status = run(*arguments); });
 }

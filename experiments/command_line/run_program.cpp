@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <new>
+#include <optional>
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/command_line/dataset_command.h"
@@ -12,6 +13,7 @@
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/run_command.h"
 #include "shapegauge/experiments/command_line/sdf_command.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
@@ -33,7 +35,20 @@ std::string command_in(const CLI::App& app) {
   return command;
 }
 
+/// An error for a word that stands where a command should and is none; nothing where all is well so far.
+std::optional<std::string> unknown_command(const CLI::App& app, std::span<const std::string> arguments) {
+  const std::vector<const CLI::App*> commands = app.get_subcommands([](const CLI::App*) { return true; });
+  if (commands.empty() || arguments.empty() || arguments.front().starts_with('-')) return std::nullopt;
+  std::vector<std::string> names;
+  for (const CLI::App* command : commands) {
+    if (command->get_name() == arguments.front()) return unknown_command(*command, arguments.subspan(1));
+    names.push_back(command->get_name());
+  }
+  return fmt::format("there is no command \"{}\"{}", arguments.front(), suggestion(arguments.front(), names));
+}
+
 int parse_and_run(CLI::App& app, std::span<const std::string> arguments) {
+  if (const auto unknown = unknown_command(app, arguments)) return report(*unknown, exit_unusable_input);
   // The parser takes its arguments from the back.
   std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
   try {

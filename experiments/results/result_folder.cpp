@@ -16,7 +16,8 @@ namespace {
 /// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
 nlohmann::json earlier_configuration(const fs::path& folder) {
   try {
-    return read_json(folder / "manifest.json").value("configuration", nlohmann::json());
+    const nlohmann::json manifest = read_json(folder / "manifest.json");
+    return manifest.is_object() ? manifest.value("configuration", nlohmann::json()) : nlohmann::json();
   } catch (const InputError&) {
     return {};
   }

@@ -84,6 +84,12 @@ std::vector<std::string> earlier_matrices(const fs::path& folder) {
   return matrices;
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure) throw InputError(fmt::format("cannot make the folder {}: {}", folder.string(), failure.message()));
+}
+
 std::vector<std::string> matrix_files(const ExperimentResults& results) {
   std::vector<std::string> names;
   for (const MethodResults& method : results.methods) names.push_back(method.name);
@@ -102,6 +108,7 @@ bool has_results(const fs::path& folder) {
 }
 
 void write_results(const fs::path& folder, const ExperimentResults& results) {
+  make_folder(folder / "distances");
   const std::vector<std::string> earlier = earlier_matrices(folder);
   const std::vector<std::string> matrices = matrix_files(results);
   std::vector<std::string> files;
@@ -109,17 +116,14 @@ void write_results(const fs::path& folder, const ExperimentResults& results) {
     write_file_atomically(folder / name, text);
     files.push_back(name);
   }
-  std::error_code failure;
-  fs::create_directories(folder / "distances", failure);
-  if (failure)
-    throw InputError(fmt::format("cannot make the folder {}: {}", (folder / "distances").string(), failure.message()));
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     write_npy(folder / matrices[i], results.methods[i].distances);
     files.push_back(matrices[i]);
   }
   write_file_atomically(folder / manifest_name, manifest(results, files).dump(2) + "\n");
+  std::error_code ignored;  // a file that is gone already
   for (const std::string& matrix : earlier) {
-    if (std::ranges::find(matrices, matrix) == matrices.end()) fs::remove(folder / matrix, failure);
+    if (std::ranges::find(matrices, matrix) == matrices.end()) fs::remove(folder / matrix, ignored);
   }
 }
 

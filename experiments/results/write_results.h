@@ -6,9 +6,9 @@
 
 namespace shapegauge {
 
-/// Writes all result files (the design, section 5) into the folder, each whole or not at all, the manifest last; then
-/// removes distance matrices that the manifest of an earlier run lists and this run has not written. Throws InputError
-/// where a file cannot be written.
+/// Writes all result files (the design, section 5) into the folder, made where absent, each whole or not at all, the
+/// manifest last; then removes distance matrices that the manifest of an earlier run lists and this run has not
+/// written. Throws InputError where a file cannot be written.
 void write_results(const std::filesystem::path& folder, const ExperimentResults& results);
 
 /// Whether a file that write_results would write is in the folder.

@@ -1,0 +1,126 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/matrices/psb_matrix.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/run_executable.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+/// The design's toy: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
+class EvaluateCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Eigen::VectorXd values{{0, 1, 4, 2, 3.5, 7, 9}};
+    DistanceMatrix distances(7, 7);
+    std::string text;
+    for (int i = 0; i < 7; ++i) {
+      for (int j = 0; j < 7; ++j) {
+        distances(i, j) = std::abs(values[i] - values[j]);
+        text += std::to_string(distances(i, j)) + (j < 6 ? " " : "\n");
+      }
+    }
+    write_npy(at("toy.npy"), distances);
+    write_psb_matrix(at("toy.matrix"), distances);
+    write_text(at("toy.txt"), text);
+    write_text(at("toy.cla"), "PSB 1\n2 7\nA 0 3\n0\n1\n2\nB 0 4\n3\n4\n5\n6\n");
+  }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome evaluate_toy(const std::string& more, const std::string& matrix = "toy.npy") const {
+    return run_executable("evaluate '" + at(matrix) + "' --labels '" + at("toy.cla") + "' " + more);
+  }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
+  for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
+    const Outcome outcome = evaluate_toy("--format json", matrix);
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json["protocol"], "psb");
+    EXPECT_EQ(json["ties"], "index");
+    EXPECT_EQ(json["queries"], 7);
+    EXPECT_NEAR(json["micro"]["NN"], .571429, 1e-6);
+    EXPECT_NEAR(json["micro"]["FT"], .428571, 1e-6);
+    EXPECT_NEAR(json["micro"]["ST"], .928571, 1e-6);
+    EXPECT_NEAR(json["micro"]["E"], .595238, 1e-6);
+    EXPECT_NEAR(json["micro"]["DCG"], .718910, 1e-6);
+    EXPECT_TRUE(json["per_class"].contains("B"));
+  }
+}
+
+TEST_F(EvaluateCommand, TablesArePercent) {
+  EXPECT_THAT(evaluate_toy("").output, HasSubstr("toy     psb       micro    57.14  42.86  92.86"));
+  EXPECT_THAT(
+      evaluate_toy("--format csv").output,
+      StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\ntoy,psb,micro,57.1429,42.8571,92.8571,59.5238,71.8910,"));
+  EXPECT_THAT(evaluate_toy("--format markdown --protocol paper").output, HasSubstr("| toy    | paper    | micro   |"));
+  EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}"));
+}
+
+TEST_F(EvaluateCommand, TheCurveGoesToItsFile) {
+  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.csv") + "'").status, 0);
+  EXPECT_THAT(text_of(at("pr.csv")), StartsWith("method,protocol,recall,precision,macro_precision\ntoy,psb,0.05,"));
+}
+
+TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
+  // The same matrix with the rows' models exchanged: labels A and B fall on other rows.
+  write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids '" + at("ids.txt") + "'").output);
+  // Now B = 0, 1, 4, 2 and A = 3.5, 7, 9; nearest others: 1, 0, 3.5, 1, 4, 9, 7: right for 5 of 7 (0, 1, 2, 7, 9).
+  EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
+}
+
+TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
+  const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
+  EXPECT_THAT(outcome.errors, HasSubstr("note: 3 models are never queries"));
+}
+
+TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
+  write_text(at("short.txt"), "0 1\n1 0\n");
+  write_text(at("nan.txt"), "0 nan\n1 0\n");
+  write_text(at("absent.txt"), "0\n1\n2\n3\n4\n5\n7\n");
+  write_text(at("empty.cla"), "");
+  const std::string toy = "evaluate '" + at("toy.npy") + "' ";
+  const std::string labels = "--labels '" + at("toy.cla") + "' ";
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {toy, "--labels is required"},
+      {toy + "--labels /nowhere.cla", "/nowhere.cla"},
+      {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
+      {"evaluate /nowhere.npy " + labels, "/nowhere.npy"},
+      {"evaluate '" + at("short.txt") + "' " + labels, "has 2 rows, but there are 7 models"},
+      {"evaluate '" + at("nan.txt") + "' " + labels, "nan.txt"},
+      {"evaluate '" + at("toy.cla") + "' " + labels, "toy.cla"},
+      {toy + labels + "--protocol pbs", "--protocol"},
+      {toy + labels + "--format xml", "--format"},
+      {toy + labels + "--min-class-size 5", "class"},
+      {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
+      {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
+  for (const auto& [arguments, words] : cases) {
+    const Outcome outcome = run_executable(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_EQ(outcome.output, "") << arguments;
+    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << arguments;
+    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge

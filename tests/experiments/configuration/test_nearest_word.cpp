@@ -1,0 +1,48 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/nearest_word.h"
+
+namespace shapegauge {
+namespace {
+
+TEST(EditDistance, CountsEdits) {
+  EXPECT_EQ(edit_distance("", ""), 0U);
+  EXPECT_EQ(edit_distance("offset", "offset"), 0U);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3U);
+  EXPECT_EQ(edit_distance("", "abc"), 3U);
+}
+
+TEST(EditDistance, SwapOfNeighboursIsOneEdit) { EXPECT_EQ(edit_distance("filed", "field"), 1U); }
+
+TEST(EditDistance, CaseDoesNotCount) { EXPECT_EQ(edit_distance("Embree", "EMBREE"), 0U); }
+
+RC_GTEST_PROP(EditDistance, IsSymmetricAndBoundedByTheLongerWord, (const std::string& a, const std::string& b)) {
+  RC_ASSERT(edit_distance(a, b) == edit_distance(b, a));
+  RC_ASSERT(edit_distance(a, b) <= std::max(a.size(), b.size()));
+  RC_ASSERT(edit_distance(a, a) == 0U);
+}
+
+const std::vector<std::string> words{"bins", "range", "smoothing_bins"};
+
+TEST(NearestWord, FindsWhatWasMeant) {
+  EXPECT_EQ(nearest_word("bin", words), "bins");
+  EXPECT_EQ(nearest_word("smoothing", words), std::nullopt);
+  EXPECT_EQ(nearest_word("smooting_bin", words), "smoothing_bins");
+}
+
+TEST(NearestWord, NothingForAnotherWord) { EXPECT_EQ(nearest_word("colour", words), std::nullopt); }
+
+TEST(NearestWord, AShortWordIsNotNearToEverything) {
+  EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
+}
+
+TEST(Suggestion, NamesTheNearestOrAll) {
+  EXPECT_EQ(suggestion("rnage", words), "; did you mean \"range\"?");
+  EXPECT_EQ(suggestion("colour", words), "; known here: \"bins\", \"range\", \"smoothing_bins\"");
+  EXPECT_EQ(suggestion("colour", {}), "");
+}
+
+}  // namespace
+}  // namespace shapegauge

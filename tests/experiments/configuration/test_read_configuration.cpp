@@ -1,0 +1,137 @@
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/input_error.h"
+
+namespace shapegauge {
+namespace {
+
+using testing::Eq;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+Json document() {
+  return Json::parse(R"({
+    "name": "x",
+    "dataset": {"layout": "shrec11", "root": "data"},
+    "signatures": [
+      {"name": "a", "field": {"type": "offset_sdf", "offset": 0.05}, "histogram": {"range": "dataset"}},
+      {"name": "b", "field": {"type": "cone_sdf"}, "histogram": {"bins": 40, "range": {"fixed": [0, 0.6]}}},
+      {"name": "c", "concatenate": ["d", "a"]},
+      {"name": "d", "concatenate": ["b"]}
+    ]})");
+}
+
+Configuration configuration_with(const std::string& pointer, const Json& value) {
+  Json changed = document();
+  changed[Json::json_pointer(pointer)] = value;
+  return configuration_from_json(changed, "x.json", "/configs");
+}
+
+std::string message_with(const std::string& pointer, const Json& value) {
+  return input_error_of([&] { configuration_with(pointer, value); });
+}
+
+TEST(Configuration, FillsInDefaults) {
+  const Configuration configuration = configuration_from_json(document(), "x.json", "/configs");
+  EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
+  EXPECT_EQ(configuration.minimum_class_size, 2);
+  EXPECT_EQ(configuration.on_error, OnError::stop);
+  EXPECT_EQ(configuration.distance, "l1");
+  EXPECT_EQ(configuration.signatures[0].histogram.options.bins, 80);
+  EXPECT_EQ(configuration.signatures[0].histogram.range, HistogramRange::dataset);
+  EXPECT_EQ(configuration.signatures[1].histogram.range, HistogramRange::fixed);
+  EXPECT_EQ(configuration.signatures[1].histogram.fixed.high, 0.6);
+  EXPECT_EQ(configuration.signatures[1].field->settings,
+            Json::parse(R"({"type": "cone_sdf", "engine": "embree", "opening_angle_degrees": 60.0, "rays": 25,
+                            "postprocess": false, "at": "faces"})"));
+  EXPECT_EQ(configuration.location->classification, "/configs/data/test.cla");
+}
+
+TEST(Configuration, AsJsonItReadsBackAsTheSame) {
+  Json full = document();
+  full["protocol"] = {"paper", "psb"};
+  full["on_error"] = "skip";
+  full["evaluation"]["minimum_class_size"] = 3;
+  full["description"] = "why";
+  const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
+  EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
+  EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
+  EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
+}
+
+TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
+  setenv("SHAPEGAUGE_TEST_ROOT", "/data/shapes", 1);
+  const auto absolute = configuration_with("/dataset/root", "${SHAPEGAUGE_TEST_ROOT}");
+  EXPECT_EQ(absolute.location->root, "/data/shapes");
+  const auto elsewhere = configuration_with("/dataset/classification", "../labels/all.cla");
+  EXPECT_EQ(elsewhere.location->classification, "/configs/labels/all.cla");
+  EXPECT_EQ(configuration_with("/dataset/layout", "csv").location->classification, "/configs/data/models.csv");
+}
+
+TEST(Configuration, AnUnsetVariableIsAnErrorWithItsPlace) {
+  unsetenv("SHAPEGAUGE_TEST_UNSET");
+  EXPECT_THAT(message_with("/dataset/root", "${SHAPEGAUGE_TEST_UNSET}"),
+              HasSubstr("x.json: dataset.root: the environment variable SHAPEGAUGE_TEST_UNSET is not set; set it"));
+}
+
+TEST(Configuration, AnUndefinedSignatureWithTheNearestName) {
+  Json changed = document();
+  changed["signatures"][0]["name"] = "Our SDF (1 %)";
+  changed["signatures"][2]["concatenate"] = {"b", "Our SDF (1%)"};
+  EXPECT_THAT(input_error_of([&] { configuration_from_json(changed, "x.json", "."); }),
+              Eq("x.json: signatures.2.concatenate.1: there is no signature \"Our SDF (1%)\"; did you mean \"Our SDF "
+                 "(1 %)\"?"));
+}
+
+TEST(Configuration, ASignatureThatConcatenatesItselfIsAnError) {
+  EXPECT_THAT(message_with("/signatures/3/concatenate", {"c"}), HasSubstr("is a part of itself"));
+  EXPECT_THAT(message_with("/signatures/3/concatenate", {"d"}),
+              Eq("x.json: signatures.3.concatenate: the signature \"d\" is a part of itself"));
+}
+
+TEST(Configuration, PartsAreComputedFirst) {
+  const Configuration configuration = configuration_from_json(document(), "x.json", ".");
+  EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
+}
+
+TEST(Configuration, NamesMustDiffer) {
+  EXPECT_THAT(message_with("/signatures/1/name", "a"),
+              Eq("x.json: signatures.1.name: \"a\" is the name of signatures.0 already"));
+}
+
+TEST(Configuration, SettingsThatContradictEachOther) {
+  EXPECT_THAT(message_with("/signatures/1/field/postprocess", true),
+              HasSubstr("signatures.1.field: \"postprocess\" needs"));
+  EXPECT_THAT(
+      message_with("/signatures/1/field", Json::parse(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})")),
+      HasSubstr("answers at faces only"));
+  EXPECT_THAT(message_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
+              HasSubstr("signatures.1.histogram.range.fixed: the first value must be less"));
+  EXPECT_THAT(message_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
+              HasSubstr("signatures.2.field: does not go with \"concatenate\""));
+  EXPECT_THAT(message_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));
+  EXPECT_THAT(message_with("/dataset/split", "train"), HasSubstr("dataset.split: only the layout \"folders\""));
+  EXPECT_THAT(message_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
+              HasSubstr("dataset.classification: "));
+  EXPECT_THAT(message_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
+              HasSubstr("dataset.generate.classes: there are"));
+}
+
+TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.file("x.json", document().dump());
+  const std::vector<std::string> overrides{"signatures.0.histogram.bins=7", "name=other"};
+  const Configuration configuration = read_configuration(path, overrides);
+  EXPECT_EQ(configuration.signatures[0].histogram.options.bins, 7);
+  EXPECT_EQ(configuration.name, "other");
+  EXPECT_EQ(configuration.location->root, folder.path() / "data");
+  const std::vector<std::string> wrong{"signatures.0.histogram.bin=7"};
+  EXPECT_THAT(input_error_of([&] { read_configuration(path, wrong); }),
+              Eq(path.string() + ": signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
+}
+
+}  // namespace
+}  // namespace shapegauge

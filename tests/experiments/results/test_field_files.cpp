@@ -1,0 +1,69 @@
+#include <gmock/gmock.h>
+#include <limits>
+
+#include "shapegauge/experiments/results/field_files.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/test_shapes.h"
+#include "tests/experiments/input_error.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+namespace {
+
+using test_experiments::text_of;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class FieldFiles : public testing::Test {
+ protected:
+  FieldFiles() : shape(test_shapes::box({1, 1, 1}, 1)), samples(sample_shape(shape, SampleSite::faces)) {
+    values.setLinSpaced(shape.triangles.rows(), 0.1, 1);
+    values[1] = std::numeric_limits<double>::quiet_NaN();
+  }
+  std::string written(const std::string& name) {
+    const auto path = folder.path() / name;
+    field_file_writer(path)(path, shape, samples, values);
+    return text_of(path);
+  }
+
+  test_io::TemporaryFolder folder;
+  Shape shape;
+  Samples samples;
+  Eigen::VectorXd values;
+};
+
+TEST_F(FieldFiles, CsvHasARowForEachSample) {
+  const std::string text = written("x.csv");
+  EXPECT_THAT(text, StartsWith("index,sdf,weight\n0,0.1,0.5\n1,nan,0.5\n2,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 12);
+}
+
+TEST_F(FieldFiles, NpyHoldsTheValues) {
+  const std::string bytes = written("x.npy");
+  EXPECT_THAT(bytes, StartsWith("\x93NUMPY"));
+  EXPECT_THAT(bytes, HasSubstr("'descr': '<f8', 'fortran_order': False, 'shape': (12,)"));
+  ASSERT_EQ(bytes.size() % 64, 12 * sizeof(double) % 64);
+  double last = 0;
+  std::memcpy(&last, bytes.data() + bytes.size() - sizeof(double), sizeof(double));
+  EXPECT_EQ(last, 1);
+}
+
+TEST_F(FieldFiles, PlyAndPng) {
+  const std::string ply = written("x.PLY");
+  EXPECT_THAT(ply, StartsWith("ply\n"));
+  EXPECT_THAT(ply, HasSubstr(" sdf\n"));
+  EXPECT_THAT(written("x.png"), StartsWith("\x89PNG"));
+}
+
+TEST_F(FieldFiles, AnotherExtensionIsAnError) {
+  EXPECT_THAT(input_error_of([] { field_file_writer("x.xlsx"); }), HasSubstr("must end in .csv, .npy, .ply or .png"));
+}
+
+TEST_F(FieldFiles, AnUnwritableFileIsAnError) {
+  EXPECT_THAT(
+      input_error_of([&] { field_file_writer("x.csv")(folder.path() / "absent/x.csv", shape, samples, values); }),
+      HasSubstr("cannot write"));
+}
+
+}  // namespace
+}  // namespace shapegauge
