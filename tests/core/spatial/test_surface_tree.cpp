@@ -1,11 +1,10 @@
-#include "shapegauge/core/spatial/surface_tree.h"
-
-#include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
-
 #include <Eigen/Geometry>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
+#include <rapidcheck/gtest.h>
+
+#include "shapegauge/core/spatial/surface_tree.h"
 
 namespace shapegauge {
 namespace {
