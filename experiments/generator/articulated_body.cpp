@@ -33,7 +33,7 @@ bool has_degenerate_triangle(const Shape& shape) {
 
 ArticulatedBody make_body(const Skeleton& skeleton, int faces) {
   const ImplicitSurface surface(skeleton);
-  const Shape mesh = mesh_implicit_surface(surface, coarseness_for(surface, faces));
+  const Shape mesh = mesh_implicit_surface(surface, faces);
   ArticulatedBody body;
   body.skeleton = skeleton;
   body.rest = {mesh.vertices, bones_of(skeleton)};

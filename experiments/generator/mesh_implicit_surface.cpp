@@ -191,6 +191,7 @@ std::vector<Point> seeds(const ImplicitSurface& surface, double coarseness) {
 struct TriangleSoup {
   std::vector<Point> points;
   std::vector<std::vector<std::size_t>> facets;
+  bool is_complete = false;  // whether all points of the triangulation are in it: where not, a thin part is lost
 };
 
 // The facets of the complex, in the triangulation's own order.
@@ -208,6 +209,7 @@ TriangleSoup to_soup(const SurfaceComplex& complex) {
       soup.facets.back().push_back(position->second);
     }
   }
+  soup.is_complete = soup.points.size() == triangulation.number_of_vertices();
   return soup;
 }
 
@@ -239,7 +241,7 @@ Shape to_shape(const ClosedMesh& mesh) {
 // The soup as a closed mesh of one component, oriented outward; nothing where it is not one.
 std::optional<Shape> closed_shape(TriangleSoup soup) {
   namespace processing = CGAL::Polygon_mesh_processing;
-  if (soup.facets.empty() || !processing::orient_polygon_soup(soup.points, soup.facets)) return std::nullopt;
+  if (!soup.is_complete || !processing::orient_polygon_soup(soup.points, soup.facets)) return std::nullopt;
   if (!processing::is_polygon_soup_a_polygon_mesh(soup.facets)) return std::nullopt;
   ClosedMesh mesh;
   processing::polygon_soup_to_polygon_mesh(soup.points, soup.facets, mesh);
@@ -252,19 +254,26 @@ std::optional<Shape> closed_shape(TriangleSoup soup) {
 
 }  // namespace
 
-Shape mesh_implicit_surface(const ImplicitSurface& surface, double coarseness) {
+Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces) {
   constexpr int attempts = 8;
+  constexpr int corrections = 2;
+  constexpr double trial = 0.16;
+  // The number of triangles goes with the inverse square of their size, more or less.
+  const auto correction = [faces](std::size_t count) { return std::sqrt(static_cast<double>(count) / faces); };
+  double coarseness = trial * correction(refine(surface, trial).facets.size());
+  bool too_coarse = false;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (std::optional<Shape> shape = closed_shape(refine(surface, coarseness))) return *std::move(shape);
-    coarseness *= 0.85;
+    TriangleSoup soup = refine(surface, coarseness);
+    const double factor = correction(soup.facets.size());
+    if (std::optional<Shape> shape = closed_shape(std::move(soup))) {
+      if (too_coarse || attempt >= corrections || std::abs(factor - 1) < 0.07) return *std::move(shape);
+      coarseness *= factor;
+    } else {
+      too_coarse = true;
+      coarseness *= 0.85;
+    }
   }
   throw std::runtime_error("a generated surface cannot be meshed; raise the number of faces");
-}
-
-double coarseness_for(const ImplicitSurface& surface, int faces) {
-  // The number of triangles goes with the inverse square of their size.
-  constexpr double trial = 0.16;
-  return trial * std::sqrt(static_cast<double>(refine(surface, trial).facets.size()) / faces);
 }
 
 }  // namespace shapegauge

@@ -5,14 +5,11 @@
 
 namespace shapegauge {
 
-/// Meshes an implicit surface by restricted Delaunay refinement (CGAL's surface mesher; Boissonnat and Oudot 2005). The
-/// triangles are close to equilateral; where the surface is thin they are smaller, as the square root of its thickness.
-/// `coarseness` is the triangles' circumradius where the thickness is that of the ball around the surface, relative to
-/// the ball's radius. The mesh is closed, manifold, of one component and oriented outward: where the refinement at that
-/// coarseness does not give such a mesh, finer ones are tried. Throws std::runtime_error where none of them does.
-Shape mesh_implicit_surface(const ImplicitSurface& surface, double coarseness);
-
-/// The coarseness at which mesh_implicit_surface gives about so many triangles, by trial on this surface.
-double coarseness_for(const ImplicitSurface& surface, int faces);
+/// Meshes an implicit surface with about so many triangles (within a fifth) by restricted Delaunay refinement (CGAL's
+/// surface mesher; Boissonnat and Oudot 2005). The triangles are close to equilateral, no angle below 30 degrees; where
+/// the surface is thin they are smaller, as the square root of its thickness. The mesh is closed, manifold, of one
+/// component and oriented outward: where so few triangles do not give such a mesh, it has more. Throws
+/// std::runtime_error where that does not help either.
+Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces);
 
 }  // namespace shapegauge

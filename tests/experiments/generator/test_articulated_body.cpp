@@ -10,7 +10,7 @@
 namespace shapegauge {
 namespace {
 
-constexpr int faces = 1500;
+constexpr int faces = 2000;
 
 double least_height_to_length(const Shape& shape) {
   double least = 1;

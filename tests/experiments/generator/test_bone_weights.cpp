@@ -15,7 +15,7 @@ class BoneWeights : public testing::Test {
                              .joints = {{1, {yaw(-30, 30)}}}}}};
   const ImplicitSurface surface_{skeleton_};
   const BoneTree tree_ = bones_of(skeleton_);
-  const Shape mesh_ = mesh_implicit_surface(surface_, coarseness_for(surface_, 3000));
+  const Shape mesh_ = mesh_implicit_surface(surface_, 3000);
   const Eigen::MatrixXd weights_ = bone_weights(mesh_, surface_, tree_);
 };
 

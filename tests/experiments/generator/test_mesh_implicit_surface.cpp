@@ -12,7 +12,7 @@ Skeleton rod() { return {"rod", {{.kind = "rod", .nodes = {{{-1, 0, 0}, 0.3}, {{
 
 TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
   const ImplicitSurface surface(rod());
-  const Shape mesh = mesh_implicit_surface(surface, coarseness_for(surface, 8000));
+  const Shape mesh = mesh_implicit_surface(surface, 8000);
   EXPECT_EQ(topology_fault(mesh), "");
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
     EXPECT_NEAR(surface(mesh.vertices.row(i).transpose()), 0, 1e-6);
@@ -26,7 +26,7 @@ TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
 TEST(MeshImplicitSurface, TrianglesAreAsManyAsAskedForAndNearlyEquilateral) {
   const ImplicitSurface surface(rod());
   for (const int faces : {1000, 4000, 20000}) {
-    const Shape mesh = mesh_implicit_surface(surface, coarseness_for(surface, faces));
+    const Shape mesh = mesh_implicit_surface(surface, faces);
     EXPECT_NEAR(static_cast<double>(mesh.triangles.rows()), faces, 0.2 * faces);
     for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
       for (int k = 0; k < 3; ++k) {
@@ -48,7 +48,7 @@ TEST(MeshImplicitSurface, RingsAndThinPartsKeepTheirTopology) {
   }
   add_limb(s, ring);
   const ImplicitSurface surface(s);
-  const Shape mesh = mesh_implicit_surface(surface, coarseness_for(surface, 2000));
+  const Shape mesh = mesh_implicit_surface(surface, 2000);
   EXPECT_EQ(topology_fault(mesh), "");
   // Euler characteristic of a torus; a closed triangle mesh has 3/2 edges a triangle.
   EXPECT_EQ(2 * mesh.vertices.rows(), mesh.triangles.rows());
