@@ -12,13 +12,13 @@ enum class SampleSite { faces, vertices };
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
   SampleSite site = SampleSite::faces;
-  Points points;            ///< one sample a row, in the shape's units
-  Points normals;           ///< unit normals by the triangles' orientation; zero where there is none (degenerate, unused)
+  Points points;   ///< one sample a row, in the shape's units
+  Points normals;  ///< unit normals by the triangles' orientation; zero where there is none (degenerate, unused)
   Eigen::VectorXd weights;  ///< area that the sample stands for; zero where there is none
 };
 
-/// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed Voronoi
-/// area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals).
+/// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
+/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 }  // namespace shapegauge
