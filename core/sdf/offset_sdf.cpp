@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/unit_frame.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
@@ -24,27 +25,13 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// A shape moved to the origin and scaled to a diagonal of 1, so that single precision and fixed thresholds serve.
-struct UnitFrame {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double diagonal = 1;
-
-  [[nodiscard]] Eigen::Vector3d to_unit(const Eigen::Vector3d& x) const { return (x - centre) / diagonal; }
-};
-
-UnitFrame unit_frame(const Shape& shape) {
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) box.extend(shape.vertices.row(shape.triangles(f, k)).transpose());
-  }
-  const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
-  if (!(diagonal > 0) || !std::isfinite(diagonal)) {
-    throw InputError(fmt::format(
-        "the shape has no usable extent (the diagonal of its bounding box is {}): an offset SDF needs triangles that "
-        "span some space",
-        diagonal));
-  }
-  return {box.center(), diagonal};
+void require_extent(const Shape& shape) {
+  const double diagonal = bounding_box_diagonal(shape);
+  if (shape.triangles.rows() > 0 && diagonal > 0 && std::isfinite(diagonal)) return;
+  throw InputError(fmt::format(
+      "the shape has no usable extent (the diagonal of its bounding box is {}): an offset SDF needs triangles "
+      "that span some space",
+      diagonal));
 }
 
 Shape in_frame(const Shape& shape, const UnitFrame& frame) {
@@ -53,14 +40,6 @@ Shape in_frame(const Shape& shape, const UnitFrame& frame) {
     result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
   }
   return result;
-}
-
-Eigen::AlignedBox3d bounds_of(const Shape& shape) {
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) box.extend(shape.vertices.row(shape.triangles(f, k)).transpose());
-  }
-  return box;
 }
 
 enum class Outcome : std::uint8_t { direct, searched, undecided };
@@ -116,10 +95,11 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
     throw InputError(fmt::format("the offset is {}: it must be a positive fraction of the diagonal", options.offset));
   }
   const Clock::time_point start = Clock::now();
+  require_extent(shape);
   const UnitFrame frame = unit_frame(shape);
   const Shape unit_shape = in_frame(shape, frame);
   const SurfaceTree tree(unit_shape);
-  const OffsetExterior exterior(tree, bounds_of(unit_shape), options.offset, is_closed(shape));
+  const OffsetExterior exterior(tree, bounding_box(unit_shape), options.offset, is_closed(shape));
 
   OffsetSdfResult result;
   result.build_seconds = seconds_since(start);

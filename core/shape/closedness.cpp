@@ -38,7 +38,8 @@ bool is_closed(const Shape& shape) {
   edges.reserve(3 * static_cast<std::size_t>(shape.triangles.rows()));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     std::array<std::int32_t, 3> corner{};
-    for (int k = 0; k < 3; ++k) corner[static_cast<std::size_t>(k)] = merged[static_cast<std::size_t>(shape.triangles(f, k))];
+    for (int k = 0; k < 3; ++k)
+      corner[static_cast<std::size_t>(k)] = merged[static_cast<std::size_t>(shape.triangles(f, k))];
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) edges.push_back(std::minmax({corner[k], corner[(k + 1) % 3]}));
   }

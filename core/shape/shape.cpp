@@ -1,10 +1,6 @@
 #include "shapegauge/core/shape/shape.h"
 
-#include <Eigen/Geometry>
-
 namespace shapegauge {
-
-namespace {
 
 Eigen::AlignedBox3d bounding_box(const Shape& shape) {
   Eigen::AlignedBox3d box;
@@ -18,11 +14,9 @@ Eigen::AlignedBox3d bounding_box(const Shape& shape) {
   return box;
 }
 
-}  // namespace
-
 double bounding_box_diagonal(const Shape& shape) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
-  return box.isEmpty() ? 0 : box.diagonal().norm();
+  return box.isEmpty() ? 0 : box.sizes().stableNorm();
 }
 
 Eigen::VectorXd triangle_areas(const Shape& shape) {

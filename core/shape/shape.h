@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 
 namespace shapegauge {
@@ -19,8 +20,11 @@ struct Shape {
   Triangles triangles;
 };
 
-/// Length of the diagonal of the axis-aligned box around the vertices that count: those that a triangle uses, or all of
-/// them where there are no triangles. 0 for an empty shape.
+/// The axis-aligned box around the vertices that count: those that a triangle uses, or all of them where there are no
+/// triangles. Empty for an empty shape.
+Eigen::AlignedBox3d bounding_box(const Shape& shape);
+
+/// Length of the diagonal of the bounding box; 0 for an empty shape.
 double bounding_box_diagonal(const Shape& shape);
 
 /// Area of every triangle, in the shape's units squared.

@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "shapegauge/core/shape/unit_frame.h"
+
 namespace shapegauge {
 
 namespace {
@@ -67,22 +69,10 @@ struct Plane {
 struct RayCaster::Scene {
   std::unique_ptr<RTCSceneTy, Release> scene{rtcNewScene(device())};
   std::vector<Plane> planes;  // in the scene's coordinates
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double size = 1;
+  UnitFrame frame;
 
-  void fit(const Shape& shape);
   void add_triangles(const Shape& shape);
-  [[nodiscard]] Eigen::Vector3d to_scene(const Eigen::Vector3d& point) const { return (point - centre) / size; }
 };
-
-void RayCaster::Scene::fit(const Shape& shape) {
-  Eigen::AlignedBox3d box;
-  for (const std::int32_t vertex : shape.triangles.reshaped()) box.extend(shape.vertices.row(vertex).transpose());
-  if (box.isEmpty()) return;
-  centre = box.min() / 2 + box.max() / 2;
-  const double diagonal = box.sizes().stableNorm();
-  if (diagonal > 0) size = diagonal;
-}
 
 void RayCaster::Scene::add_triangles(const Shape& shape) {
   const auto vertex_count = static_cast<std::size_t>(shape.vertices.rows());
@@ -97,7 +87,7 @@ void RayCaster::Scene::add_triangles(const Shape& shape) {
     throw std::bad_alloc();
   }
   Points points(shape.vertices.rows(), 3);
-  for (Eigen::Index v = 0; v < points.rows(); ++v) points.row(v) = to_scene(shape.vertices.row(v)).transpose();
+  for (Eigen::Index v = 0; v < points.rows(); ++v) points.row(v) = frame.to_unit(shape.vertices.row(v)).transpose();
   std::ranges::copy(points.reshaped<Eigen::RowMajor>().cast<float>(), vertices);
   std::ranges::copy(shape.triangles.reshaped<Eigen::RowMajor>(), triangles);
 
@@ -116,7 +106,7 @@ void RayCaster::Scene::add_triangles(const Shape& shape) {
 }
 
 RayCaster::RayCaster(const Shape& shape) : scene_(std::make_unique<Scene>()) {
-  scene_->fit(shape);
+  scene_->frame = unit_frame(shape);
   rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no gaps between triangles that share an edge
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
   rtcCommitScene(scene_->scene.get());
@@ -131,7 +121,7 @@ RayHit RayCaster::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d
   Context context;
   rtcInitIntersectContext(&context.embree);
   context.skipped = skipped;
-  const Eigen::Vector3d from = scene_->to_scene(origin);
+  const Eigen::Vector3d from = scene_->frame.to_unit(origin);
   RTCRayHit query = {};
   query.ray.org_x = static_cast<float>(from.x());
   query.ray.org_y = static_cast<float>(from.y());
@@ -151,7 +141,7 @@ RayHit RayCaster::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d
   const double distance_in_float = query.ray.tfar;
   const bool plane_tells = std::abs(distance - distance_in_float) <= grazing_difference;
   return {.triangle = static_cast<std::int32_t>(query.hit.primID),
-          .distance = std::max(0.0, plane_tells ? distance : distance_in_float) * scene_->size,
+          .distance = std::max(0.0, plane_tells ? distance : distance_in_float) * scene_->frame.diagonal,
           .leaving = slope > 0};
 }
 

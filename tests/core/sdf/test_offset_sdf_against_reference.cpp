@@ -60,9 +60,7 @@ TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
   const double r = GetParam().offset;
   const OffsetSdfReference reference(shape, r);
   const SurfaceTree tree(shape);
-  Eigen::AlignedBox3d box;
-  for (const auto& vertex : shape.vertices.rowwise()) box.extend(vertex.transpose());
-  const OffsetExterior exterior(tree, box, r, is_closed(shape));
+  const OffsetExterior exterior(tree, bounding_box(shape), r, is_closed(shape));
   const Samples samples = sample_shape(shape, SampleSite::faces);
   SearchMemory memory;
   for (Eigen::Index i = 0; i < samples.points.rows(); i += 19) {

@@ -9,12 +9,6 @@
 namespace shapegauge {
 namespace {
 
-Eigen::AlignedBox3d box_of(const Shape& shape) {
-  Eigen::AlignedBox3d box;
-  for (const auto& vertex : shape.vertices.rowwise()) box.extend(vertex.transpose());
-  return box;
-}
-
 /// Distance from x to the circle about z of the ring's radius.
 double distance_to_ring(const Eigen::Vector3d& x, double ring) { return std::hypot(x.head<2>().norm() - ring, x.z()); }
 
@@ -27,7 +21,7 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
   const bool closed = *rc::gen::arbitrary<bool>();  // without the help of parity the flood decides alone
   const double r = *rc::gen::inRange(25, 80) / 1000.0;
   const SurfaceTree tree(flip ? flipped : torus);
-  const OffsetExterior exterior(tree, box_of(torus), r, closed);
+  const OffsetExterior exterior(tree, bounding_box(torus), r, closed);
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d x = 0.6 * Eigen::Vector3d::Random();
     if (tree.closest(x)->distance <= r) continue;
@@ -44,7 +38,7 @@ TEST(OffsetExterior, SeesAShellsVoidAsEnclosed) {
       test_shapes::joined({test_shapes::sphere(0.5, 3), test_shapes::flipped(test_shapes::sphere(0.25, 3))});
   const SurfaceTree tree(hollow);
   for (const bool closed : {true, false}) {
-    const OffsetExterior exterior(tree, box_of(hollow), 0.05, closed);
+    const OffsetExterior exterior(tree, bounding_box(hollow), 0.05, closed);
     EXPECT_EQ(exterior.contains({0, 0, 0}), false);      // the void
     EXPECT_EQ(exterior.contains({0.375, 0, 0}), false);  // the wall
     EXPECT_EQ(exterior.contains({0.6, 0, 0}), true);
@@ -57,7 +51,7 @@ TEST(OffsetExterior, SeesTheOverlapOfTwoPartsAsEnclosed) {
   second.vertices.col(0).array() += 0.3;
   const Shape both = test_shapes::joined({test_shapes::sphere(0.3, 3), second});
   const SurfaceTree tree(both);
-  const OffsetExterior exterior(tree, box_of(both), 0.05, is_closed(both));
+  const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_closed(both));
   EXPECT_EQ(exterior.contains({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0.5, 0}), true);
@@ -75,9 +69,9 @@ TEST(OffsetExterior, ClosesAGapThatIsNarrowerThanTwiceTheOffset) {
   sphere.triangles = kept.topRows(count);
   ASSERT_FALSE(is_closed(sphere));
   const SurfaceTree tree(sphere);
-  const OffsetExterior shut(tree, box_of(sphere), 0.15, false);
+  const OffsetExterior shut(tree, bounding_box(sphere), 0.15, false);
   EXPECT_EQ(shut.contains({0, 0, 0}), false);
-  const OffsetExterior open(tree, box_of(sphere), 0.04, false);
+  const OffsetExterior open(tree, bounding_box(sphere), 0.04, false);
   EXPECT_EQ(open.contains({0, 0, 0}), true);
 }
 
