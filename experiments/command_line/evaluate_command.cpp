@@ -26,6 +26,7 @@ struct EvaluateArguments {
   fs::path distances;
   fs::path labels;
   fs::path ids;
+  std::string order = "natural";
   std::string protocol = "psb";
   std::string format = "table";
   int minimum_class_size = 2;
@@ -43,11 +44,12 @@ std::vector<std::string> read_ids(const fs::path& path) {
   return ids;
 }
 
-/// The id of each row: as --ids says, else as the matrix says, else the classification's models in natural order.
+/// The id of each row: as --ids says, else as the matrix says, else the classification's models in the order asked for.
 std::vector<std::string> row_ids(const EvaluateArguments& arguments, const LabelledDistances& matrix,
                                  const Classification& classification) {
   if (!arguments.ids.empty()) return read_ids(arguments.ids);
-  return matrix.ids.empty() ? models_in_natural_order(classification) : matrix.ids;
+  if (!matrix.ids.empty()) return matrix.ids;
+  return arguments.order == "natural" ? models_in_natural_order(classification) : models_in_file_order(classification);
 }
 
 std::string formatted(const Evaluation& evaluation, const std::vector<std::string>& class_names,
@@ -96,12 +98,17 @@ void add_evaluate_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
       "Row i of the matrix is the i-th model of the classification in natural order (2 before 10), unless the matrix\n"
-      "(CSV) or --ids says otherwise. Tables are in percent, JSON in fractions.");
+      "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does. Tables are in percent, JSON in fractions.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command->add_option("distances", arguments->distances, "Distance matrix: .matrix (PSB), .npy, .csv, .txt or .dat")
       ->required();
   command->add_option("--labels", arguments->labels, "Classification (.cla)")->required();
   command->add_option("--ids", arguments->ids, "Ids of the rows, one a line");
+  command
+      ->add_option("--order", arguments->order,
+                   "Which model a row is where no ids say so: the i-th in natural order, or in the classification's")
+      ->check(CLI::IsMember({"natural", "classification"}))
+      ->capture_default_str();
   command->add_option("--protocol", arguments->protocol, "Evaluation protocol")
       ->check(CLI::IsMember(protocol_names()))
       ->capture_default_str();
