@@ -86,6 +86,17 @@ TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
   EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
 }
 
+TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
+  // Princeton's tools take the rows in the classification's order: the first four rows are of class B then.
+  write_text(at("listed.cla"), "PSB 1\n2 7\nB 0 4\n3\n4\n5\n6\nA 0 3\n0\n1\n2\n");
+  const auto nn = [&](const std::string& order) {
+    const std::string arguments = "evaluate '" + at("toy.npy") + "' --labels '" + at("listed.cla") + "' --format json";
+    return nlohmann::json::parse(run_executable(arguments + order).output)["micro"]["NN"].get<double>();
+  };
+  EXPECT_NEAR(nn(" --order classification"), 5.0 / 7, 1e-12);
+  EXPECT_NEAR(nn(""), .571429, 1e-6);
+}
+
 TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
   const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
   EXPECT_EQ(outcome.status, 0);
