@@ -41,19 +41,19 @@ class ImplicitSurface {
   double operator()(const Eigen::Vector3d& point) const;
 
   /// The closest point of one limb.
-  Nearest nearest_on_limb(int limb, const Eigen::Vector3d& point) const;
+  [[nodiscard]] Nearest nearest_on_limb(int limb, const Eigen::Vector3d& point) const;
 
   /// The limb with the least distance.
-  Nearest nearest_limb(const Eigen::Vector3d& point) const;
+  [[nodiscard]] Nearest nearest_limb(const Eigen::Vector3d& point) const;
 
-  int limb_count() const { return static_cast<int>(limbs_.size()); }
+  [[nodiscard]] int limb_count() const { return static_cast<int>(limbs_.size()); }
 
   /// Centre and radius of a ball that holds the surface with room to spare; the centre lies inside the surface.
-  const Eigen::Vector3d& centre() const { return centre_; }
-  double radius() const { return radius_; }
+  [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
+  [[nodiscard]] double radius() const { return radius_; }
 
   /// The nodes of all limbs: points all over the inside.
-  const std::vector<Eigen::Vector3d>& inner_points() const { return inner_points_; }
+  [[nodiscard]] const std::vector<Eigen::Vector3d>& inner_points() const { return inner_points_; }
 
  private:
   struct LimbField {
@@ -66,7 +66,7 @@ class ImplicitSurface {
   };
 
   static LimbField make_field(const Limb& limb);
-  double lower_bound(const LimbField& field, const Eigen::Vector3d& point) const;
+  [[nodiscard]] double lower_bound(const LimbField& field, const Eigen::Vector3d& point) const;
 
   std::vector<LimbField> limbs_;
   std::vector<Eigen::Vector3d> inner_points_;
