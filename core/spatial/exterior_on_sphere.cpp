@@ -71,10 +71,10 @@ class SphereSearch {
                                ? memory_.covering_triangle(patch.face, patch.level, patch.column, patch.row)
                                : unused;
     cover(quarters, before);
+    for (std::size_t k = 0; k < recent_.size() && !quarters.is_covered[quarter]; ++k) cover(quarters, recent_[k]);
     if (quarters.is_covered[quarter]) return std::nullopt;
-    // A patch smaller than that lies in one that was found to be near the exterior.
     const bool is_large = quarters.reach > large_patch * exterior_.r();
-    if (quarters.reach > large_patch / 2 * exterior_.r() && !exterior_.may_hold_exterior(middle, quarters.reach)) {
+    if (is_large ? !exterior_.may_hold_exterior(middle, quarters.reach) : exterior_.is_among_enclosed(middle)) {
       return std::nullopt;
     }
     if (quarters.middle_is_covered[quarter] && is_large) {
@@ -88,7 +88,7 @@ class SphereSearch {
                                             const Eigen::Vector3d& middle, std::int32_t& before) {
     const double r = exterior_.r();
     const auto hit = exterior_.tree().closest(middle, r + quarters.reach, patch.hint);
-    if (hit) before = patch.hint = hit->triangle;
+    if (hit) before = patch.hint = recent_[oldest_++ % recent_.size()] = hit->triangle;
     if (!hit || hit->distance >= r) {
       const auto is_exterior = exterior_.contains(middle);
       if (is_exterior.value_or(true)) return ExteriorPoint{middle, is_exterior.has_value()};
@@ -105,7 +105,8 @@ class SphereSearch {
     const double u = (2 * square.column + 1) * half - 1;
     const double v = (2 * square.row + 1) * half - 1;
     // Going from the cube's face to the sphere shrinks lengths by the distance from the centre, or more.
-    const double shrinking = std::hypot(1.0, std::max(std::abs(u) - half, 0.0), std::max(std::abs(v) - half, 0.0));
+    const double shrinking =
+        Eigen::Vector3d(1, std::max(std::abs(u) - half, 0.0), std::max(std::abs(v) - half, 0.0)).norm();
     const double reach = radius_ * std::sqrt(0.5) * half / shrinking;
     return {square, patch_quad(radius_, square.face, u, v, half), reach, {}, {}};
   }
@@ -141,6 +142,8 @@ class SphereSearch {
   double smallest_radius_;
   SearchMemory& memory_;
   std::vector<Square> waiting_;
+  std::array<std::int32_t, 4> recent_ = {-1, -1, -1, -1};  ///< the triangles that were last found to be closest
+  std::size_t oldest_ = 0;
 };
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace {
 constexpr double search_tolerance = 8e-3;
 constexpr double smallest_patch = 3e-3;
 constexpr double descent_tolerance = 1e-4;
+constexpr double smallest_improvement = 1e-3;
 /// Beyond this distance the octree is asked for a start: descents from far away end in poor minima.
 constexpr double far = 2;
 constexpr int most_descent_steps = 16;
@@ -59,6 +60,10 @@ class Search {
     return {triangle, {normal, normal.dot(surface_point) + r_ * (1 + offset_slack)}};
   }
 
+  [[nodiscard]] SurfaceHit closest(const Eigen::Vector3d& x, std::int32_t hint) const {
+    return *tree_.closest(x, std::numeric_limits<double>::infinity(), hint);
+  }
+
   /// A point that touches the offset surface, and the triangle that it touches.
   struct Touching {
     Eigen::Vector3d point;
@@ -66,12 +71,11 @@ class Search {
   };
 
   /// Moves an exterior point towards p, through free space, until it touches the offset surface.
-  [[nodiscard]] Touching pulled_to_surface(Eigen::Vector3d x, std::int32_t hint) const {
+  [[nodiscard]] Touching pulled_to_surface(Eigen::Vector3d x, SurfaceHit hit) const {
     const Eigen::Vector3d direction = (p_ - x).normalized();
-    SurfaceHit hit = *tree_.closest(x, std::numeric_limits<double>::infinity(), hint);
     for (int step = 0; step < most_pull_steps && hit.distance > r_ * (1 + 2 * offset_slack); ++step) {
       x += (hit.distance - r_ * (1 + offset_slack)) * direction;
-      hit = *tree_.closest(x, std::numeric_limits<double>::infinity(), hit.triangle);
+      hit = closest(x, hit.triangle);
     }
     return {x, hit};
   }
@@ -82,7 +86,7 @@ class Search {
   }
 
   void descend_from(const ExteriorPoint& start) {
-    const Touching touching = pulled_to_surface(start.point, -1);
+    const Touching touching = pulled_to_surface(start.point, closest(start.point, -1));
     if ((touching.point - p_).norm() >= best_distance_) return;
     keep({touching.point, start.decided});
     descend({contact_at(touching.hit.triangle, touching.hit.point, touching.point)});
@@ -96,15 +100,16 @@ class Search {
       free.clear();
       for (const Contact& contact : contacts) free.push_back(contact.free);
       const auto x = closest_point_in(free, p_);
-      if (!x || (*x - p_).norm() >= best_distance_ - descent_tolerance * r_) return;
-      if (const auto hit = tree_.closest(*x, r_, contacts.back().triangle)) {
-        if (!(hit->distance > 0)) return;
-        contacts.push_back(contact_at(hit->triangle, hit->point, *x));
+      if (!x || (*x - p_).norm() >= best_distance_ - smallest_improvement * r_) return;
+      const SurfaceHit hit = closest(*x, contacts.back().triangle);
+      if (!(hit.distance > 0)) return;
+      if (hit.distance < r_) {
+        contacts.push_back(contact_at(hit.triangle, hit.point, *x));
         continue;
       }
       const auto is_exterior = exterior_.contains(*x);
       if (is_exterior == false) return;
-      const Touching touching = pulled_to_surface(*x, contacts.back().triangle);
+      const Touching touching = pulled_to_surface(*x, hit);
       keep({touching.point, is_exterior.has_value()});
       contacts = renewed(contacts, *x, touching);
     }

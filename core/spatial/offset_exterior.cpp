@@ -39,8 +39,13 @@ ExteriorCell OffsetExterior::octant(const ExteriorCell& cell, int i, std::int32_
 
 void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half) {
   const double radius = root_of_three * cell.half;
-  const auto hit = tree_.closest(cell.centre, r_ + radius, hint);
   ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
+  if (hint >= 0 && (closest_point(tree_.triangle(hint), cell.centre) - cell.centre).norm() + radius < r_) {
+    node.triangle = hint;
+    node.kind = CellKind::solid;
+    return;
+  }
+  const auto hit = tree_.closest(cell.centre, r_ + radius, hint);
   if (!hit) {
     node.kind = CellKind::free;
     return;
@@ -73,6 +78,13 @@ bool OffsetExterior::mark_exterior(std::int32_t index) {
   return node.may_hold_exterior;
 }
 
+bool OffsetExterior::may_hold_exterior(const Eigen::Vector3d& centre, double radius) const {
+  // Where the answer is yes, the leaf around the centre mostly knows.
+  const auto leaf = leaf_at(centre);
+  if (!leaf || nodes_[static_cast<std::size_t>(leaf->node)].may_hold_exterior) return true;
+  return may_hold_exterior(root(), centre, radius);
+}
+
 bool OffsetExterior::may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const {
   const Eigen::Vector3d offset = (centre - cell.centre).cwiseAbs();
   const double squared_distance = (offset.array() - cell.half).cwiseMax(0).matrix().squaredNorm();
@@ -85,6 +97,11 @@ bool OffsetExterior::may_hold_exterior(const ExteriorCell& cell, const Eigen::Ve
     if (may_hold_exterior(octant(cell, i, child), centre, radius)) return true;
   }
   return false;
+}
+
+bool OffsetExterior::is_among_enclosed(const Eigen::Vector3d& x) const {
+  const auto leaf = leaf_at(x);
+  return leaf && nodes_[static_cast<std::size_t>(leaf->node)].space == FreeSpace::enclosed;
 }
 
 std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {

@@ -69,9 +69,11 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& x) const;
 
   /// Whether some exterior point may lie in a ball, as far as the octree's leaves tell.
-  [[nodiscard]] bool may_hold_exterior(const Eigen::Vector3d& centre, double radius) const {
-    return may_hold_exterior(root(), centre, radius);
-  }
+  [[nodiscard]] bool may_hold_exterior(const Eigen::Vector3d& centre, double radius) const;
+
+  /// Whether x is in a leaf around which all free space is enclosed. Then the surface, and r on both sides of it, are
+  /// between x and the exterior.
+  [[nodiscard]] bool is_among_enclosed(const Eigen::Vector3d& x) const;
 
   /// Whether x is outside of the surface as far as the crossings of a ray from x tell: even in number, and as many in
   /// as out where the triangles are oriented alike (the overlap of two parts is crossed evenly too). Nothing where the
