@@ -93,6 +93,18 @@ bool OffsetSdfReference::is_exterior(const Eigen::Vector3d& x, double factor) co
   return grid_is_exterior_within(x, 2 * spacing_) && distance(x) >= factor * r_;
 }
 
+bool OffsetSdfReference::is_resolved(const Eigen::Vector3d& x) const {
+  const double cell_radius = std::sqrt(3.0) / 2 * spacing_;
+  for (int i = -2; i <= 2; ++i) {
+    for (int j = -2; j <= 2; ++j) {
+      for (int k = -2; k <= 2; ++k) {
+        if (distance(x + spacing_ * Eigen::Vector3d(i, j, k)) > r_ + cell_radius) return true;
+      }
+    }
+  }
+  return false;
+}
+
 double OffsetSdfReference::distance_to_exterior(const Eigen::Vector3d& p) const {
   const double extent = spacing_ * size_.maxCoeff();
   std::priority_queue<Cube, std::vector<Cube>, std::greater<>> waiting;

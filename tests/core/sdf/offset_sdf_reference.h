@@ -23,6 +23,10 @@ class OffsetSdfReference {
   /// closed.
   [[nodiscard]] bool is_exterior(const Eigen::Vector3d& x, double factor = 1) const;
 
+  /// Whether the free space at x is wide enough for the grid to tell what it is connected to: somewhere near x a ball
+  /// fits in that holds all of a cell.
+  [[nodiscard]] bool is_resolved(const Eigen::Vector3d& x) const;
+
   /// Distance from p to the closest exterior point, to within 0.004 r.
   [[nodiscard]] double distance_to_exterior(const Eigen::Vector3d& p) const;
 
