@@ -216,7 +216,7 @@ RC_GTEST_PROP(OffsetSdf, IsNeverNegative, ()) {
 
 RC_GTEST_PROP(OffsetSdf, IsInvariantUnderRigidMotionAndProportionalToScale, ()) {
   const Shape shape = bumpy_sphere(*rc::gen::arbitrary<unsigned>());
-  const double offset = *rc::gen::inRange(5, 100) / 1000.0;
+  const double offset = *rc::gen::inRange(15, 150) / 1000.0;
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
   const Shape moved = test_shapes::transformed(shape, scale, test_shapes::rotation(*rc::gen::arbitrary<unsigned>()),
                                                scale * Eigen::Vector3d(3, -2, 5));
@@ -229,7 +229,7 @@ RC_GTEST_PROP(OffsetSdf, IsInvariantUnderRigidMotionAndProportionalToScale, ()) 
 
 RC_GTEST_PROP(OffsetSdf, DoesNotDependOnOrderOrOrientation, ()) {
   const Shape shape = bumpy_sphere(*rc::gen::arbitrary<unsigned>());
-  const double offset = *rc::gen::inRange(5, 100) / 1000.0;
+  const double offset = *rc::gen::inRange(15, 150) / 1000.0;
   const double r = offset * bounding_box_diagonal(shape);
   const Eigen::VectorXd before = at_faces(shape, offset).values;
   RC_ASSERT(share_that_differs(before, at_faces(test_shapes::flipped(shape), offset).values, 0.05 * r) < 0.02);
