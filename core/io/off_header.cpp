@@ -53,11 +53,8 @@ bool ends_keyword(std::string_view rest) {
          std::string_view(" \t\r\n#").find(rest.front()) != std::string_view::npos;
 }
 
-/// True where exactly one word is left on the scanner's line.
-bool single_word_on_line(TextScanner scanner) {
-  scanner.read_word();
-  return scanner.at_line_end();
-}
+/// True where the next line that is not blank holds exactly one word.
+bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
 
 }  // namespace
 
@@ -87,12 +84,10 @@ OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
     scanner.fail_whole("ends before the numbers of vertices and faces");
   }
   check_off_counts(counts, scanner);
-  if (layout == OffLayout::words) {
-    scanner.skip_words(1);
-  } else if (!scanner.at_line_end()) {
+  if (layout == OffLayout::lines && !scanner.at_line_end()) {
     scanner.skip_line();
-  } else if (!scanner.at_end() && single_word_on_line(scanner)) {
-    scanner.skip_words(1);  // the number of edges, on a line of its own
+  } else if (layout == OffLayout::words || single_word_on_line(scanner)) {
+    scanner.skip_words(1);  // the number of edges, perhaps on a line of its own
   }
   return counts;
 }

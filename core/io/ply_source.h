@@ -70,7 +70,7 @@ class PlyBinarySource {
   bool read_as(Value& value, PlyType type) {
     return with_type(type, [&](auto number) {
       if (!bytes_.read(number)) return false;
-      value = static_cast<Value>(number);
+      value = static_cast<Value>(+number);
       return true;
     });
   }

@@ -91,10 +91,10 @@ std::size_t weight(const Error& error) {
 }  // namespace
 
 void check_against_schema(const Json& configuration, const std::string& source) {
-  const Json schema_document = Json::parse(experiment_schema());
+  const Json rules = Json::parse(experiment_schema());
   valijson::Schema schema;
   valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-      .populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
+      .populateSchema(valijson::adapters::NlohmannJsonAdapter(rules), schema);
   valijson::ValidationResults results;
   valijson::Validator validator;
   if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(configuration), &results)) return;
@@ -108,8 +108,8 @@ void check_against_schema(const Json& configuration, const std::string& source) 
   const Json* value = &configuration;
   for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
   const std::string place = path.empty() ? "" : fmt::format("{}: ", fmt::join(path, "."));
-  throw InputError(fmt::format("{}: {}{}", source, place,
-                               describe(*worst, *value, schema_hints(schema_document, configuration, path))));
+  throw InputError(
+      fmt::format("{}: {}{}", source, place, describe(*worst, *value, schema_hints(rules, configuration, path))));
 }
 
 }  // namespace shapegauge

@@ -27,13 +27,11 @@ bool meets(const Json& instance, const Json& condition) {
   for (const Json& key : part(condition, "required")) {
     if (!instance.is_object() || !instance.contains(key.get<std::string>())) return false;
   }
-  for (const auto& [key, property] : part(condition, "properties").items()) {
-    if (property.contains("const") && instance.is_object() && instance.contains(key) &&
-        instance[key] != property["const"]) {
-      return false;
-    }
-  }
-  return true;
+  const auto allowed = part(condition, "properties").items();
+  return std::all_of(allowed.begin(), allowed.end(), [&](const auto& property) {
+    return !property.value().contains("const") || !instance.is_object() || !instance.contains(property.key()) ||
+           instance[property.key()] == property.value()["const"];
+  });
 }
 
 /// Adds the schema and all that applies to the instance along with it.

@@ -24,10 +24,10 @@ Field cone_sdf_field(const nlohmann::json& settings) {
   const SampleSite site = site_of(settings);
   const bool cgal = options.engine == ConeSdfEngine::cgal;
   if (options.postprocess && !cgal) {
-    throw InputError("\"postprocess\" needs \"engine\": \"cgal\"; the embree engine gives raw values only");
+    throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine gives raw values only)");
   }
   if (cgal && site != SampleSite::faces) {
-    throw InputError("\"engine\": \"cgal\" answers at faces only; use \"embree\" for \"at\": \"vertices\"");
+    throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for "at": "vertices")");
   }
   return {.settings = {{"type", "cone_sdf"},
                        {"engine", cgal ? "cgal" : "embree"},

@@ -24,7 +24,7 @@ struct Described {
 [[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures) {
   const ModelFailure& first = failures.front();
   const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
-  throw InputError(fmt::format("model {}: {}{}; repair or remove it, or set \"on_error\" to \"skip\"",
+  throw InputError(fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")",
                                dataset.models[first.model].id, first.message, others));
 }
 
@@ -59,6 +59,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
 /// The union of the ranges of a field over all models.
 Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
   std::vector<Interval> ranges;
+  ranges.reserve(models.size());
   for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
   return enclosing_interval(ranges);
 }

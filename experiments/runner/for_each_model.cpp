@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/runner/for_each_model.h"
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -13,17 +14,18 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   std::vector<ModelFailure> failures;
   std::mutex mutex;
   std::size_t done = 0;
-  tbb::task_group_context group;
+  // A flag of our own: cancelling the group would also cancel what the shapes under way do in parallel, down to a tree
+  // that Embree is building, and give them wrong values.
+  std::atomic<bool> stopped = false;
   const auto attempt = [&](std::size_t model) {
-    if (control.interrupted()) group.cancel_group_execution();
-    if (group.is_group_execution_cancelled()) return;
+    if (stopped || control.interrupted()) return;
     try {
       // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
       tbb::this_task_arena::isolate([&] { job(model); });
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex);
       failures.push_back({.model = model, .message = error.what()});
-      if (stop_at_failure) group.cancel_group_execution();
+      if (stop_at_failure) stopped = true;
     }
     const std::scoped_lock lock(mutex);
     control.progress(stage, ++done, models.size());
@@ -34,7 +36,7 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
       [&](const tbb::blocked_range<std::size_t>& range) {
         for (std::size_t i = range.begin(); i != range.end(); ++i) attempt(models[i]);
       },
-      tbb::simple_partitioner(), group);
+      tbb::simple_partitioner());
   if (control.interrupted()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   return failures;

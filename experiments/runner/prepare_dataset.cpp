@@ -25,7 +25,7 @@ Json record_in(const fs::path& file) {
 
 void generate(const fs::path& folder, const GeneratorOptions& options, const RunControl& control) {
   const fs::path record_file = folder / "generated.json";
-  Json record{{"generate", to_json(options)}, {"version", version()}, {"complete", true}};
+  Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
   const Json earlier = record_in(record_file);
   if (earlier == record) return;
 

@@ -1,5 +1,6 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Simple_cartesian.h>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -14,27 +15,28 @@
 namespace shapegauge {
 namespace {
 
+Shape read_by_cgal(const std::filesystem::path& path) {
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
+  std::vector<std::vector<std::size_t>> triangles;
+  EXPECT_TRUE(CGAL::IO::read_polygon_soup(path.string(), points, triangles));
+  Shape shape{Points(static_cast<Eigen::Index>(points.size()), 3),
+              Triangles(static_cast<Eigen::Index>(triangles.size()), 3)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    shape.vertices.row(static_cast<Eigen::Index>(i)) << points[i].x(), points[i].y(), points[i].z();
+  }
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    EXPECT_EQ(triangles[f].size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k) {
+      shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)) =
+          static_cast<std::int32_t>(triangles[f].at(k));
+    }
+  }
+  return shape;
+}
+
 void expect_as_cgal_reads(const std::filesystem::path& path) {
   SCOPED_TRACE(path);
-  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
-  std::vector<std::vector<std::size_t>> polygons;
-  ASSERT_TRUE(CGAL::IO::read_polygon_soup(path.string(), points, polygons));
-  const Shape shape = read_shape(path);
-  ASSERT_EQ(static_cast<std::size_t>(shape.vertices.rows()), points.size());
-  ASSERT_EQ(static_cast<std::size_t>(shape.triangles.rows()), polygons.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (int axis = 0; axis < 3; ++axis) {
-      ASSERT_EQ(shape.vertices(static_cast<Eigen::Index>(i), axis), points[i][axis]) << "vertex " << i;
-    }
-  }
-  for (std::size_t f = 0; f < polygons.size(); ++f) {
-    ASSERT_EQ(polygons[f].size(), 3U);
-    for (std::size_t k = 0; k < 3; ++k) {
-      ASSERT_EQ(static_cast<std::size_t>(shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k))),
-                polygons[f][k])
-          << "face " << f;
-    }
-  }
+  test_io::expect_same(read_shape(path), read_by_cgal(path));
 }
 
 TEST(IndependentReader, ReadsTheSameInEveryFormat) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_off.h"
@@ -72,7 +73,8 @@ TEST(ReadOff, Exponents) {
 }
 
 TEST(ReadOff, ColoursNormalsAndTextureAfterVertices) {
-  const std::string extras[] = {" 255 0 0 255", " 0.1 0.2 0.3", " 0 0 1", " 0.5 0.5", " 0 0 1 255 0 0 255 0.5 0.5"};
+  const std::vector<std::string> extras = {" 255 0 0 255", " 0.1 0.2 0.3", " 0 0 1", " 0.5 0.5",
+                                           " 0 0 1 255 0 0 255 0.5 0.5"};
   for (const std::string keyword : {"COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STCOFF", "STNOFF", "STCNOFF", "OFF"}) {
     for (const std::string& extra : extras) {
       expect_tetrahedron(keyword + "\n4 4 6\n" + replaced(vertices, "\n", extra + "\n") + faces);

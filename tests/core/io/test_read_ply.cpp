@@ -1,6 +1,9 @@
+#include <array>
+#include <bit>
 #include <gmock/gmock.h>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_ply.h"
@@ -16,7 +19,7 @@ using test_io::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-constexpr std::endian both_orders[] = {std::endian::little, std::endian::big};
+constexpr std::array both_orders = {std::endian::little, std::endian::big};
 
 const std::string vertex_header = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string face_header = "element face 4\nproperty list uchar int vertex_index\n";
@@ -56,13 +59,13 @@ TEST(ReadPly, BinaryBodyThatBeginsLikeALineEnd) {
   // 2.0f with a last byte of 0x0A or 0x0D is the body's first byte in little-endian order.
   for (const std::string line_end : {"\n", "\r", "\r\n"}) {
     for (const char first : {'\n', '\r'}) {
-      const std::string lines[] = {"ply",
-                                   "format binary_little_endian 1.0",
-                                   "element vertex 1",
-                                   "property float x",
-                                   "property float y",
-                                   "property float z",
-                                   "end_header"};
+      const std::vector<std::string> lines = {"ply",
+                                              "format binary_little_endian 1.0",
+                                              "element vertex 1",
+                                              "property float x",
+                                              "property float y",
+                                              "property float z",
+                                              "end_header"};
       std::string bytes;
       for (const std::string& line : lines) bytes += line + line_end;
       bytes += first + std::string("\0\0\x40", 3) + std::string(8, '\0');
@@ -149,7 +152,7 @@ TEST(ReadPly, Truncated) {
     expect_error(bytes.substr(0, bytes.find("end_header\n") + 11 + 20),
                  "t.ply: ends after 1 of 4 vertices; the file is truncated or its header is wrong");
     expect_error(
-        bytes.substr(0, bytes.find("end_header\n") + 11 + 4 * 18 + 5),
+        bytes.substr(0, bytes.find("end_header\n") + 11 + std::size_t{4} * 18 + 5),
         "t.ply: ends after 0 of 1 items of its element \"camera\"; the file is truncated or its header is wrong");
   }
 }

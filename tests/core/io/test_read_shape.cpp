@@ -22,20 +22,19 @@ void expect_error(const std::filesystem::path& path, const std::string& message)
   EXPECT_THAT([&] { check_shape_header(path); }, ThrowsMessage<InputError>(StrEq(message)));
 }
 
+/// The corners of the triangles, one a row. The vertices' order differs where a format has no indices, theirs does not.
+Points corners_of(const Shape& shape) {
+  return shape.vertices(shape.triangles.reshaped<Eigen::RowMajor>(), Eigen::all);
+}
+
 TEST(ReadShape, EveryFormatByItsExtension) {
   const TemporaryFolder folder;
   for (const auto& [name, bytes, optional] : test_io::encoded_in_every_format(tetrahedron())) {
-    SCOPED_TRACE(name);
     const auto path = folder.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
     const Shape shape = read_shape(path);
-    EXPECT_EQ(shape.vertices.rows(), 4);
-    // The vertices' order differs where the format has no indices, the triangles' corners do not.
-    for (Eigen::Index f = 0; f < 4; ++f) {
-      for (int k = 0; k < 3; ++k) {
-        EXPECT_EQ(shape.vertices.row(shape.triangles(f, k)), tetrahedron().vertices.row(tetrahedron().triangles(f, k)));
-      }
-    }
+    EXPECT_EQ(shape.vertices.rows(), 4) << name;
+    EXPECT_EQ(corners_of(shape), corners_of(tetrahedron())) << name;
   }
 }
 
