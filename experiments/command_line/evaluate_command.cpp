@@ -98,7 +98,8 @@ void add_evaluate_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
       "Row i of the matrix is the i-th model of the classification in natural order (2 before 10), unless the matrix\n"
-      "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does. Tables are in percent, JSON in fractions.");
+      "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does.\n"
+      "Tables are in percent, JSON in fractions.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command->add_option("distances", arguments->distances, "Distance matrix: .matrix (PSB), .npy, .csv, .txt or .dat")
       ->required();
