@@ -39,14 +39,15 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   described.models.resize(dataset.models.size());
   described.failures = check_models(dataset);
   stop_if_told(dataset, described.failures, configuration.on_error);
-  std::vector<std::size_t> todo;
+  std::vector<std::size_t> remaining;
   for (std::size_t i = 0; i < dataset.models.size(); ++i) {
-    if (std::ranges::find(described.failures, i, &ModelFailure::model) == described.failures.end()) todo.push_back(i);
+    if (std::ranges::find(described.failures, i, &ModelFailure::model) == described.failures.end())
+      remaining.push_back(i);
   }
   // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
-  const bool parallel_within = todo.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const bool parallel_within = remaining.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::vector<ModelFailure> failures =
-      for_each_model(todo, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
+      for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
         described.models[model] =
             describe_model(dataset.models[model], plan, configuration.signatures, parallel_within);
       });
