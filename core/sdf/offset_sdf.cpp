@@ -27,15 +27,16 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 
 void require_extent(const Shape& shape) {
   const double diagonal = bounding_box_diagonal(shape);
-  if (shape.triangles.rows() > 0 && diagonal > 0 && std::isfinite(diagonal)) return;
-  throw InputError(fmt::format(
-      "the shape has no usable extent (the diagonal of its bounding box is {}): an offset SDF needs triangles "
-      "that span some space",
-      diagonal));
+  if (diagonal > 0 && std::isfinite(diagonal)) return;
+  throw InputError(
+      fmt::format("the shape has no usable extent (the diagonal of its bounding box is {}): an offset SDF needs "
+                  "triangles or points "
+                  "that span some space",
+                  diagonal));
 }
 
 Shape in_frame(const Shape& shape, const UnitFrame& frame) {
-  Shape result{shape.vertices, shape.triangles};
+  Shape result{shape.vertices, shape.triangles, {}};
   for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
     result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
   }

@@ -32,7 +32,8 @@ struct OffsetSdfResult {
 };
 
 /// SDF of the offset surface at the given samples of the shape (the paper, Algorithm 1; the design, section 2.2).
-/// Throws InputError where the shape has no triangle of positive area or the offset is not positive and finite.
+/// The shape may be a point cloud. Throws InputError where the shape has no extent or the offset is not positive and
+/// finite.
 OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
 
 }  // namespace shapegauge

@@ -4,7 +4,7 @@ namespace shapegauge {
 
 Eigen::AlignedBox3d bounding_box(const Shape& shape) {
   Eigen::AlignedBox3d box;
-  if (shape.triangles.rows() == 0) {
+  if (is_cloud(shape)) {
     for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) box.extend(shape.vertices.row(i).transpose());
     return box;
   }

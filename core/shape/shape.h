@@ -18,6 +18,7 @@ using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor
 struct Shape {
   Points vertices;
   Triangles triangles;
+  Points normals = {};  ///< unit normals of a point cloud's points, where the file gives them; otherwise empty
 };
 
 /// The axis-aligned box around the vertices that count: those that a triangle uses, or all of them where there are no
@@ -29,6 +30,9 @@ double bounding_box_diagonal(const Shape& shape);
 
 /// Area of every triangle, in the shape's units squared.
 Eigen::VectorXd triangle_areas(const Shape& shape);
+
+/// Whether there is nothing but points.
+inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 
 /// Sum of the triangles' areas; 0 for a point cloud.
 double surface_area(const Shape& shape);

@@ -62,6 +62,13 @@ bool ray_meets_box(const SurfaceTreeNode& node, std::size_t child, const Eigen::
 }  // namespace
 
 SurfaceTree::SurfaceTree(const Shape& shape) : layout_(std::make_unique<Layout>()) {
+  if (is_cloud(shape)) {
+    layout_->triangles.reserve(static_cast<std::size_t>(shape.vertices.rows()));
+    for (const auto& row : shape.vertices.rowwise()) {
+      const Eigen::Vector3d point = row.transpose();
+      layout_->triangles.push_back({point, point, point});
+    }
+  }
   layout_->triangles.reserve(static_cast<std::size_t>(shape.triangles.rows()));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };

@@ -33,7 +33,8 @@ struct RayCrossings {
 /// Queries are safe to call from many threads.
 class SurfaceTree {
  public:
-  /// Builds the tree over all triangles of positive area and over the degenerate ones too. The shape is not kept.
+  /// Builds the tree over all triangles, degenerate ones too; over a cloud's points as triangles of no size. The shape
+  /// is not kept.
   explicit SurfaceTree(const Shape& shape);
   ~SurfaceTree();
   SurfaceTree(SurfaceTree&&) noexcept;

@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
+#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/generator/proportions.h"
-#include "shapegauge/experiments/generator/random_numbers.h"
 #include "shapegauge/experiments/generator/skeleton.h"
 
 namespace shapegauge {

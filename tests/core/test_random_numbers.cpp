@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "shapegauge/experiments/generator/random_numbers.h"
+#include "shapegauge/core/random_numbers.h"
 
 namespace shapegauge {
 namespace {
