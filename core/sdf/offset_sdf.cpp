@@ -59,8 +59,7 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const 
   for (const double side : {1.0, -1.0}) {
     const Eigen::Vector3d q = p + side * r * normal;
     if (exterior.tree().any_within(q, r * (1 - offset_slack))) continue;
-    const auto is_exterior = exterior.contains(q);
-    if (is_exterior.value_or(true)) return ExteriorPoint{q, is_exterior.has_value()};
+    if (exterior.contains(q) == true) return ExteriorPoint{q};
   }
   return std::nullopt;
 }

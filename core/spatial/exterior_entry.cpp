@@ -30,12 +30,13 @@ ExteriorEntry first_exterior_entry(const OffsetExterior& exterior, const Eigen::
   const double smallest_step = offset_slack * r;
   double t = r;
   std::int32_t hint = -1;
+  bool decided = true;
   while (true) {
     const Eigen::Vector3d x = origin + t * direction;
     const auto leaf = exterior.leaf_at(x);
-    if (!leaf) return {t, true};
+    if (!leaf) return {t, decided};
     const ExteriorNode& node = exterior.nodes()[static_cast<std::size_t>(leaf->node)];
-    if (node.kind == CellKind::free && node.may_hold_exterior) return {t, true};
+    if (node.kind == CellKind::free && node.may_hold_exterior) return {t, decided};
     if (!node.may_hold_exterior) {
       t = std::max(t + smallest_step / 16, exit_from_cube(*leaf, origin, direction));
       continue;
@@ -47,7 +48,8 @@ ExteriorEntry first_exterior_entry(const OffsetExterior& exterior, const Eigen::
       continue;
     }
     const auto is_exterior = exterior.contains(x);
-    if (is_exterior.value_or(true)) return {t, is_exterior.has_value()};
+    decided &= is_exterior.has_value();
+    if (is_exterior == true) return {t, decided};
     t += std::max(5 * smallest_step, tree.closest(x)->distance - r);
   }
 }

@@ -172,20 +172,16 @@ FreeSpace merged(FreeSpace a, FreeSpace b) {
   return b == FreeSpace::none ? a : FreeSpace::both;
 }
 
-/// Gives each of the smallest leaves the spaces of its surroundings, a cube wide, one axis after the other. Larger
-/// solid leaves do not pass anything on: that would reach through the surface.
-void spread_to_mixed(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes[i].space = nodes[i].centre_space;
-    smallest = std::min(smallest, graph.half(static_cast<std::int32_t>(i)));
-  }
+/// Gives each of the small leaves the spaces of its surroundings, a cube wide, one axis after the other. Larger solid
+/// leaves do not pass anything on: that would reach through the surface.
+void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<ExteriorNode>& nodes) {
+  for (ExteriorNode& node : nodes) node.space = node.centre_space;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<FreeSpace> before(nodes.size());
     for (std::size_t i = 0; i < nodes.size(); ++i) before[i] = nodes[i].space;
     const auto spread = [&](std::int32_t from, std::int32_t to) {
       ExteriorNode& node = nodes[static_cast<std::size_t>(to)];
-      if (node.kind == CellKind::free || graph.half(to) > 1.5 * smallest) return;
+      if (node.kind == CellKind::free || 2 * graph.half(to) > 1.5 * resolution) return;
       node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
     };
     for (const FacePair& pair : graph.pairs()) {
@@ -233,10 +229,11 @@ void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& n
         static_cast<std::int32_t>(i) == outside ? FreeSpace::exterior : space_of_part(exterior, graph, summaries[i]);
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_open(nodes[i]))
-      nodes[i].centre_space = spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+    nodes[i].centre_space = is_open(nodes[i])
+                                ? spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))]
+                                : FreeSpace::none;
   }
-  spread_to_mixed(graph, nodes);
+  spread_to_mixed(graph, exterior.resolution(), nodes);
   settle_by_crossings(exterior, graph, nodes);
 }
 

@@ -31,14 +31,14 @@ class SphereSearch {
                SearchMemory& memory)
       : exterior_(exterior), centre_(centre), radius_(radius), smallest_radius_(smallest_radius), memory_(memory) {}
 
-  std::optional<ExteriorPoint> run() {
+  SphereFinding run() {
     for (int face = 0; face < 6; ++face) waiting_.push_back({face, 0, 0, 0, -1});
     while (!waiting_.empty()) {
       const Square square = waiting_.back();
       waiting_.pop_back();
-      if (auto found = look_into(square)) return found;
+      if (const auto found = look_into(square)) return {found, decided_};
     }
-    return std::nullopt;
+    return {std::nullopt, decided_};
   }
 
  private:
@@ -51,7 +51,7 @@ class SphereSearch {
     std::array<bool, 4> middle_is_covered{};
   };
 
-  std::optional<ExteriorPoint> look_into(const Square& square) {
+  std::optional<Eigen::Vector3d> look_into(const Square& square) {
     Quarters quarters = quarters_of(square);
     cover(quarters, square.hint);
     for (int i = 0; i < 4; ++i) {
@@ -61,7 +61,7 @@ class SphereSearch {
     return std::nullopt;
   }
 
-  std::optional<ExteriorPoint> look_into(Quarters& quarters, int i) {
+  std::optional<Eigen::Vector3d> look_into(Quarters& quarters, int i) {
     const auto quarter = static_cast<std::size_t>(i);
     const Square& parent = quarters.square;
     Square patch{parent.face, parent.level + 1, 2 * parent.column + i % 2, 2 * parent.row + i / 2, parent.hint};
@@ -84,14 +84,15 @@ class SphereSearch {
     return look_closely(quarters, quarter, patch, middle, before);
   }
 
-  std::optional<ExteriorPoint> look_closely(Quarters& quarters, std::size_t quarter, Square patch,
-                                            const Eigen::Vector3d& middle, std::int32_t& before) {
+  std::optional<Eigen::Vector3d> look_closely(Quarters& quarters, std::size_t quarter, Square patch,
+                                              const Eigen::Vector3d& middle, std::int32_t& before) {
     const double r = exterior_.r();
     const auto hit = exterior_.tree().closest(middle, r + quarters.reach, patch.hint);
     if (hit) before = patch.hint = recent_[oldest_++ % recent_.size()] = hit->triangle;
     if (!hit || hit->distance >= r) {
       const auto is_exterior = exterior_.contains(middle);
-      if (is_exterior.value_or(true)) return ExteriorPoint{middle, is_exterior.has_value()};
+      decided_ &= is_exterior.has_value();
+      if (is_exterior == true) return middle;
       if (!hit) return std::nullopt;
     } else {
       cover(quarters, hit->triangle);
@@ -142,14 +143,15 @@ class SphereSearch {
   double smallest_radius_;
   SearchMemory& memory_;
   std::vector<Square> waiting_;
+  bool decided_ = true;
   std::array<std::int32_t, 4> recent_ = {-1, -1, -1, -1};  ///< the triangles that were last found to be closest
   std::size_t oldest_ = 0;
 };
 
 }  // namespace
 
-std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
-                                                      double radius, double smallest_radius, SearchMemory& memory) {
+SphereFinding exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre, double radius,
+                                       double smallest_radius, SearchMemory& memory) {
   return SphereSearch(exterior, centre, radius, smallest_radius, memory).run();
 }
 

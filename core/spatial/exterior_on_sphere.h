@@ -30,9 +30,15 @@ class SearchMemory {
   std::array<std::int32_t, static_cast<std::size_t>(6 * patches_per_face)> triangles_;
 };
 
-/// Some exterior point on a sphere, or nothing where the sphere is proven to have none, down to patches that reach
+/// What was found on a sphere.
+struct SphereFinding {
+  std::optional<Eigen::Vector3d> exterior_point;
+  bool decided = true;  ///< false where there is free space on the sphere that was taken for enclosed for want of proof
+};
+
+/// Some exterior point on a sphere, or none where the sphere is proven to have none, down to patches that reach
 /// smallest_radius from their centres.
-std::optional<ExteriorPoint> exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre,
-                                                      double radius, double smallest_radius, SearchMemory& memory);
+SphereFinding exterior_point_on_sphere(const OffsetExterior& exterior, const Eigen::Vector3d& centre, double radius,
+                                       double smallest_radius, SearchMemory& memory);
 
 }  // namespace shapegauge

@@ -47,10 +47,11 @@ class Search {
       const double radius = best_distance_ - search_tolerance * r_;
       if (radius <= r_) break;
       const auto closer = exterior_point_on_sphere(exterior_, p_, radius, smallest_patch * r_, memory_);
-      if (!closer) break;
-      descend_from(*closer);
+      decided_ &= closer.decided;
+      if (!closer.exterior_point) break;
+      descend_from(*closer.exterior_point);
     }
-    return best_;
+    return {best_, decided_};
   }
 
  private:
@@ -80,15 +81,15 @@ class Search {
     return {x, hit};
   }
 
-  void keep(const ExteriorPoint& candidate) {
+  void keep(const Eigen::Vector3d& candidate) {
     best_ = candidate;
-    best_distance_ = (candidate.point - p_).norm();
+    best_distance_ = (candidate - p_).norm();
   }
 
-  void descend_from(const ExteriorPoint& start) {
-    const Touching touching = pulled_to_surface(start.point, closest(start.point, -1));
+  void descend_from(const Eigen::Vector3d& start) {
+    const Touching touching = pulled_to_surface(start, closest(start, -1));
     if ((touching.point - p_).norm() >= best_distance_) return;
-    keep({touching.point, start.decided});
+    keep(touching.point);
     descend({contact_at(touching.hit.triangle, touching.hit.point, touching.point)});
   }
 
@@ -108,9 +109,10 @@ class Search {
         continue;
       }
       const auto is_exterior = exterior_.contains(*x);
-      if (is_exterior == false) return;
+      decided_ &= is_exterior.has_value();
+      if (is_exterior != true) return;
       const Touching touching = pulled_to_surface(*x, hit);
-      keep({touching.point, is_exterior.has_value()});
+      keep(touching.point);
       contacts = renewed(contacts, *x, touching);
     }
   }
@@ -131,7 +133,7 @@ class Search {
   }
 
   /// An exterior point from the octree, about the nearest that it knows of.
-  [[nodiscard]] ExteriorPoint nearest_known_exterior() const {
+  [[nodiscard]] Eigen::Vector3d nearest_known_exterior() const {
     const auto distance = [&](const ExteriorCell& cell) {
       return ((p_ - cell.centre).cwiseAbs().array() - cell.half).cwiseMax(0).matrix().norm();
     };
@@ -142,7 +144,7 @@ class Search {
       const ExteriorCell cell = waiting.top();
       waiting.pop();
       const ExteriorNode& node = exterior_.nodes()[static_cast<std::size_t>(cell.node)];
-      if (node.centre_space == FreeSpace::exterior) return {cell.centre, true};
+      if (node.centre_space == FreeSpace::exterior) return cell.centre;
       for (int i = 0; i < 8 && node.kind == CellKind::divided; ++i) {
         const std::int32_t child = node.first_child + i;
         if (!exterior_.nodes()[static_cast<std::size_t>(child)].may_hold_exterior) continue;
@@ -156,7 +158,8 @@ class Search {
   double r_;
   Eigen::Vector3d p_;
   SearchMemory& memory_;
-  ExteriorPoint best_{};
+  Eigen::Vector3d best_ = Eigen::Vector3d::Zero();
+  bool decided_ = true;
   double best_distance_ = std::numeric_limits<double>::infinity();
 };
 

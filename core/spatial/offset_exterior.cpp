@@ -12,13 +12,18 @@ namespace {
 
 /// The smallest cube, as a fraction of the diagonal, that the octree is refined to however small r is.
 constexpr double finest_resolution = 1.0 / 256;
+/// The smallest into which unsettled ones are divided further.
+constexpr double finest_pocket = 1.0 / 1024;
+/// Bounds memory (some 100 bytes a node while flooding) and time on shapes that fill their box.
+constexpr std::size_t most_nodes = 3'000'000;
 const double root_of_three = std::sqrt(3.0);
 
 }  // namespace
 
 OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed)
     : tree_(tree), r_(r), closed_(closed) {
-  const double smallest = std::max(r / 2, finest_resolution * bounds.diagonal().norm());
+  const double diagonal = bounds.diagonal().norm();
+  const double smallest = std::max(r / 2, finest_resolution * diagonal);
   // A margin of two cubes of free space all around, so that the flood can start anywhere on the root's border.
   const double needed = bounds.sizes().maxCoeff() + 2 * r + 4 * smallest;
   double size = smallest;
@@ -26,8 +31,13 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   root_centre_ = bounds.center();
   root_half_ = size / 2;
   nodes_.emplace_back();
-  classify(root(), -1, smallest / 2);
+  classify(root(), -1);
+  std::vector<ExteriorCell> mixed{root()};
+  while (mixed.front().half > smallest / 2 * 1.5 && divide(mixed)) {
+  }
+  resolution_ = 2 * mixed.front().half;
   flood_exterior(*this, nodes_);
+  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal));
   mark_exterior(0);
 }
 
@@ -37,7 +47,7 @@ ExteriorCell OffsetExterior::octant(const ExteriorCell& cell, int i, std::int32_
   return {cell.centre + half * direction, half, node};
 }
 
-void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half) {
+void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint) {
   const double radius = root_of_three * cell.half;
   ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
   if (hint >= 0 && (closest_point(tree_.triangle(hint), cell.centre) - cell.centre).norm() + radius < r_) {
@@ -52,20 +62,50 @@ void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint, doubl
   }
   node.triangle = hit->triangle;
   node.clearance = static_cast<float>(hit->distance - r_);
-  if (hit->distance + radius < r_) {
-    node.kind = CellKind::solid;
-  } else if (cell.half > smallest_half * 1.5) {
-    divide(cell, smallest_half);
-  }
+  if (hit->distance + radius < r_) node.kind = CellKind::solid;
 }
 
-void OffsetExterior::divide(const ExteriorCell& cell, double smallest_half) {
-  const auto first = static_cast<std::int32_t>(nodes_.size());
-  const std::int32_t hint = nodes_[static_cast<std::size_t>(cell.node)].triangle;
-  nodes_[static_cast<std::size_t>(cell.node)].kind = CellKind::divided;
-  nodes_[static_cast<std::size_t>(cell.node)].first_child = first;
-  nodes_.resize(nodes_.size() + 8);
-  for (int i = 0; i < 8; ++i) classify(octant(cell, i, first + i), hint, smallest_half);
+bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
+  if (mixed.empty() || nodes_.size() + 8 * mixed.size() > most_nodes) return false;
+  std::vector<ExteriorCell> smaller;
+  for (const ExteriorCell& cell : mixed) {
+    const auto first = static_cast<std::int32_t>(nodes_.size());
+    const std::int32_t hint = nodes_[static_cast<std::size_t>(cell.node)].triangle;
+    nodes_[static_cast<std::size_t>(cell.node)].kind = CellKind::divided;
+    nodes_[static_cast<std::size_t>(cell.node)].first_child = first;
+    nodes_.resize(nodes_.size() + 8);
+    for (int i = 0; i < 8; ++i) {
+      const ExteriorCell child = octant(cell, i, first + i);
+      classify(child, hint);
+      if (nodes_[static_cast<std::size_t>(child.node)].kind == CellKind::mixed) smaller.push_back(child);
+    }
+  }
+  if (smaller.empty()) return false;
+  mixed = std::move(smaller);
+  return true;
+}
+
+void OffsetExterior::find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const {
+  const ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
+  for (int i = 0; i < 8 && node.kind == CellKind::divided; ++i) {
+    find_unsettled(octant(cell, i, node.first_child + i), smallest, found);
+  }
+  const bool unsettled = node.space == FreeSpace::none || node.space == FreeSpace::both;
+  if (node.kind == CellKind::mixed && unsettled && 2 * cell.half > smallest) found.push_back(cell);
+}
+
+void OffsetExterior::settle_pockets(double smallest) {
+  while (true) {
+    std::vector<ExteriorCell> unsettled;
+    find_unsettled(root(), smallest, unsettled);
+    if (!divide(unsettled)) break;
+    flood_exterior(*this, nodes_);
+  }
+  for (ExteriorNode& node : nodes_) {
+    if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;
+    if (node.space == FreeSpace::enclosed && node.centre_space == FreeSpace::none)
+      node.centre_space = FreeSpace::enclosed;
+  }
 }
 
 bool OffsetExterior::mark_exterior(std::int32_t index) {
@@ -121,27 +161,44 @@ std::optional<bool> OffsetExterior::contains(const Eigen::Vector3d& x) const {
   const FreeSpace space = nodes_[static_cast<std::size_t>(leaf->node)].space;
   if (space == FreeSpace::exterior) return true;
   if (space == FreeSpace::enclosed) return false;
-  if (const auto decided = decide_by_walk(x)) return decided;
+  if (const auto decided = decide_by_climb(x)) return decided;
   return is_outside_by_crossings(x);
 }
 
-std::optional<bool> OffsetExterior::decide_by_walk(Eigen::Vector3d x) const {
-  // Walk away from the surface, through free space only, until the ball of free space around x settles it.
-  constexpr int most_steps = 12;
-  std::int32_t hint = -1;
+std::optional<bool> OffsetExterior::label_seen_from(const Eigen::Vector3d& x, double clearance) const {
+  const auto leaf = leaf_at(x);
+  if (!leaf) return true;
+  const ExteriorNode& node = nodes_[static_cast<std::size_t>(leaf->node)];
+  if (node.kind != CellKind::free && (x - leaf->centre).norm() >= clearance) return std::nullopt;
+  if (node.centre_space == FreeSpace::exterior) return true;
+  if (node.centre_space == FreeSpace::enclosed) return false;
+  return std::nullopt;
+}
+
+std::optional<bool> OffsetExterior::decide_by_climb(Eigen::Vector3d x) const {
+  constexpr int most_steps = 32;
+  const double shortest = root_half_ / 65536;
+  SurfaceHit hit = *tree_.closest(x);
   for (int step = 0; step < most_steps; ++step) {
-    const auto leaf = leaf_at(x);
-    if (!leaf) return true;
-    const auto hit = tree_.closest(x, std::numeric_limits<double>::infinity(), hint);
-    const double clearance = hit->distance - r_;
-    const ExteriorNode& node = nodes_[static_cast<std::size_t>(leaf->node)];
-    const bool sees_centre = node.kind == CellKind::free || (x - leaf->centre).norm() < clearance;
-    if (sees_centre && node.centre_space == FreeSpace::exterior) return true;
-    if (sees_centre && node.centre_space == FreeSpace::enclosed) return false;
-    const Eigen::Vector3d next = x + std::max(clearance, leaf->half / 4) * (x - hit->point).normalized();
-    if (tree_.any_within(next, r_, hit->triangle)) return std::nullopt;
-    hint = hit->triangle;
-    x = next;
+    const double clearance = hit.distance - r_;
+    if (const auto label = label_seen_from(x, clearance)) return label;
+    const Eigen::Vector3d away = (x - hit.point).normalized();
+    Eigen::Vector3d direction = away;
+    double length = std::max(clearance, resolution_ / 8);
+    while (true) {
+      const Eigen::Vector3d next = x + length * direction;
+      const SurfaceHit there = *tree_.closest(next, std::numeric_limits<double>::infinity(), hit.triangle);
+      if (there.distance > hit.distance + length / 16) {
+        x = next;
+        hit = there;
+        break;
+      }
+      // Another part of the surface is as near: climb along the ridge between the two.
+      direction = away + (next - there.point).normalized();
+      length /= 2;
+      if (direction.norm() < 0.05 || length < shortest) return std::nullopt;
+      direction.normalize();
+    }
   }
   return std::nullopt;
 }

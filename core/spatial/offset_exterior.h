@@ -53,8 +53,13 @@ class OffsetExterior {
   OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed);
 
   [[nodiscard]] double r() const { return r_; }
+  /// Edge of the cubes at the boundary of the offset solid.
+  [[nodiscard]] double resolution() const { return resolution_; }
   [[nodiscard]] const SurfaceTree& tree() const { return tree_; }
   [[nodiscard]] const std::vector<ExteriorNode>& nodes() const { return nodes_; }
+
+  /// Whether the surface is closed, so that the crossings of a ray tell inside from outside.
+  [[nodiscard]] bool is_closed() const { return closed_; }
 
   /// The cube that everything lies in; all beyond it is exterior.
   [[nodiscard]] ExteriorCell root() const { return {root_centre_, root_half_, 0}; }
@@ -81,15 +86,25 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> is_outside_by_crossings(const Eigen::Vector3d& x) const;
 
  private:
-  void divide(const ExteriorCell& cell, double smallest_half);
-  void classify(const ExteriorCell& cell, std::int32_t hint, double smallest_half);
+  void classify(const ExteriorCell& cell, std::int32_t hint);
+  /// Divides the mixed leaves, and puts those of their children that are mixed in their place. False, and nothing is
+  /// divided, where there would be too many; false, too, where no child is mixed.
+  bool divide(std::vector<ExteriorCell>& mixed);
+  /// The mixed leaves larger than the smallest of which it is not known what free space is in them.
+  void find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const;
+  /// Divides unsettled leaves further; what remains unsettled then is taken for enclosed.
+  void settle_pockets(double smallest);
   bool mark_exterior(std::int32_t node);
   [[nodiscard]] bool may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const;
-  [[nodiscard]] std::optional<bool> decide_by_walk(Eigen::Vector3d x) const;
+  /// What the centre of the leaf around x belongs to, where the ball of free space around x holds it.
+  [[nodiscard]] std::optional<bool> label_seen_from(const Eigen::Vector3d& x, double clearance) const;
+  /// Climbs away from the surface, through free space only, until the ball of free space around x settles it.
+  [[nodiscard]] std::optional<bool> decide_by_climb(Eigen::Vector3d x) const;
 
   const SurfaceTree& tree_;
   double r_;
   bool closed_;
+  double resolution_ = 0;
   Eigen::Vector3d root_centre_;
   double root_half_;
   std::vector<ExteriorNode> nodes_;
