@@ -35,14 +35,6 @@ void require_extent(const Shape& shape) {
                   diagonal));
 }
 
-Shape in_frame(const Shape& shape, const UnitFrame& frame) {
-  Shape result{shape.vertices, shape.triangles, {}};
-  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
-    result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
-  }
-  return result;
-}
-
 enum class Outcome : std::uint8_t { direct, searched, undecided };
 
 struct Answer {
@@ -97,7 +89,7 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   const Clock::time_point start = Clock::now();
   require_extent(shape);
   const UnitFrame frame = unit_frame(shape);
-  const Shape unit_shape = in_frame(shape, frame);
+  const Shape unit_shape = in_unit_frame(shape, frame);
   const SurfaceTree tree(unit_shape);
   const OffsetExterior exterior(tree, bounding_box(unit_shape), options.offset, is_closed(shape));
 

@@ -11,4 +11,12 @@ UnitFrame unit_frame(const Shape& shape) {
   return {centre, diagonal > 0 ? diagonal : 1};
 }
 
+Shape in_unit_frame(const Shape& shape, const UnitFrame& frame) {
+  Shape result{shape.vertices, shape.triangles};
+  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
+    result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
+  }
+  return result;
+}
+
 }  // namespace shapegauge

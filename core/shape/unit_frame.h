@@ -18,4 +18,7 @@ struct UnitFrame {
 /// The frame of a shape's bounding box; one of size 1 where the box has no extent.
 UnitFrame unit_frame(const Shape& shape);
 
+/// The shape in the frame's coordinates, without normals.
+Shape in_unit_frame(const Shape& shape, const UnitFrame& frame);
+
 }  // namespace shapegauge

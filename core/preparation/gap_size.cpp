@@ -1,0 +1,48 @@
+#include "shapegauge/core/preparation/gap_size.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/preparation/boundary_loops.h"
+#include "shapegauge/core/shape/point_neighbours.h"
+
+namespace shapegauge {
+
+namespace {
+
+double gap_in_cloud(const Points& points) {
+  constexpr Eigen::Index neighbours = 6;
+  constexpr double share = 0.999;
+  if (points.rows() < 2) return 0;
+  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
+  Eigen::VectorXd distances = nearest.distances.rightCols(1);
+  const auto rank = static_cast<Eigen::Index>(share * static_cast<double>(distances.size() - 1));
+  std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
+  return distances[rank];
+}
+
+double gap_in_mesh(const Shape& mesh) {
+  constexpr double share = 0.99;
+  std::vector<std::pair<double, double>> loops;  // radius and length
+  double total = 0;
+  for (const BoundaryLoop& loop : boundary_loops(mesh)) {
+    loops.emplace_back(loop.radius, loop.length);
+    total += loop.length;
+  }
+  std::ranges::sort(loops);
+  double gap = 0;
+  double below = 0;
+  for (const auto& [radius, length] : loops) {
+    if (below >= share * total) break;
+    gap = radius;
+    below += length;
+  }
+  return gap;
+}
+
+}  // namespace
+
+double gap_size(const Shape& shape) { return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape); }
+
+}  // namespace shapegauge

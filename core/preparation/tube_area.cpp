@@ -1,0 +1,90 @@
+#include "shapegauge/core/preparation/tube_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/spatial/surface_tree.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double finest_cube = 1.0 / 256;  // of the diagonal
+
+/// The volume of the tube in a cube and its parts, down to the smallest: of those, the share that a plane at the
+/// surface of the tube would cut off.
+class TubeVolume {
+ public:
+  TubeVolume(const SurfaceTree& tree, double r)
+      : tree_(tree), r_(r), smallest_half_(std::max(r / 2, finest_cube) / 2) {}
+
+  [[nodiscard]] double in(const Eigen::Vector3d& centre, double half, std::int32_t hint = -1) const {
+    const double radius = std::sqrt(3.0) * half;
+    const auto hit = tree_.closest(centre, r_ + radius, hint);
+    const double volume = 8 * half * half * half;
+    if (!hit) return 0;
+    if (hit->distance + radius < r_) return volume;
+    if (half <= smallest_half_) return volume * std::clamp(0.5 - (hit->distance - r_) / (2 * half), 0.0, 1.0);
+    double sum = 0;
+    for (int i = 0; i < 8; ++i) {
+      const Eigen::Vector3d direction((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+      sum += in(centre + half / 2 * direction, half / 2, hit->triangle);
+    }
+    return sum;
+  }
+
+ private:
+  const SurfaceTree& tree_;
+  double r_;
+  double smallest_half_;
+};
+
+/// Dawson's integral over its argument, D(s) / s = integral over [0, 1] of exp(-s^2 (1 - t^2)), by Simpson's rule.
+double dawson_ratio(double s_squared) {
+  constexpr int intervals = 256;
+  double sum = 0;
+  for (int i = 0; i <= intervals; ++i) {
+    const double t = static_cast<double>(i) / intervals;
+    const double weight = i == 0 || i == intervals ? 1 : i % 2 != 0 ? 4 : 2;
+    sum += weight * std::exp(-s_squared * (1 - t * t));
+  }
+  return sum / (3 * intervals);
+}
+
+/// The area A with A (1 - D(s) / s) = tube, s^2 = n pi r^2 / A: both sides grow with A, so the fixed point is unique.
+double corrected_for_gaps(double tube, double points, double r) {
+  constexpr double pi = 3.14159265358979323846;
+  constexpr int rounds = 50;
+  double area = tube;
+  for (int i = 0; i < rounds; ++i) {
+    // A cloud too sparse for the tube to close at all would send the area to infinity.
+    area = std::min(tube / (1 - dawson_ratio(points * pi * r * r / area)), 2 * tube);
+  }
+  return area;
+}
+
+}  // namespace
+
+double tube_area(const Shape& shape, const TubeAreaOptions& options) {
+  const double r = options.radius;
+  if (!(r > 0 && r <= 1)) {
+    throw InputError(
+        fmt::format("the tube's radius is {}: it must be a fraction of the diagonal, above 0, at most 1", r));
+  }
+  const double diagonal = bounding_box_diagonal(shape);
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) {
+    throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));
+  }
+  const Shape unit_shape = in_unit_frame(shape, unit_frame(shape));
+  const SurfaceTree tree(unit_shape);
+  const Eigen::AlignedBox3d box = bounding_box(unit_shape);
+  const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);
+  double area = volume / (2 * r);
+  if (is_cloud(shape)) area = corrected_for_gaps(area, static_cast<double>(shape.vertices.rows()), r);
+  return area * diagonal * diagonal;
+}
+
+}  // namespace shapegauge
