@@ -18,7 +18,7 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(const TextScanner& scanner) : scanner_(scanner) {}
+  explicit ObjReader(const TextScanner& scanner) : scanner_(scanner), beginning_(scanner) {}
 
   Shape read() {
     while (!scanner_.at_end()) {
@@ -36,6 +36,7 @@ class ObjReader {
     }
     if (vertices == 0) scanner_.fail_whole("it holds no vertex");
     if (faces_ > 0 && soup_.triangles() == 0) scanner_.fail_whole(message_no_triangles(faces_));
+    if (faces_ == 0) read_normals();
     return soup_.shape();
   }
 
@@ -63,13 +64,27 @@ class ObjReader {
     while (!at_statement_end()) scanner_.read_word();
   }
 
-  void read_vertex() {
-    std::array<double, 3> position;
-    for (double& coordinate : position) {
-      if (at_statement_end())
-        scanner_.fail(fmt::format("vertex {} has fewer than three coordinates", soup_.vertices() + 1));
-      scanner_.read_number(coordinate, "a coordinate");
+  /// Reads the `vn` statements. Only those of a point cloud are of interest, and what is one is known at the end.
+  void read_normals() {
+    scanner_ = beginning_;
+    for (std::size_t normal = 1; !scanner_.at_end(); skip_statement()) {
+      if (scanner_.read_word() != "vn") continue;
+      soup_.add_normal(read_vector("normal", normal, "a normal's component"));
+      ++normal;
     }
+  }
+
+  std::array<double, 3> read_vector(std::string_view what, std::size_t number, std::string_view role) {
+    std::array<double, 3> vector;
+    for (double& component : vector) {
+      if (at_statement_end()) scanner_.fail(fmt::format("{} {} has fewer than three coordinates", what, number));
+      scanner_.read_number(component, role);
+    }
+    return vector;
+  }
+
+  void read_vertex() {
+    const std::array<double, 3> position = read_vector("vertex", soup_.vertices() + 1, "a coordinate");
     if (soup_.vertices() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more vertices than can be read");
     soup_.add_vertex(position);
   }
@@ -103,6 +118,7 @@ class ObjReader {
   }
 
   TextScanner scanner_;
+  TextScanner beginning_;
   SoupBuilder soup_;
   std::int64_t faces_ = 0;
   Corner largest_;

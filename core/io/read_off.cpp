@@ -46,11 +46,34 @@ class OffBody {
       if (!scanner_.read_number(coordinate, "a coordinate")) fail_end(i, counts_.vertices, "vertices");
     }
     soup_.add_vertex(position);
+    std::size_t extras = header_.vertex_extras();
+    if (i == 0) normals_ = has_normals();
+    if (normals_) {
+      read_normal(i);
+      extras -= 3;
+    }
     if (layout_ == OffLayout::lines) {
       scanner_.skip_line();
-    } else if (!scanner_.skip_words(header_.vertex_extras())) {
+    } else if (!scanner_.skip_words(extras)) {
       fail_end(i, counts_.vertices, "vertices");
     }
+  }
+
+  /// Whether normals follow, the first vertex's position being read. Of interest are those of a point cloud only.
+  bool has_normals() {
+    return header_.normals && counts_.faces == 0 && (layout_ == OffLayout::words || !scanner_.at_line_end());
+  }
+
+  /// The first of the extras.
+  void read_normal(std::int64_t i) {
+    std::array<double, 3> normal;
+    for (double& component : normal) {
+      if (layout_ == OffLayout::lines && scanner_.at_line_end()) {
+        scanner_.fail(fmt::format("the normal of vertex {} has fewer than three components", i));
+      }
+      if (!scanner_.read_number(component, "a normal's component")) fail_end(i, counts_.vertices, "vertices");
+    }
+    soup_.add_normal(normal);
   }
 
   void read_face(std::int64_t i) {
@@ -79,6 +102,7 @@ class OffBody {
   OffHeader header_;
   OffLayout layout_;
   OffCounts counts_;
+  bool normals_ = false;
   SoupBuilder soup_;
 };
 

@@ -48,17 +48,24 @@ class BinaryOffBody {
   }
 
   void read_vertex(std::int64_t i) {
-    std::array<double, 3> position;
-    for (double& coordinate : position) {
-      float value = 0;
-      if (!bytes_.read(value)) fail_end(i, counts_.vertices, "vertices");
-      if (!std::isfinite(value)) {
-        text_.fail_whole(message_not_finite(i));
-      }
-      coordinate = value;
+    soup_.add_vertex(read_vector(i, "coordinate"));
+    std::size_t extras = header_.vertex_extras();
+    if (header_.normals && counts_.faces == 0) {  // those of a mesh are of no interest
+      soup_.add_normal(read_vector(i, "normal"));
+      extras -= 3;
     }
-    soup_.add_vertex(position);
-    if (!bytes_.skip(4 * header_.vertex_extras())) fail_end(i, counts_.vertices, "vertices");
+    if (!bytes_.skip(4 * extras)) fail_end(i, counts_.vertices, "vertices");
+  }
+
+  std::array<double, 3> read_vector(std::int64_t vertex, std::string_view what) {
+    std::array<double, 3> vector;
+    for (double& component : vector) {
+      float value = 0;
+      if (!bytes_.read(value)) fail_end(vertex, counts_.vertices, "vertices");
+      if (!std::isfinite(value)) text_.fail_whole(message_not_finite(vertex, what));
+      component = value;
+    }
+    return vector;
   }
 
   void read_face(std::int64_t i) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 
 #include "shapegauge/core/io/ply_header.h"
@@ -15,10 +16,18 @@ namespace shapegauge {
 
 namespace {
 
-/// Number of the coordinate that a vertex's property is; 3 for any other.
-std::size_t axis_of(const PlyProperty& property) {
-  if (property.list || property.name.size() != 1) return 3;
-  return std::min<std::size_t>(std::string_view("xyz").find(property.name.front()), 3);
+/// Number of the coordinate that a vertex's property is, 3 to 5 for the components of its normal, 6 for any other.
+std::size_t place_of(const PlyProperty& property) {
+  constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
+  if (property.list) return names.size();
+  return static_cast<std::size_t>(std::ranges::find(names, property.name) - names.begin());
+}
+
+/// Whether every component of a vector has one property of the element, the first component's place being given.
+bool has_vector(const PlyElement& element, std::size_t first_place) {
+  return std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t axis) {
+    return std::ranges::count(element.properties, first_place + axis, place_of) == 1;
+  });
 }
 
 bool holds_corners(const PlyProperty& property) {
@@ -41,7 +50,7 @@ void require_vertices(const PlyHeader& header, const TextScanner& scanner) {
         fmt::format("{} vertices: at most {} can be read", vertex->count, std::numeric_limits<std::int32_t>::max()));
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (std::ranges::count(vertex->properties, axis, axis_of) != 1) {
+    if (std::ranges::count(vertex->properties, axis, place_of) != 1) {
       scanner.fail_whole(fmt::format("its element \"vertex\" needs one property \"{}\"", "xyz"[axis]));
     }
   }
@@ -77,6 +86,10 @@ class PlyBody {
       : header_(header), source_(std::move(source)), vertices_(find_element(header, "vertex")->count) {
     // What the file has room for, whatever its header claims: a coordinate takes a byte and a separator, or more.
     const PlyElement* const face = find_element(header, "face");
+    const PlyElement& vertex = *find_element(header, "vertex");
+    // The normals of a mesh are of no interest, whatever they are.
+    places_read_ = (face == nullptr || face->count == 0) && has_vector(vertex, 3) ? 6 : 3;
+    std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), place_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
                   std::min<std::size_t>(face == nullptr ? 0 : face->count, source_.remaining() / 4));
   }
@@ -109,14 +122,24 @@ class PlyBody {
   }
 
   bool read_vertex(const PlyElement& element, std::int64_t i) {
-    std::array<double, 3> position = {};
-    for (const PlyProperty& property : element.properties) {
-      const std::size_t axis = axis_of(property);
-      if (axis == 3 ? !skip(property) : !source_.read_real(position.at(axis), property.type)) return false;
+    std::array<double, 6> numbers = {};  // the position and the normal
+    for (std::size_t k = 0; k < vertex_places_.size(); ++k) {
+      const PlyProperty& property = element.properties[k];
+      const std::size_t place = vertex_places_[k];
+      if (place >= places_read_ ? !skip(property) : !source_.read_real(numbers[place], property.type)) return false;
     }
-    if (!std::ranges::all_of(position, [](double x) { return std::isfinite(x); })) source_.fail(message_not_finite(i));
-    soup_.add_vertex(position);
+    const auto [x, y, z, nx, ny, nz] = numbers;
+    if (!is_finite({x, y, z})) source_.fail(message_not_finite(i));
+    soup_.add_vertex({x, y, z});
+    if (places_read_ == 6) {
+      if (!is_finite({nx, ny, nz})) source_.fail(message_not_finite(i, "normal"));
+      soup_.add_normal({nx, ny, nz});
+    }
     return true;
+  }
+
+  static bool is_finite(const std::array<double, 3>& vector) {
+    return std::ranges::all_of(vector, [](double x) { return std::isfinite(x); });
   }
 
   bool read_corners(const PlyProperty& property, std::int64_t i) {
@@ -143,6 +166,8 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
+  std::vector<std::size_t> vertex_places_;  ///< of the vertices' properties, see place_of()
+  std::size_t places_read_ = 3;             ///< the lower ones are read, the others skipped
   SoupBuilder soup_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ranges>
 #include <string>
 #include <string_view>
 
@@ -12,6 +14,7 @@
 #include "shapegauge/core/io/read_off.h"
 #include "shapegauge/core/io/read_ply.h"
 #include "shapegauge/core/io/read_stl.h"
+#include "shapegauge/core/io/read_xyz.h"
 
 namespace shapegauge {
 
@@ -25,11 +28,15 @@ struct Format {
   void (*check_header)(const std::string& bytes, const std::string& name);
 };
 
-constexpr std::array<Format, 4> formats = {{
+constexpr std::array<Format, 8> formats = {{
     {".off", read_off, check_off_header},
     {".obj", read_obj, check_obj_header},
     {".ply", read_ply, check_ply_header},
     {".stl", read_stl, check_stl_header},
+    {".xyz", read_xyz, check_xyz_header},
+    {".pwn", read_xyz, check_xyz_header},
+    {".pts", read_xyz, check_xyz_header},
+    {".txt", read_xyz, check_xyz_header},
 }};
 
 std::string lower_case(std::string text) {
@@ -40,7 +47,7 @@ std::string lower_case(std::string text) {
 }
 
 /// The extension that the first bytes ask for. Only what names itself counts: an OFF file with its keyword, PLY, and
-/// ASCII STL; an OBJ file or a binary STL file could be anything.
+/// ASCII STL; an OBJ file, a binary STL file or lines of numbers could be anything.
 std::string_view extension_by_content(std::string_view bytes) {
   if (bytes.starts_with("ply")) return ".ply";
   if (bytes.starts_with("solid")) return ".stl";
@@ -55,8 +62,9 @@ const Format& format_of(const fs::path& path, std::string_view bytes) {
   const auto* format = find(lower_case(path.extension().string()));
   if (format == formats.end()) format = find(extension_by_content(bytes));
   if (format == formats.end()) {
-    throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are .off, .obj, .ply and .stl", path.string(),
-                                 path.extension().string()));
+    const auto extensions = formats | std::views::transform(&Format::extension);
+    throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
+                                 path.extension().string(), fmt::join(extensions, ", ")));
   }
   return *format;
 }

@@ -6,7 +6,8 @@
 
 namespace shapegauge {
 
-/// Reads a shape from an OFF, OBJ, PLY or STL file, by the name's extension and, failing that, by the first bytes.
+/// Reads a shape from an OFF, OBJ, PLY or STL file, or a point cloud from any of these but STL without faces or from
+/// lines of numbers (XYZ, PWN, PTS, TXT), by the name's extension and, failing that, by the first bytes.
 /// Polygons become fans of triangles, in the file's order. Every vertex and every face of the file is kept: duplicates,
 /// degenerate and non-manifold faces survive. STL vertices with equal coordinates are merged, as the format has no
 /// indices. Throws InputError: absent, unreadable or truncated file, index out of range, coordinate that is not finite.

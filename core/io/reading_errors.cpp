@@ -12,8 +12,8 @@ std::string message_no_such_vertex(std::int64_t face, std::int64_t vertex, std::
   return fmt::format("face {} refers to vertex {}, but the vertices are numbered 0 to {}", face, vertex, vertices - 1);
 }
 
-std::string message_not_finite(std::int64_t vertex) {
-  return fmt::format("vertex {} has a coordinate that is not a finite number; repair or remove the file", vertex);
+std::string message_not_finite(std::int64_t vertex, std::string_view what) {
+  return fmt::format("vertex {} has a {} that is not a finite number; repair or remove the file", vertex, what);
 }
 
 std::string message_no_triangles(std::int64_t faces) {

@@ -10,7 +10,7 @@ namespace shapegauge {
 /// @{
 std::string message_truncated(std::int64_t got, std::int64_t expected, std::string_view what);
 std::string message_no_such_vertex(std::int64_t face, std::int64_t vertex, std::int64_t vertices);
-std::string message_not_finite(std::int64_t vertex);
+std::string message_not_finite(std::int64_t vertex, std::string_view what = "coordinate");
 std::string message_no_triangles(std::int64_t faces);
 /// @}
 

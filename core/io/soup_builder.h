@@ -10,7 +10,8 @@
 namespace shapegauge {
 
 /// A shape as it grows vertex by vertex and corner by corner. Polygons become fans of triangles about their first
-/// corner, in order; a face with fewer than three corners has no surface and leaves no triangle.
+/// corner, in order; a face with fewer than three corners has no surface and leaves no triangle. Normals stay only with
+/// a point cloud, and only where every vertex has one.
 class SoupBuilder {
  public:
   void reserve(std::size_t vertices, std::size_t triangles) {
@@ -19,6 +20,10 @@ class SoupBuilder {
   }
 
   void add_vertex(const std::array<double, 3>& position) { vertices_.push_back(position); }
+
+  /// Adds the normal of the next vertex that has none; of any length. One of length zero stays zero: scanners write it
+  /// where they found none.
+  void add_normal(const std::array<double, 3>& normal);
 
   void begin_face() { corners_ = 0; }
 
@@ -39,6 +44,7 @@ class SoupBuilder {
 
  private:
   std::vector<std::array<double, 3>> vertices_;
+  std::vector<std::array<double, 3>> normals_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
   std::size_t corners_ = 0;
   std::int32_t first_ = 0;

@@ -13,6 +13,13 @@ void require_writable(const std::filesystem::path& path, const Shape& shape) {
           fmt::format("cannot write {}: vertex {} has a coordinate that is not a finite number", path.string(), i));
     }
   }
+  if (has_cloud_normals(shape) && shape.normals.rows() != shape.vertices.rows()) {
+    throw InputError(fmt::format("cannot write {}: {} normals for {} points", path.string(), shape.normals.rows(),
+                                 shape.vertices.rows()));
+  }
+  if (has_cloud_normals(shape) && !shape.normals.allFinite()) {
+    throw InputError(fmt::format("cannot write {}: a normal is not finite", path.string()));
+  }
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const auto triangle = shape.triangles.row(f);
     if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= shape.vertices.rows()) {

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
 namespace shapegauge {
@@ -29,16 +30,17 @@ struct Camera {
   }
 };
 
-void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, const RenderOptions& options) {
+void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite site) {
   const Eigen::Index sites = site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
   if (static_cast<Eigen::Index>(colours.size()) != sites) {
     throw InputError(fmt::format("{} colours for {} {} of the shape", colours.size(), sites,
                                  site == SampleSite::faces ? "triangles" : "vertices"));
   }
   const double diagonal = bounding_box_diagonal(shape);
-  if (shape.triangles.rows() == 0 || !(diagonal > 0) || !std::isfinite(diagonal)) {
-    throw InputError("nothing to draw: the shape has no triangles, or no finite extent");
-  }
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to draw: the shape has no finite extent");
+}
+
+void check(const RenderOptions& options) {
   constexpr int largest_side = 1 << 15;
   if (options.width < 1 || options.height < 1 || options.width > largest_side || options.height > largest_side ||
       options.rays_per_side < 1 || options.rays_per_side > 16 || !(options.margin >= 0 && options.margin < 0.5)) {
@@ -156,11 +158,7 @@ std::array<std::uint8_t, 4> pixel_of(const Eigen::Array4d& sum, int rays, bool t
   return bytes;
 }
 
-}  // namespace
-
-Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
-                   const RenderOptions& options) {
-  check(shape, colours, site, options);
+Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, const RenderOptions& options) {
   const Camera camera = camera_for(shape, options);
   const Scene scene(shape, colours, site);
   const int n = options.rays_per_side;
@@ -179,6 +177,24 @@ Image render_shape(const Shape& shape, const std::vector<Colour>& colours, Sampl
     }
   });
   return image;
+}
+
+/// One colour a triangle of the splats.
+std::vector<Colour> colours_of_splats(const std::vector<Colour>& colours) {
+  std::vector<Colour> result;
+  result.reserve(triangles_per_splat * colours.size());
+  for (const Colour& colour : colours) result.insert(result.end(), triangles_per_splat, colour);
+  return result;
+}
+
+}  // namespace
+
+Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
+                   const RenderOptions& options) {
+  check(shape, colours, site);
+  check(options);
+  if (is_cloud(shape)) return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, options);
+  return draw(shape, colours, site, options);
 }
 
 }  // namespace shapegauge

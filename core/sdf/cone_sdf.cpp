@@ -26,13 +26,14 @@ void check(const ConeSdfOptions& options) {
 }
 
 void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
+  if (is_cloud(shape)) {
+    throw InputError(
+        "the conventional SDF needs triangles, and the shape has none; use the SDF of the offset surface for points");
+  }
   const bool at_faces = samples.site == SampleSite::faces;
   if (engine == ConeSdfEngine::cgal && !at_faces) {
     throw InputError(
         "the cgal engine of the conventional SDF answers at faces only: choose faces, or the embree engine");
-  }
-  if (shape.triangles.rows() == 0) {
-    throw InputError("the conventional SDF needs triangles, and the shape has none");
   }
   const Eigen::Index sites = at_faces ? shape.triangles.rows() : shape.vertices.rows();
   if (samples.points.rows() != sites || samples.normals.rows() != sites) {

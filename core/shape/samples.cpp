@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "shapegauge/core/shape/point_weights.h"
+
 namespace shapegauge {
 
 namespace {
@@ -104,6 +106,14 @@ Samples sample_faces(const Shape& shape) {
   return samples;
 }
 
+Samples sample_cloud(const Shape& shape) {
+  Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
+  samples.points = shape.vertices;
+  if (shape.normals.rows() > 0) samples.normals = shape.normals;
+  samples.weights = point_weights(shape.vertices);
+  return samples;
+}
+
 Samples sample_vertices(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;
@@ -133,6 +143,7 @@ Samples sample_vertices(const Shape& shape) {
 }  // namespace
 
 Samples sample_shape(const Shape& shape, SampleSite site) {
+  if (is_cloud(shape)) return sample_cloud(shape);
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }
 

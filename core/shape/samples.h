@@ -6,19 +6,22 @@
 
 namespace shapegauge {
 
-/// Where a field is sampled (the design, section 2.4).
+/// Where a field is sampled (the design, section 2.4). The points of a cloud are its vertices.
 enum class SampleSite { faces, vertices };
 
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
   SampleSite site = SampleSite::faces;
-  Points points;   ///< one sample a row, in the shape's units
-  Points normals;  ///< unit normals by the triangles' orientation; zero where there is none (degenerate, unused)
+  Points points;  ///< one sample a row, in the shape's units
+  /// Unit normals by the triangles' orientation, or those of the cloud; zero where there is none (degenerate, unused).
+  Points normals;
   Eigen::VectorXd weights;  ///< area that the sample stands for; zero where there is none
 };
 
 /// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
-/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals).
+/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). A point cloud
+/// is sampled at its points whatever the site (weight: see point_weights(), whose errors it throws; normal: the
+/// file's), and the samples say `vertices`.
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
+#include <utility>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
@@ -60,18 +61,25 @@ void write_timings(const fs::path& path, double read_seconds, const FieldValues&
   write_file_atomically(path, timings.dump(2) + "\n");
 }
 
+/// The field's values and where they are; what is wrong with the shape is told with the file's name.
+std::pair<Samples, FieldValues> compute(const Field& field, const Shape& shape, const fs::path& file) {
+  try {
+    Samples samples = sample_shape(shape, field.site);
+    FieldValues computed = field.compute(shape, samples, true);
+    return {std::move(samples), std::move(computed)};
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 int run(const SdfArguments& arguments) {
   const FieldFileWriter write = field_file_writer(arguments.output);
   const Field field = make_field(field_settings(arguments));
   const auto start = std::chrono::steady_clock::now();
   const Shape shape = read_shape(arguments.input);
   const double read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (shape.triangles.rows() == 0) {
-    throw InputError(fmt::format("{}: has no triangles; the SDF needs a surface", arguments.input.string()));
-  }
   with_threads(arguments.threads, [&] {
-    const Samples samples = sample_shape(shape, field.site);
-    const FieldValues computed = field.compute(shape, samples, true);
+    const auto [samples, computed] = compute(field, shape, arguments.input);
     write(arguments.output, shape, samples, computed.values);
     if (!arguments.timings.empty()) write_timings(arguments.timings, read_seconds, computed);
     warn_of(computed.outcomes);
@@ -85,15 +93,16 @@ void add_sdf_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of a shape, in the file's units");
   command->footer("Example: shapegauge sdf bunny.off --method offset --offset 0.03 -o bunny.ply");
   const auto arguments = std::make_shared<SdfArguments>();
-  command->add_option("input", arguments->input, "Shape: OFF, OBJ, PLY or STL")->required();
+  command->add_option("input", arguments->input, "Mesh or point cloud: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT")
+      ->required();
   command->add_option("--method", arguments->method, "offset: of the offset surface; cone: conventional")
       ->required()
       ->check(CLI::IsMember({"offset", "cone"}));
   command
       ->add_option("-o,--output", arguments->output,
-                   "Result: .csv (index,sdf,weight), .npy, .ply (coloured mesh) or .png (picture)")
+                   "Result: .csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required();
-  command->add_option("--at", arguments->site, "Where")
+  command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
   CLI::Option* offset =

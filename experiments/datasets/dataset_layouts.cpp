@@ -44,8 +44,8 @@ Dataset find_dataset(const DatasetLocation& location) {
   require_folder(location.root);
   Dataset dataset = dataset_layout(location.layout).find(location);
   if (dataset.models.empty()) {
-    throw InputError(fmt::format("{}: no models (OFF, OBJ, PLY or STL) in the layout \"{}\"", location.root.string(),
-                                 location.layout));
+    throw InputError(fmt::format("{}: no models (OFF, OBJ, PLY, STL, XYZ, PWN or PTS) in the layout \"{}\"",
+                                 location.root.string(), location.layout));
   }
   return dataset;
 }

@@ -38,7 +38,7 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     const std::vector<fs::path> files = class_files(folder, location.split);
     if (files.empty()) {
       throw InputError(
-          fmt::format("{}: no models (OFF, OBJ, PLY or STL) in this class{}", folder.string(),
+          fmt::format("{}: no models (OFF, OBJ, PLY, STL, XYZ, PWN or PTS) in this class{}", folder.string(),
                       location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split)));
     }
     const int label = static_cast<int>(dataset.classes.size());

@@ -29,7 +29,7 @@ std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
 }  // namespace
 
 bool is_model_file(const fs::path& path) {
-  static constexpr std::array<std::string_view, 4> extensions{".off", ".obj", ".ply", ".stl"};
+  static constexpr std::array<std::string_view, 7> extensions{".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
   std::string extension = path.extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -5,7 +5,8 @@
 
 namespace shapegauge {
 
-/// Whether the name ends like that of a shape file (.off, .obj, .ply, .stl, in any case) and is not hidden.
+/// Whether the name ends like that of a shape file (.off, .obj, .ply, .stl, .xyz, .pwn, .pts, in any case) and is not
+/// hidden. A .txt file may be anything, and is not counted.
 bool is_model_file(const std::filesystem::path& path);
 
 /// The shape files right in the folder, in natural order of their names.

@@ -6,7 +6,7 @@
 namespace shapegauge {
 namespace {
 
-constexpr std::array<std::string_view, 5> shape_extensions = {".off", ".obj", ".ply", ".stl", ".xyz"};
+constexpr std::array<std::string_view, 7> shape_extensions = {".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
 
 char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 

@@ -6,8 +6,8 @@
 namespace shapegauge {
 
 /// The one form of a model's id, by which ids from different files are compared: the extension of a shape file (.off,
-/// .obj, .ply, .stl, .xyz, in any case) and a `T` before a whole number are dropped, so that `12`, `T12` and `T12.off`
-/// are all "12". Other ids stay as they are.
+/// .obj, .ply, .stl, .xyz, .pwn, .pts, in any case) and a `T` before a whole number are dropped, so that `12`, `T12`
+/// and `T12.off` are all "12". Other ids stay as they are.
 std::string canonical_model_id(std::string_view id);
 
 /// Whether two ids mean the same model: their canonical forms are equal.

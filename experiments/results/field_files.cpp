@@ -65,8 +65,8 @@ void write_values(const fs::path& path, const Shape& /*shape*/, const Samples& /
   write_npy_vector(path, values);
 }
 
-void write_coloured_mesh(const fs::path& path, const Shape& shape, const Samples& samples,
-                         const Eigen::VectorXd& values) {
+void write_coloured_shape(const fs::path& path, const Shape& shape, const Samples& samples,
+                          const Eigen::VectorXd& values) {
   write_ply(path, shape, samples.site, values, colours(samples, values));
 }
 
@@ -82,7 +82,7 @@ FieldFileWriter field_file_writer(const fs::path& path) {
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (extension == ".csv") return write_csv;
   if (extension == ".npy") return write_values;
-  if (extension == ".ply") return write_coloured_mesh;
+  if (extension == ".ply") return write_coloured_shape;
   if (extension == ".png") return write_picture;
   throw InputError(fmt::format("cannot write {}: the name must end in .csv, .npy, .ply or .png", path.string()));
 }

@@ -14,7 +14,7 @@ using FieldFileWriter =
     std::function<void(const std::filesystem::path&, const Shape&, const Samples&, const Eigen::VectorXd& values)>;
 
 /// The writer for the format that the name's extension tells: .csv (columns index,sdf,weight, shortest numbers that
-/// read back the same), .npy (the values, one-dimensional), .ply (the mesh, coloured, with the values as a property),
+/// read back the same), .npy (the values, one-dimensional), .ply (the shape, coloured, with the values as a property),
 /// .png (a picture). Colours go from the smallest value to the largest. Throws InputError for another extension.
 FieldFileWriter field_file_writer(const std::filesystem::path& path);
 

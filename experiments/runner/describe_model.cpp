@@ -20,7 +20,8 @@ class SamplesBySite {
   explicit SamplesBySite(const Shape& shape) : shape_(&shape) {}
 
   const Samples& at(SampleSite site) {
-    std::optional<Samples>& samples = samples_[site == SampleSite::faces ? 0 : 1];
+    const bool at_faces = site == SampleSite::faces && !is_cloud(*shape_);  // a cloud has one kind of samples
+    std::optional<Samples>& samples = samples_[at_faces ? 0 : 1];
     if (!samples) samples = sample_shape(*shape_, site);
     return *samples;
   }

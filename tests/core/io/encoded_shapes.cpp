@@ -143,11 +143,64 @@ std::vector<Encoded> encoded_in_every_format(const Shape& shape) {
           {"solid.stl", as_binary_stl(shape, "solid")}};
 }
 
+Shape small_cloud() {
+  Shape cloud{tetrahedron().vertices, {}, Points(4, 3)};
+  cloud.normals << 0, 0, -1, 1, 0, 0, 0, 0, 0, -1, 0, 0;
+  return cloud;
+}
+
+std::vector<Encoded> cloud_in_every_format(const Shape& cloud) {
+  const auto point = [&](Eigen::Index i) { return xyz(cloud, i); };
+  const auto normal = [&](Eigen::Index i) { return xyz({cloud.normals, {}}, i); };
+  const Eigen::Index n = cloud.vertices.rows();
+  std::string lines;
+  std::string obj;
+  std::string points;
+  std::string normals;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    lines += fmt::format("{} {}\n", point(i), normal(i));
+    obj += fmt::format("vn {}\nv {}\n", normal(i), point(i));
+    points += point(i) + "\n";
+    normals += normal(i) + "\n";
+  }
+  std::string binary_off = "NOFF BINARY\n";
+  for (const Eigen::Index count : {n, Eigen::Index{0}, Eigen::Index{0}}) {
+    append(binary_off, static_cast<std::int32_t>(count), std::endian::big);
+  }
+  const std::string_view format = "ply\nformat {} 1.0\nelement vertex {}\n";
+  const std::string properties =
+      "property double x\nproperty double y\nproperty double z\nproperty float nx\nproperty float ny\n"
+      "property float nz\nend_header\n";
+  std::string binary_ply = fmt::format(fmt::runtime(format), "binary_big_endian", n) + properties;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (const double x : cloud.vertices.row(i)) {
+      append(binary_off, static_cast<float>(x), std::endian::big);
+      append(binary_ply, x, std::endian::big);
+    }
+    for (const double x : cloud.normals.row(i)) {
+      append(binary_off, static_cast<float>(x), std::endian::big);
+      append(binary_ply, static_cast<float>(x), std::endian::big);
+    }
+  }
+  const std::string count = fmt::format("{}\n", n);
+  const std::string pwn = count + points + normals;
+  return {{"lines.xyz", lines, lines.size()},  // XYZ says nothing of its length
+          {"lines.pts", count + lines, 1},     // the line end
+          {"halves.pwn", pwn, pwn.size()},     // whole without the normals, too
+          {"ascii.off", fmt::format("NOFF\n{} 0 0\n{}", n, lines), 1},
+          {"binary.off", binary_off},
+          {"cloud.obj", obj, obj.size()},
+          {"ascii.ply", fmt::format(fmt::runtime(format), "ascii", n) + properties + lines, 1},
+          {"binary.ply", binary_ply}};
+}
+
 void expect_same(const Shape& actual, const Shape& expected) {
   ASSERT_EQ(actual.vertices.rows(), expected.vertices.rows());
   ASSERT_EQ(actual.triangles.rows(), expected.triangles.rows());
   EXPECT_EQ(actual.vertices, expected.vertices);
   EXPECT_EQ(actual.triangles, expected.triangles);
+  ASSERT_EQ(actual.normals.rows(), expected.normals.rows());
+  EXPECT_EQ(actual.normals, expected.normals);
 }
 
 }  // namespace shapegauge::test_io

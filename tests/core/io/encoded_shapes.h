@@ -33,7 +33,13 @@ struct Encoded {
 /// The shape in every format and variant.
 std::vector<Encoded> encoded_in_every_format(const Shape& shape);
 
-/// Coordinates and indices are equal, in order.
+/// Four points with unit normals of which one is zero.
+Shape small_cloud();
+
+/// The point cloud with its normals in every format and variant that has them.
+std::vector<Encoded> cloud_in_every_format(const Shape& cloud);
+
+/// Coordinates, indices and normals are equal, in order.
 void expect_same(const Shape& actual, const Shape& expected);
 
 }  // namespace shapegauge::test_io

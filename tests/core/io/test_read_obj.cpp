@@ -63,6 +63,20 @@ TEST(ReadObj, WithoutFacesItIsAPointCloud) {
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
 
+TEST(ReadObj, NormalsOfACloudCountWhereThereAreAsManyAsPoints) {
+  const std::string normals = "vn 0 0 2\nvn 1 0 0\nvn 0 0 0\n";
+  EXPECT_EQ(read_obj(vertices + normals, "t.obj").normals.rows(), 0);
+  const Shape shape = read_obj(normals + vertices + "vn 0 -1 0\n", "t.obj");
+  EXPECT_EQ(shape.normals, (Points(4, 3) << 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -1, 0).finished());
+}
+
+TEST(ReadObj, UnusableNormalsMatterInACloudOnly) {
+  EXPECT_EQ(read_obj(vertices + "vn 0 nan 0\nvn 1\nf 1 2 3\n", "t.obj").triangles.rows(), 1);
+  expect_error(vertices + "vn 0 nan 0\n",
+               "t.obj:5: a normal's component is not a finite number: \"nan\"; repair or remove the file");
+  expect_error(vertices + "vn 0 0 1\nvn 1\n", "t.obj:6: normal 2 has fewer than three coordinates");
+}
+
 TEST(ReadObj, IndexOutOfRange) {
   expect_error(vertices + "f 1 2 3\nf 1 2 5\n",
                "t.obj:6: face 2 refers to vertex 5, but there are 4 vertices, numbered from 1");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <limits>
 #include <string>
@@ -127,6 +128,34 @@ TEST(ReadOff, WithoutFacesItIsAPointCloud) {
   const Shape shape = read_off("OFF\n4 0 0\n" + vertices, "t.off");
   EXPECT_EQ(shape.vertices, tetrahedron().vertices);
   EXPECT_EQ(shape.triangles.rows(), 0);
+}
+
+TEST(ReadOff, NormalsOfACloudAreThoseThatTheKeywordAnnounces) {
+  const std::string lines = "0 0 0 0 0 2 9 9 9 9\n1 0 0 0 0 0 9 9 9 9\n";
+  const Points expected = (Points(2, 3) << 0, 0, 1, 0, 0, 0).finished();
+  for (const std::string& text :
+       {"NOFF\n2 0 0\n" + lines, "NCOFF\n2 0 0\n" + lines, replaced("CNOFF\n2 0 0\n" + lines, "\n", " ")}) {
+    EXPECT_EQ(read_off(text, "t.off").normals, expected) << text;
+  }
+  EXPECT_EQ(read_off("OFF\n2 0 0\n" + lines, "t.off").normals.rows(), 0);
+  EXPECT_EQ(read_off("NOFF\n4 0 0\n" + vertices, "t.off").normals.rows(), 0);
+  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 nan 0\n",
+               "t.off:4: a normal's component is not a finite number: \"nan\"; repair or remove the file");
+  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n", "t.off:4: the normal of vertex 1 has fewer than three components");
+  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 1\n",
+               "t.off:4: the normal of vertex 1 has fewer than three components");
+}
+
+TEST(ReadOff, NormalsOfAMeshMayBeAnything) {
+  expect_tetrahedron("NOFF\n4 4 6\n" + replaced(vertices, "\n", " nan x\n") + faces);
+}
+
+TEST(ReadOff, BinaryNormalThatIsNotFinite) {
+  Shape cloud = test_io::small_cloud();
+  cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
+  const auto files = test_io::cloud_in_every_format(cloud);
+  const auto binary = std::ranges::find(files, "binary.off", &test_io::Encoded::file_name);
+  expect_error(binary->bytes, "t.off: vertex 1 has a normal that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadOff, Binary) { expect_same(read_off(test_io::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }

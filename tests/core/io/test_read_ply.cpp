@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <gmock/gmock.h>
@@ -105,6 +106,30 @@ TEST(ReadPly, WithoutFacesItIsAPointCloud) {
     EXPECT_EQ(shape.vertices, tetrahedron().vertices);
     EXPECT_EQ(shape.triangles.rows(), 0);
   }
+}
+
+TEST(ReadPly, NormalsOfACloud) {
+  const std::string header = replaced_once(vertex_header, "4\n", "2\nproperty float nz\nproperty float nx\n");
+  const std::string body = "2 0 0 0 0 0\n0 0 1 0 0 0\n";
+  EXPECT_EQ(read_ply(ascii(header + "property float ny\n", body), "t.ply").normals,
+            (Points(2, 3) << 0, 0, 1, 0, 0, 0).finished());
+  EXPECT_EQ(read_ply(ascii(header + "property float n\n", body), "t.ply").normals.rows(), 0);  // no ny
+  expect_error(ascii(header + "property float ny\nelement face 0\n", "2 0 0 0 0 nan\n0 0 1 0 0 0\n"),
+               "t.ply:12: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+}
+
+TEST(ReadPly, BinaryNormalThatIsNotFinite) {
+  Shape cloud = test_io::small_cloud();
+  cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
+  const auto files = test_io::cloud_in_every_format(cloud);
+  const auto binary = std::ranges::find(files, "binary.ply", &test_io::Encoded::file_name);
+  expect_error(binary->bytes, "t.ply: vertex 1 has a normal that is not a finite number; repair or remove the file");
+}
+
+TEST(ReadPly, NormalsOfAMeshMayBeNoNumber) {
+  const std::string header = vertex_header + "property float nx\nproperty float ny\nproperty float nz\n";
+  const std::string lines = "0 0 0 nan 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n";
+  expect_same(read_ply(ascii(header + face_header, lines + faces), "t.ply"), tetrahedron());
 }
 
 TEST(ReadPly, UnusableHeaders) {

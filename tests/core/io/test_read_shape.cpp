@@ -38,6 +38,16 @@ TEST(ReadShape, EveryFormatByItsExtension) {
   }
 }
 
+TEST(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
+  const TemporaryFolder folder;
+  for (const auto& [name, bytes, optional] : test_io::cloud_in_every_format(test_io::small_cloud())) {
+    SCOPED_TRACE(name);
+    const auto path = folder.file(name, bytes);
+    EXPECT_NO_THROW(check_shape_header(path));
+    test_io::expect_same(read_shape(path), test_io::small_cloud());
+  }
+}
+
 TEST(ReadShape, ExtensionInCapitals) {
   const TemporaryFolder folder;
   test_io::expect_same(read_shape(folder.file("t.OFF", test_io::as_ascii_off(tetrahedron()))), tetrahedron());
@@ -52,8 +62,10 @@ TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
 
 TEST(ReadShape, UnknownFormatIsAnError) {
   const TemporaryFolder folder;
-  const auto path = folder.file("notes.txt", "hello\n");
-  expect_error(path, path.string() + ": unknown shape format \".txt\"; known are .off, .obj, .ply and .stl");
+  const auto path = folder.file("notes.doc", "hello\n");
+  expect_error(path, path.string() +
+                         ": unknown shape format \".doc\"; known are .off, .obj, .ply, .stl, .xyz, .pwn, "
+                         ".pts, .txt");
 }
 
 TEST(ReadShape, AbsentFileIsAnError) {
@@ -89,7 +101,7 @@ TEST(ReadShape, FileWithoutPermissionIsAnError) {
 
 TEST(ReadShape, EmptyFileIsAnError) {
   const TemporaryFolder folder;
-  for (const std::string extension : {".off", ".obj", ".ply", ".stl", ""}) {
+  for (const std::string extension : {".off", ".obj", ".ply", ".stl", ".xyz", ""}) {
     const auto path = folder.file("empty" + extension, "");
     expect_error(path, "cannot read " + path.string() + ": the file is empty");
   }
@@ -102,6 +114,7 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
         {"t.ply",
          "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
          "property float z\nend_header\n"},
+        {"t.pts", "0\n"},
         {"t.stl", "solid x\nendsolid x\n"},
         {"s.stl", std::string(84, '\0')}}) {
     const auto path = folder.file(name, bytes);

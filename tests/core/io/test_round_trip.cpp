@@ -45,6 +45,21 @@ RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
   require_identical(read_shape(folder.path() / "t.ply"), shape);
 }
 
+RC_GTEST_PROP(RoundTrip, CloudsGiveTheSameDoubles, ()) {
+  static const test_io::TemporaryFolder folder;
+  Shape cloud{(*any_polygons(true)).vertices, {}, {}};
+  cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
+  for (Eigen::Index i = 0; i < cloud.normals.size(); ++i) cloud.normals.data()[i] = *rc::gen::inRange(-100, 101);
+  cloud.normals.rowwise().normalize();
+  write_off(folder.path() / "t.off", cloud);
+  write_ply(folder.path() / "t.ply", cloud);
+  for (const char* name : {"t.off", "t.ply"}) {
+    const Shape read = read_shape(folder.path() / name);
+    require_identical(read, cloud);
+    RC_ASSERT(read.normals == cloud.normals);
+  }
+}
+
 /// Writes OFF as differently as programs and people do, at random.
 class RandomOffWriter {
  public:

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <gmock/gmock.h>
+#include <iterator>
 #include <random>
 #include <string>
 #include <utility>
@@ -33,6 +35,8 @@ bool is_read(const std::filesystem::path& path) {
     EXPECT_TRUE(has_header) << "the check of the header refuses a file that can be read";
     EXPECT_GT(shape.vertices.rows(), 0);
     EXPECT_TRUE(shape.vertices.allFinite());
+    EXPECT_TRUE(shape.normals.rows() == 0 || shape.normals.rows() == shape.vertices.rows());
+    EXPECT_TRUE(shape.normals.allFinite());
     if (shape.triangles.rows() > 0) {
       EXPECT_GE(shape.triangles.minCoeff(), 0);
       EXPECT_LT(shape.triangles.maxCoeff(), shape.vertices.rows());
@@ -44,9 +48,16 @@ bool is_read(const std::filesystem::path& path) {
   }
 }
 
+/// A mesh and a cloud in every format.
+std::vector<Encoded> every_format() {
+  std::vector<Encoded> all = encoded_in_every_format(tetrahedron());
+  std::ranges::copy(test_io::cloud_in_every_format(test_io::small_cloud()), std::back_inserter(all));
+  return all;
+}
+
 TEST(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
   const test_io::TemporaryFolder folder;
-  for (const auto& [name, bytes, optional] : encoded_in_every_format(tetrahedron())) {
+  for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
       const bool read = is_read(folder.file(name, std::string_view(bytes).substr(0, size)));
@@ -61,7 +72,7 @@ TEST(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
 TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
   const test_io::TemporaryFolder folder;
   std::mt19937 random(20240229);
-  for (const auto& [name, bytes, optional] : encoded_in_every_format(tetrahedron())) {
+  for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
     std::uniform_int_distribution<std::size_t> place(0, bytes.size() - 1);
     std::uniform_int_distribution<int> value(0, 255);
@@ -91,6 +102,7 @@ TEST(UnusableFiles, CountsThatTheFileCannotHoldTakeNoMemory) {
       {{"e.ply", ply + ply_vertices + "end_header\n"}, "ends after 0 of 2000000000 vertices"},
       {{"f.ply", ply + ply_faces + "end_header\n" + std::string(12, '\0')}, "ends after 0 of 4000000000000 faces"},
       {{"g.ply", ply + ply_faces + "end_header\n" + std::string(12, '\0') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of"},
+      {{"i.pts", "2000000000\n0 0 0\n"}, "ends after 1 of 2000000000 points"},
       {{"h.stl", std::string(80, ' ') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of 4294967295 facets"}};
   for (const auto& [file, message] : files) {
     const auto path = folder.file(file.file_name, file.bytes);

@@ -23,6 +23,28 @@ TEST(WriteOff, IsPlainOff) {
             "OFF\n4 4 0\n0 0 0\n0.1 0 0\n0 1 0\n0 0 -1e-300\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
+TEST(WriteOff, CloudsHaveTheirNormals) {
+  const test_io::TemporaryFolder folder;
+  Shape cloud = test_io::small_cloud();
+  write_off(folder.path() / "t.off", cloud);
+  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.off"),
+            "NOFF\n4 0 0\n0 0 0 0 0 -1\n1 0 0 1 0 0\n0 1 0 0 0 0\n0 0 1 -1 0 0\n");
+  cloud.normals.resize(0, 3);
+  write_off(folder.path() / "t.off", cloud);
+  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.off"), "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+}
+
+TEST(WriteOff, NormalsThatCannotBeWrittenAreAnError) {
+  const test_io::TemporaryFolder folder;
+  Shape cloud = test_io::small_cloud();
+  cloud.normals(0, 1) = std::numeric_limits<double>::infinity();
+  EXPECT_THAT([&] { write_off(folder.path() / "t.off", cloud); },
+              ThrowsMessage<InputError>(EndsWith("a normal is not finite")));
+  cloud.normals.conservativeResize(3, 3);
+  EXPECT_THAT([&] { write_off(folder.path() / "t.off", cloud); },
+              ThrowsMessage<InputError>(EndsWith("3 normals for 4 points")));
+}
+
 TEST(WriteOff, CoordinateThatIsNotFiniteIsAnError) {
   const test_io::TemporaryFolder folder;
   Shape shape = tetrahedron();

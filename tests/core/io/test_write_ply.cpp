@@ -15,6 +15,7 @@ namespace {
 using test_io::tetrahedron;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 const std::vector<Colour> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
@@ -66,6 +67,29 @@ TEST(WritePly, ColoursAndValuesAtVertices) {
   constexpr std::size_t vertex = 3 * 8 + 3 + 8;
   ASSERT_EQ(bytes.size(), body + 4 * (vertex + 13));
   expect_samples(bytes, body, vertex, 24);
+}
+
+TEST(WritePly, CloudsWithAndWithoutValues) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, test_io::small_cloud(), SampleSite::vertices, values(), colours);
+  test_io::expect_same(read_shape(path), test_io::small_cloud());
+  const std::string bytes = test_io::bytes_of(path);
+  EXPECT_THAT(bytes, Not(HasSubstr("element face")));
+  const std::size_t body = bytes.find("end_header\n") + 11;
+  constexpr std::size_t point = 6 * 8 + 3 + 8;
+  ASSERT_EQ(bytes.size(), body + 4 * point);
+  expect_samples(bytes, body, point, 48);
+  write_ply(path, test_io::small_cloud());
+  test_io::expect_same(read_shape(path), test_io::small_cloud());
+}
+
+TEST(WritePly, MeshWithoutValues) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, tetrahedron());
+  test_io::expect_same(read_shape(path), tetrahedron());
+  EXPECT_THAT(test_io::bytes_of(path), Not(HasSubstr("sdf")));
 }
 
 TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {

@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
@@ -139,11 +140,43 @@ TEST(RenderShape, FlatShapeEdgeOn) {
   EXPECT_NO_THROW(render(test_shapes::box({0, 0, 1}, 1), options));
 }
 
+TEST(RenderShape, ACloudLooksLikeItsSurface) {
+  const RenderOptions options = small_transparent();
+  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape cloud = test_shapes::random_points(sphere, 5000, 1);
+  const Image image = render_shape(cloud, all(red, 5000), SampleSite::vertices, options);
+  const Image of_mesh = render(sphere, options);
+  // Hexagons of a radius of 3 % of the sphere's stand out from its rim, and leave few holes.
+  EXPECT_NEAR(covered(image) / covered(of_mesh), 1, 0.02);
+  double difference = 0;
+  double pixels = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    if (image.pixels[i + 3] < 255 || of_mesh.pixels[i + 3] < 255) continue;
+    difference += std::abs(image.pixels[i] - of_mesh.pixels[i]);
+    ++pixels;
+  }
+  EXPECT_LT(difference / pixels, 5);
+}
+
+TEST(RenderShape, PointsOfACloudHaveTheirColours) {
+  RenderOptions options = small_transparent();
+  options.towards_viewer = {0, 0, 1};
+  const Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 4), 5000, 1);
+  std::vector<Colour> colours;
+  for (Eigen::Index v = 0; v < 5000; ++v) colours.push_back(cloud.vertices(v, 0) < 0 ? red : green);
+  const Image image = render_shape(cloud, colours, SampleSite::vertices, options);
+  EXPECT_GT(pixel(image, 40, 45)[0], 100);
+  EXPECT_EQ(pixel(image, 40, 45)[1], 0);
+  EXPECT_EQ(pixel(image, 80, 45)[0], 0);
+  EXPECT_GT(pixel(image, 80, 45)[1], 100);
+}
+
 TEST(RenderShape, RefusesWhatCannotBeDrawn) {
   const Shape sphere = test_shapes::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
   EXPECT_THROW(render(test_shapes::box({0, 0, 0}, 1), {}), InputError);
   EXPECT_THROW(render_shape(sphere, all(red, 3), SampleSite::faces), InputError);
+  EXPECT_THROW(render_shape({Points::Ones(20, 3), {}, {}}, all(red, 20), SampleSite::vertices), InputError);
   const auto with = [&](auto change) {
     RenderOptions options;
     change(options);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <limits>
 #include <numbers>
 #include <tbb/global_control.h>
@@ -303,6 +303,13 @@ TEST(ConeSdf, RefusesWhatItCannotAnswer) {
   options.postprocess = true;
   EXPECT_THROW(cone_sdf_at(sphere, SampleSite::faces, options), InputError);
   EXPECT_THROW(cone_sdf_at(Shape{}, SampleSite::faces), InputError);
+  const Shape cloud{sphere.vertices, {}, {}};
+  for (const ConeSdfEngine engine : {ConeSdfEngine::embree, ConeSdfEngine::cgal}) {
+    for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {
+      EXPECT_THAT([&] { cone_sdf(cloud, sample_shape(cloud, site), {.engine = engine}); },
+                  testing::ThrowsMessage<InputError>(testing::StartsWith("the conventional SDF needs triangles")));
+    }
+  }
   EXPECT_THROW(cone_sdf(sphere, sample_shape(test_shapes::sphere(1, 2), SampleSite::faces), {}), InputError);
 }
 

@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
@@ -260,6 +261,53 @@ TEST(OffsetSdf, GivesTheSameBytesWithAnyNumberOfThreads) {
   const OffsetSdfResult together = offset_sdf(shape, samples, {.offset = 0.05, .parallel = true});
   EXPECT_TRUE((alone.values.array() == together.values.array()).all());
   EXPECT_TRUE((alone.normals.array() == together.normals.array()).all());
+}
+
+TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
+  Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 5), 4000, 1);
+  for (const double scale : {1e-30, 1.0, 1e30}) {
+    Shape scaled = cloud;
+    scaled.vertices *= scale;
+    for (const bool with_normals : {false, true}) {
+      scaled.normals = with_normals ? Points(cloud.vertices.rowwise().normalized()) : Points();
+      const OffsetSdfResult result = at_faces(scaled, 0.05);
+      EXPECT_EQ(result.outcomes.undecided, 0U);
+      EXPECT_GE(result.values.minCoeff(), 0);
+      // r is 0.17, and the largest hole among the points has a radius of about 0.1: the offset surface dents there by
+      // 0.17 - sqrt(0.17^2 - 0.1^2) = 0.03, on either side.
+      EXPECT_NEAR(result.values.mean() / scale, 2, 0.03);
+      EXPECT_GT(result.values.minCoeff() / scale, 1.9);
+      EXPECT_LT(result.values.maxCoeff() / scale, 2.05);
+    }
+  }
+}
+
+TEST(OffsetSdf, OfPointsInAPlaneIsNothing) {
+  Shape plane = test_shapes::random_points(test_shapes::box({1, 1, 1}, 1), 2000, 1);
+  plane.vertices.col(2).setConstant(3);
+  const OffsetSdfResult result = at_faces(plane, 0.05);
+  const double r = 0.05 * bounding_box_diagonal(plane);
+  EXPECT_GE(result.values.minCoeff(), 0);
+  EXPECT_LT(result.values.mean(), 0.1 * r);
+}
+
+TEST(OffsetSdf, OfTwoFarPointsAndADenseCluster) {
+  Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 3), 1000, 1);
+  cloud.vertices.row(0) << 1000, 0, 0;
+  cloud.vertices.row(1) << -1000, 500, 0;
+  const OffsetSdfResult result = at_faces(cloud, 0.01);  // 20 times the cluster's radius
+  EXPECT_EQ(result.outcomes.undecided, 0U);
+  EXPECT_NEAR(result.values[0], 0, 1e-6);  // a point alone, in a ball of its own
+  EXPECT_NEAR(result.values[1], 0, 1e-6);
+  EXPECT_GE(result.values.minCoeff(), 0);
+  EXPECT_LT(result.values.maxCoeff(), 2);
+}
+
+TEST(OffsetSdf, OfACloudOfFewPoints) {
+  const Shape two{(Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), {}, {}};
+  EXPECT_LT(at_faces(two, 0.05).values.maxCoeff(), 1e-6);
+  EXPECT_THROW(at_faces({Points::Ones(1, 3), {}, {}}, 0.05), InputError);
+  EXPECT_THROW(at_faces({Points::Ones(40, 3), {}, {}}, 0.05), InputError);
 }
 
 TEST(OffsetSdf, RefusesWhatItCannotMeasure) {

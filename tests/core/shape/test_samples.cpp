@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "shapegauge/core/shape/point_weights.h"
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/test_shapes.h"
 
@@ -140,13 +141,18 @@ TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
   EXPECT_NEAR(samples.weights.sum(), surface_area(sheet), 1e-14);
 }
 
-TEST(Samples, OfAnEmptyShapeAndACloud) {
-  EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0);
-  Shape cloud = test_shapes::box({1, 1, 1}, 1);
-  cloud.triangles.resize(0, 3);
-  const Samples samples = sample_shape(cloud, SampleSite::vertices);
-  EXPECT_EQ(samples.points, cloud.vertices);
-  EXPECT_TRUE(samples.weights.isZero(0));
+TEST(Samples, OfAnEmptyShape) { EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0); }
+
+TEST_P(SampleSites, OfACloudAreItsPoints) {
+  Shape cloud{test_shapes::box({1, 1, 1}, 3).vertices, {}, {}};
+  const Samples without_normals = sample_shape(cloud, GetParam());
+  EXPECT_EQ(without_normals.site, SampleSite::vertices);
+  EXPECT_EQ(without_normals.points, cloud.vertices);
+  EXPECT_EQ(without_normals.normals, Points::Zero(cloud.vertices.rows(), 3));
+  EXPECT_EQ(without_normals.weights, point_weights(cloud.vertices));
+  cloud.normals = cloud.vertices.rowwise().normalized();
+  cloud.normals.row(1).setZero();
+  EXPECT_EQ(sample_shape(cloud, GetParam()).normals, cloud.normals);
 }
 
 }  // namespace

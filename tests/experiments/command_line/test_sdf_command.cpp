@@ -1,10 +1,13 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/io/write_off.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/experiments/text/csv.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
 #include "tests/experiments/command_line/run_executable.h"
 #include "tests/experiments/text_files.h"
@@ -60,6 +63,31 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
 }
 
+TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
+  const Shape cloud = test_shapes::random_points(shape, 500, 1);
+  std::string lines = "500\n";
+  for (const auto& point : cloud.vertices.rowwise()) {
+    lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);
+  }
+  write_text(at("cloud.pts"), lines);
+  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset --offset 0.1 -o '";
+  for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
+    const Outcome outcome = run_executable(command + at(file) + "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+  }
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
+  ASSERT_EQ(rows.size(), 501U);
+  const Eigen::VectorXd weights = sample_shape(cloud, SampleSite::vertices).weights;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 2);
+    EXPECT_EQ(std::stod(rows[i].cells[2]), weights[static_cast<Eigen::Index>(i - 1)]);
+  }
+  EXPECT_EQ(read_shape(at("x.ply")).vertices, cloud.vertices);
+  ASSERT_EQ(run_executable(command + at("v.csv") + "' --at vertices").status, 0);
+  EXPECT_EQ(text_of(at("v.csv")), text_of(at("x.csv")));
+}
+
 TEST_F(SdfCommand, TimingsCountTheSamples) {
   ASSERT_EQ(sdf("--method offset -o '" + at("x.ply") + "' --timings '" + at("t.json") + "'").status, 0);
   const auto timings = nlohmann::json::parse(text_of(at("t.json")));
@@ -89,12 +117,18 @@ TEST_F(SdfCommand, MissingValuesAreTold) {
 
 TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
   write_text(at("cloud.off"), "OFF\n2 0 0\n0 0 0\n1 0 0\n");
+  write_text(at("point.xyz"), "1 2 3\n1 2 3\n");
+  write_text(at("nan.xyz"), "1 2 3\n1 2 nan\n");
   write_text(at("nan.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
   const std::string good = "sdf '" + at("sphere.off") + "' ";
   const std::string out = " -o '" + at("x.csv") + "' ";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"sdf /nowhere.off --method cone" + out, "/nowhere.off"},
-      {"sdf '" + at("cloud.off") + "' --method cone" + out, "has no triangles"},
+      {"sdf '" + at("cloud.off") + "' --method cone" + out, "cloud.off: the conventional SDF needs triangles"},
+      {"sdf '" + at("cloud.off") + "' --method cone --engine cgal" + out,
+       "cloud.off: the conventional SDF needs triangles"},
+      {"sdf '" + at("point.xyz") + "' --method offset" + out, "point.xyz: the shape has no usable extent"},
+      {"sdf '" + at("nan.xyz") + "' --method offset" + out, "nan.xyz:2"},
       {"sdf '" + at("nan.off") + "' --method cone" + out, "nan.off:5"},
       {good + "--method cone", "--output is required"},
       {good + out, "--method is required"},

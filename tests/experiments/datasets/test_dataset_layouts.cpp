@@ -101,6 +101,21 @@ TEST_F(Layouts, FoldersTakesAFolderForEachClass) {
   EXPECT_THAT(ids(find("folders")), ElementsAre("bed/b1:bed", "chair/c2:chair", "chair/c10:chair"));
 }
 
+TEST_F(Layouts, CloudsAreModelsInEveryLayout) {
+  const std::string xyz = "0 0 0\n1 0 0\n";
+  for (const char* name : {"a/1.xyz", "a/2.PWN", "b/3.pts"}) write(name, xyz);
+  write("b/readme.txt", "hello\n");
+  EXPECT_THAT(ids(find("folders")), ElementsAre("a/1:a", "a/2:a", "b/3:b"));
+  EXPECT_TRUE(check_models(find("folders")).empty());
+  write("models.csv", "id,path,class\n1,a/1.xyz,a\n2,b/4.txt,b\n");
+  write("b/4.txt", xyz);
+  EXPECT_TRUE(check_models(find("csv")).empty());
+  write("test.cla", "PSB 1\n1 2\na 0 2\n7\n8\n");
+  write("T7.off", "OFF\n2 0 0\n" + xyz);
+  write("T8.pwn", xyz);
+  EXPECT_TRUE(check_models(find("shrec11")).empty());
+}
+
 TEST_F(Layouts, FoldersWithSplits) {
   for (const char* name : {"a/train/1.off", "a/test/2.off", "b/train/3.off", "b/test/4.off"}) write(name);
   EXPECT_THAT(ids(find("folders", "test")), ElementsAre("a/test/2:a", "b/test/4:b"));

@@ -1,13 +1,16 @@
 #include <atomic>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/io/write_off.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/shape/normalise.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/core/random_points.h"
 #include "tests/experiments/input_error.h"
 #include "tests/experiments/small_dataset.h"
 #include "tests/experiments/text_files.h"
@@ -53,6 +56,31 @@ TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
   EXPECT_DOUBLE_EQ(psb.micro[3], 0.4) << "E";
   EXPECT_EQ(results.methods[0].evaluations.at(1).protocol, Protocol::paper);
   EXPECT_TRUE(results.failures.empty());
+}
+
+TEST_F(RunExperiment, CloudsAreRetrievedToo) {
+  for (int i = 0; i < 9; ++i) {
+    const fs::path file = data() / fmt::format("T{}.off", i);
+    write_off(file, test_shapes::random_points(read_shape(file), 1500, static_cast<std::uint64_t>(i)));
+  }
+  const Json histogram{{"bins", 20}, {"range", {{"fixed", {0, 0.6}}}}};
+  const auto signature = [&](const char* site) {
+    return Json{
+        {"name", site}, {"field", {{"type", "offset_sdf"}, {"offset", 0.08}, {"at", site}}}, {"histogram", histogram}};
+  };
+  const ExperimentResults results = run({{"signatures", {signature("faces"), signature("vertices")}}});
+  EXPECT_TRUE(results.failures.empty());
+  EXPECT_DOUBLE_EQ(results.methods.at(0).evaluations.at(0).micro[0], 1) << "NN";
+  EXPECT_DOUBLE_EQ(results.methods.at(0).evaluations.at(0).micro[1], 1) << "FT";
+  EXPECT_EQ(results.methods.at(0).distances, results.methods.at(1).distances) << "points, whatever the site";
+}
+
+TEST_F(RunExperiment, TheConventionalSdfOfACloudFailsWithAReason) {
+  const fs::path file = data() / "T0.off";
+  write_off(file, {read_shape(file).vertices, {}, {}});
+  const ExperimentResults results = run({{"on_error", "skip"}});
+  ASSERT_EQ(results.failures.size(), 1U);
+  EXPECT_THAT(results.failures[0].message, HasSubstr("the conventional SDF needs triangles"));
 }
 
 TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// The area that each point of a cloud stands for, estimated from its nearest neighbours: the mean over k = 5 to 12 of
+/// pi d^2 / k, where d is the distance to the k-th. Of points spread at random over a plane (a Poisson process) its
+/// expectation is the area for each point, because the number of points in a disc has the disc's area as its mean; of a
+/// sphere too, whose caps have that area.
+///
+/// Points at the same place share the weight of one. A weight is at most 4 times the median of its neighbours' weights:
+/// an outlier, whose neighbours are all far away and close to each other, would otherwise outweigh thousands of points.
+/// Where the cloud has fewer than 13 places, all others are neighbours; all points at one place have no area (0).
+///
+/// Sheets closer to each other than about 1.6 times the points' mean distance are taken for one, and get down to half of
+/// their area; along the border of an open surface points get up to twice theirs. On SHREC'11 shapes the sum is 1.3 to
+/// 2.7 % less than the surface area for 10,000 random points, and 2.3 % less to 0.4 % more for the meshes' vertices; on
+/// regular grids it is 8 to 12 % more.
+///
+/// Proportional to the square of the scale; the same for each point in any order. Runs in the calling TBB arena. Throws
+/// InputError where a coordinate or the cloud's extent is not finite.
+Eigen::VectorXd point_weights(const Points& points);
+
+}  // namespace shapegauge

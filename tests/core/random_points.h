@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge::test_shapes {
+
+/// So many points at random on the surface of a mesh, every place equally likely.
+Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed);
+
+}  // namespace shapegauge::test_shapes
