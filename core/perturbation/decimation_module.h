@@ -1,8 +1,9 @@
 #pragma once
 
-// clang-format off: QuadricT.hh does not include what it needs
-#include <OpenMesh/Core/Geometry/QuadricT.hh>
+// QuadricT.hh does not include what it needs.
+// clang-format off
 #include <OpenMesh/Core/Utils/vector_traits.hh>
+#include <OpenMesh/Core/Geometry/QuadricT.hh>
 // clang-format on
 #include <OpenMesh/Tools/Decimater/ModBaseT.hh>
 #include <string>
