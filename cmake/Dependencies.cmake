@@ -5,6 +5,7 @@ find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(hwy REQUIRED)
 find_package(nanoflann 1.4 REQUIRED)
+find_package(OpenMesh REQUIRED CONFIG) # not CGAL's FindOpenMesh
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(valijson REQUIRED)
 find_package(CLI11 2.1 REQUIRED)

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// The mesh with at most so many faces, by edge collapses in order of their quadric error (Garland and Heckbert 1997),
+/// with OpenMesh. A collapse pulls one vertex onto a neighbour: every vertex of the result is one of the mesh.
+/// Collapses that would turn a face over by more than about 80 degrees, make a sliver or change the topology are left
+/// out; the result is closed where the mesh was, and every face keeps its orientation.
+///
+/// Vertices at the same place are taken as one and faces whose corners are not at three places are dropped. Of edges
+/// where not just two faces meet (non-manifold ones, and one of each non-orientable band) the ends stay where they are;
+/// faces that a half-edge structure cannot hold even so stay untouched. A mesh that has too many of these, or is
+/// simplified as far as it goes, keeps more faces than asked for. Vertices that no face uses are dropped.
+///
+/// A mesh of no more faces is returned as it is. Throws InputError for a point cloud, less than one face, a mesh
+/// without extent, and where not one edge can be collapsed.
+Shape decimate(const Shape& shape, Eigen::Index faces);
+
+}  // namespace shapegauge

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+struct SampleSurfaceOptions {
+  Eigen::Index points = 10000;  ///< at least 1
+  bool with_normals = false;    ///< give the points their triangles' normals
+};
+
+/// A point cloud: so many points of the mesh, uniform by area. The area is cut, triangle after triangle, into as many
+/// equal parts as there are to be points, and each part has one point: that spreads them better than independent ones.
+///
+/// Of a cloud, so many of its points at random, in their order, or all where it has no more; with_normals then keeps
+/// the normals it has.
+///
+/// Throws InputError for less than one point, a mesh whose area is zero or not finite, and an empty shape.
+Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random);
+
+}  // namespace shapegauge

@@ -1,0 +1,153 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/perturbation/decimate.h"
+#include "shapegauge/core/perturbation/flip_orientation.h"
+#include "shapegauge/core/perturbation/remove_faces.h"
+#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/samples.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+/// Volume of a closed mesh by the divergence theorem.
+double volume(const Shape& mesh) {
+  double sum = 0;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
+    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
+    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
+    sum += a.dot(b.cross(c)) / 6;
+  }
+  return sum;
+}
+
+/// Each triangle with vertices of its own.
+Shape soup_of(const Shape& mesh) {
+  Shape soup;
+  soup.vertices.resize(3 * mesh.triangles.rows(), 3);
+  soup.triangles.resize(mesh.triangles.rows(), 3);
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      soup.vertices.row(3 * f + k) = mesh.vertices.row(mesh.triangles(f, k));
+      soup.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
+    }
+  }
+  return soup;
+}
+
+void expect_valid(const Shape& mesh) {
+  ASSERT_GT(mesh.triangles.rows(), 0);
+  EXPECT_GE(mesh.triangles.minCoeff(), 0);
+  EXPECT_EQ(mesh.triangles.maxCoeff(), mesh.vertices.rows() - 1);
+  EXPECT_GT(triangle_areas(mesh).minCoeff(), 0);
+}
+
+TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
+  const Shape sphere = test_shapes::sphere(1, 5);  // 20480 faces
+  const Shape coarse = decimate(sphere, 1000);
+  expect_valid(coarse);
+  EXPECT_LE(coarse.triangles.rows(), 1000);
+  EXPECT_GE(coarse.triangles.rows(), 998);
+  EXPECT_TRUE(is_closed(coarse));
+  // A polyhedron of n alike triangles in the unit sphere loses about 4 pi / (n sqrt(3)) of its volume and more.
+  EXPECT_NEAR(volume(coarse) / volume(sphere), 1, 0.015);
+  const Samples faces = sample_shape(coarse, SampleSite::faces);
+  for (Eigen::Index f = 0; f < coarse.triangles.rows(); ++f) {
+    EXPECT_GT(faces.normals.row(f).dot(faces.points.row(f)), 0) << f;
+  }
+}
+
+TEST(Decimate, ABoxLosesNothing) {
+  const Shape box = test_shapes::box({1, 2, 3}, 8);
+  const Shape coarse = decimate(box, 40);
+  expect_valid(coarse);
+  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_LE(coarse.triangles.rows(), 40);
+  EXPECT_NEAR(volume(coarse), 6, 1e-12);
+  EXPECT_NEAR(surface_area(coarse), 22, 1e-12);
+}
+
+TEST(Decimate, AnOpenPlateKeepsItsRim) {
+  Shape plate = test_shapes::box({1, 2, 0}, 10);
+  Eigen::Index side = 0;  // one of the sides of the flat box
+  const Eigen::VectorXd areas = triangle_areas(plate);
+  while (areas[side] == 0) ++side;
+  plate.triangles = plate.triangles.middleRows(side, 200).eval();
+  ASSERT_NEAR(surface_area(plate), 2, 1e-12);
+  const Shape coarse = decimate(plate, 10);
+  expect_valid(coarse);
+  EXPECT_LE(coarse.triangles.rows(), 10);
+  EXPECT_NEAR(surface_area(coarse), 2, 1e-12);
+}
+
+TEST(Decimate, TakesASoupForTheMeshItIs) {
+  const Shape sphere = test_shapes::sphere(1, 3);
+  const Shape coarse = decimate(soup_of(sphere), 200);
+  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_LE(coarse.triangles.rows(), 200);
+  EXPECT_LE(coarse.vertices.rows(), 102);
+}
+
+TEST(Decimate, KeepsTheOrientationOfEveryFace) {
+  const Shape sphere = test_shapes::sphere(1, 4);
+  RandomNumbers random(1);
+  const Shape mixed = decimate(flip_orientation(sphere, 0.5, random), 500);
+  EXPECT_LE(mixed.triangles.rows(), 500);
+  EXPECT_TRUE(is_closed(mixed));
+  const Samples faces = sample_shape(mixed, SampleSite::faces);
+  const Eigen::VectorXd cosines = faces.points.cwiseProduct(faces.normals).rowwise().sum();
+  const auto outward = static_cast<double>((cosines.array() > 0).count());
+  EXPECT_NEAR(outward / static_cast<double>(mixed.triangles.rows()), 0.5, 0.15);
+}
+
+TEST(Decimate, StaysClosedWhereSurfacesMeet) {
+  // Two boxes with a common edge: four faces meet there.
+  const Shape box = test_shapes::box({1, 1, 1}, 6);
+  const Shape pair =
+      test_shapes::joined({box, test_shapes::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
+  const Shape coarse = decimate(pair, 200);
+  expect_valid(coarse);
+  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_LE(coarse.triangles.rows(), 200);
+  EXPECT_NEAR(volume(coarse), 2, 1e-12);
+}
+
+TEST(Decimate, WorksOnBrokenMeshes) {
+  RandomNumbers random(1);
+  const Shape broken = remove_faces(test_shapes::sphere(1, 4), 0.15, random);
+  const Shape coarse = decimate(broken, 1500);
+  expect_valid(coarse);
+  EXPECT_LT(coarse.triangles.rows(), broken.triangles.rows() / 2 + 500);
+}
+
+TEST(Decimate, DoesNotDependOnSizeOrPlace) {
+  const Shape torus = test_shapes::torus(3, 1, 40, 30);
+  Shape tiny = torus;
+  tiny.vertices *= 0x1p-200;
+  EXPECT_EQ(decimate(tiny, 500).triangles, decimate(torus, 500).triangles);
+}
+
+TEST(Decimate, ReturnsASmallMeshAsItIs) {
+  const Shape box = test_shapes::box({1, 1, 1}, 2);
+  EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
+}
+
+TEST(Decimate, RefusesWhatCannotBeDone) {
+  Shape cloud;
+  cloud.vertices = test_shapes::sphere(1, 2).vertices;
+  EXPECT_THROW(decimate(cloud, 100), InputError);
+  EXPECT_THROW(decimate(Shape{}, 100), InputError);
+  EXPECT_THROW(decimate(test_shapes::sphere(1, 2), 0), InputError);
+  Shape tetrahedron;
+  tetrahedron.vertices.resize(4, 3);
+  tetrahedron.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  tetrahedron.triangles.resize(4, 3);
+  tetrahedron.triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  EXPECT_THROW(decimate(tetrahedron, 3), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge
