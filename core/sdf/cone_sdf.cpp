@@ -5,6 +5,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/sdf/cone_sdf_cgal.h"
 #include "shapegauge/core/sdf/cone_sdf_embree.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -26,6 +27,7 @@ void check(const ConeSdfOptions& options) {
 }
 
 void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
+  require_usable(shape);
   const bool at_faces = samples.site == SampleSite::faces;
   if (engine == ConeSdfEngine::cgal && !at_faces) {
     throw InputError(

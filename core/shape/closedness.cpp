@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/shape/validity.h"
+
 namespace shapegauge {
 
 namespace {
@@ -32,6 +34,7 @@ std::vector<std::int32_t> merged_by_place(const Points& vertices) {
 }  // namespace
 
 bool is_closed(const Shape& shape) {
+  require_usable(shape);
   if (shape.triangles.rows() == 0) return false;
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
   std::vector<std::pair<std::int32_t, std::int32_t>> edges;

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
 Shape scaled_to_unit_area(Shape shape) {
+  require_usable(shape);
   const double area = surface_area(shape);
   // An area that is not a normal number would turn the coordinates into zeros, infinities or NaN.
   if (!(area > 0) || !std::isnormal(area)) {

@@ -5,7 +5,7 @@
 namespace shapegauge {
 
 /// The shape scaled about the origin so that its surface area is 1 (the design, section 3). Throws InputError where the
-/// area is zero or not finite.
+/// area is zero or not finite, or the shape unusable (validity.h).
 Shape scaled_to_unit_area(Shape shape);
 
 }  // namespace shapegauge

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "shapegauge/core/shape/validity.h"
+
 namespace shapegauge {
 
 namespace {
@@ -133,6 +135,7 @@ Samples sample_vertices(const Shape& shape) {
 }  // namespace
 
 Samples sample_shape(const Shape& shape, SampleSite site) {
+  require_usable(shape);
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }
 

@@ -45,11 +45,9 @@ DistanceMatrix decode(std::string_view data, const NpyHeader& header, std::endia
 
 }  // namespace
 
-DistanceMatrix read_npy(const std::filesystem::path& path) {
-  const std::string source = path.string();
-  const std::string bytes = read_file_bytes(path);
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
   const NpyHeader header = parse_npy_header(bytes, source);
-  const std::string_view data = std::string_view(bytes).substr(header.data_begin);
+  const std::string_view data = bytes.substr(header.data_begin);
   if (header.type == "<f8") return decode<double>(data, header, std::endian::little, source);
   if (header.type == "<f4") return decode<float>(data, header, std::endian::little, source);
   if (header.type == ">f8") return decode<double>(data, header, std::endian::big, source);
@@ -57,6 +55,8 @@ DistanceMatrix read_npy(const std::filesystem::path& path) {
   throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
                                quoted_word(header.type)));
 }
+
+DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_file_bytes(path), path.string()); }
 
 namespace {
 
