@@ -9,6 +9,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/printable.h"
 #include "shapegauge/experiments/matrices/matrix_bytes.h"
 #include "shapegauge/experiments/matrices/npy_header.h"
 #include "shapegauge/experiments/text/quoted_word.h"
@@ -16,7 +17,9 @@
 namespace shapegauge {
 namespace {
 
-std::string shape_as_text(const NpyHeader& header) { return fmt::format("({})", fmt::join(header.shape, ", ")); }
+std::string shape_as_text(const NpyHeader& header) {
+  return fmt::format("({})", printable(fmt::format("{}", fmt::join(header.shape, ", ")), 60));
+}
 
 // Checks that the data is a square matrix of numbers of that size, and gives N.
 Eigen::Index checked_size(const NpyHeader& header, std::size_t data_bytes, std::size_t bytes_per_number,

@@ -32,9 +32,8 @@ bool configuration(std::string_view bytes) {
   }
   Configuration read;
   if (!is_accepted("run.json: ", [&] { read = configuration_from_json(document, "run.json", "folder"); })) return false;
-  const nlohmann::json complete = to_json(read);
-  promise(to_json(configuration_from_json(complete, "complete", "folder")) == complete,
-          "a configuration with all defaults filled in is a configuration");
+  const auto read_again = [&] { configuration_from_json(to_json(read), "complete", ""); };
+  promise(is_accepted("complete: ", read_again), "a configuration with all defaults filled in is a configuration");
   return true;
 }
 
