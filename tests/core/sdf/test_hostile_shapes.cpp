@@ -136,9 +136,9 @@ TEST(HostileShapes, HugeAndTinyCoordinates) {
     EXPECT_LE(values.maxCoeff(), 2.01) << scale;
   }
   // A sphere of size 1 beside a triangle of size 1e30: a point to all that is measured here.
-  const Shape mixed = test_shapes::joined(
-      {test_shapes::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
-       triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
+  const Shape mixed =
+      test_shapes::joined({test_shapes::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
+                           triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
   for (const double offset : {0.02, 1.0}) EXPECT_LE(values_of(mixed, offset).maxCoeff(), 2e-3 * offset * 1.5e30);
   const double largest = std::numeric_limits<double>::max();
   const Shape too_large = triangles_of({{-largest, 0, 0}, {largest, 0, 0}, {0, largest, 0}});
