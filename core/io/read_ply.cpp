@@ -60,11 +60,17 @@ void require_readable_faces(const PlyHeader& header, const TextScanner& scanner)
   if (find_element(header, "tristrips") != nullptr) {
     scanner.fail_whole("it holds triangle strips, which are not read; convert them to faces");
   }
+  if (std::ranges::count(header.elements, "face", &PlyElement::name) > 1) {
+    scanner.fail_whole("its header has two elements \"face\"");
+  }
   const PlyElement* const face = find_element(header, "face");
   if (face == nullptr || face->count == 0) return;
   const auto corners = std::ranges::find_if(face->properties, holds_corners);
   if (corners == face->properties.end()) {
     scanner.fail_whole("its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
+  }
+  if (std::any_of(corners + 1, face->properties.end(), holds_corners)) {
+    scanner.fail_whole("its element \"face\" has two lists of vertices");
   }
   if (corners->type == PlyType::float32 || corners->type == PlyType::float64) {
     scanner.fail_whole("the indices of its faces are not of an integer type");

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/printable.h"
 
 namespace shapegauge {
 
@@ -22,6 +23,9 @@ double value_out_of_range(const char* first, const char* last) {
   double value = std::numeric_limits<double>::infinity();
   return stream >> value ? value : std::numeric_limits<double>::infinity();
 }
+
+/// How much of a message is shown: it may hold a word of the file, which may be anything.
+constexpr std::size_t longest_message = 300;
 
 /// Where the number begins: std::from_chars knows no plus sign.
 const char* without_plus(const char* word) { return *word == '+' && word[1] != '-' ? word + 1 : word; }
@@ -81,11 +85,11 @@ void TextScanner::fail_at(std::size_t offset, std::string_view message) const {
   for (const char* p = begin_; p != begin_ + offset; ++p) {
     if (*p == '\n' || (*p == '\r' && p[1] != '\n')) ++line;
   }
-  throw InputError(fmt::format("{}:{}: {}", *name_, line, message));
+  throw InputError(fmt::format("{}:{}: {}", *name_, line, printable(message, longest_message)));
 }
 
 void TextScanner::fail_whole(std::string_view message) const {
-  throw InputError(fmt::format("{}: {}", *name_, message));
+  throw InputError(fmt::format("{}: {}", *name_, printable(message, longest_message)));
 }
 
 }  // namespace shapegauge

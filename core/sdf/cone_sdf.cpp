@@ -5,6 +5,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/sdf/cone_sdf_cgal.h"
 #include "shapegauge/core/sdf/cone_sdf_embree.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -26,6 +27,7 @@ void check(const ConeSdfOptions& options) {
 }
 
 void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
+  require_usable(shape);
   if (is_cloud(shape)) {
     throw InputError(
         "the conventional SDF needs triangles, and the shape has none; use the SDF of the offset surface for points");

@@ -6,7 +6,7 @@ namespace shapegauge {
 
 /// Whether the triangles separate an inside from an outside by parity: every edge belongs to an even number of
 /// triangles, vertices at the same place taken as one and triangles of no area left out. Orientation plays no part. A
-/// shape without triangles is not closed.
+/// shape without triangles is not closed. Throws InputError where the shape is unusable (validity.h).
 bool is_closed(const Shape& shape);
 
 }  // namespace shapegauge

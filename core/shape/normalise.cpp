@@ -6,10 +6,12 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/point_weights.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
 Shape scaled_to_unit_area(Shape shape) {
+  require_usable(shape);
   const double area = is_cloud(shape) ? point_weights(shape.vertices).sum() : surface_area(shape);
   // An area that is not a normal number would turn the coordinates into zeros, infinities or NaN.
   if (!(area > 0) || !std::isnormal(area)) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "shapegauge/core/shape/point_weights.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -31,7 +32,7 @@ struct TriangleForm {
 };
 
 /// Meyer et al. 2003, section 3.3: the corners' Voronoi regions where no angle is obtuse, otherwise half of the area
-/// for the obtuse corner and a quarter for each of the others.
+/// for the obtuse corner and a quarter for each of the others. In units near the triangle's size.
 std::array<double, 3> mixed_areas(double area, const std::array<double, 3>& cotangents,
                                   const std::array<double, 3>& squared_opposite_edges) {
   std::array<double, 3> parts = {};
@@ -79,9 +80,10 @@ TriangleForm form_of(const Corners& corners) {
     const double dot = -edges[(k + 1) % 3].dot(edges[(k + 2) % 3]);
     cotangents[k] = dot / twice_area;
     form.angles[k] = std::atan2(twice_area, dot);
-    squared_edges[k] = edges[k].squaredNorm() * unit * unit;
+    squared_edges[k] = edges[k].squaredNorm();
   }
-  form.mixed_areas = mixed_areas(form.area, cotangents, squared_edges);
+  form.mixed_areas = mixed_areas(twice_area / 2, cotangents, squared_edges);
+  for (double& area : form.mixed_areas) area = area * unit * unit;
   return form;
 }
 
@@ -143,6 +145,7 @@ Samples sample_vertices(const Shape& shape) {
 }  // namespace
 
 Samples sample_shape(const Shape& shape, SampleSite site) {
+  require_usable(shape);
   if (is_cloud(shape)) return sample_cloud(shape);
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }

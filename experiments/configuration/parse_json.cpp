@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/printable.h"
 
 namespace shapegauge {
 
@@ -30,23 +31,27 @@ std::string plain_message(std::string message) {
   return message;
 }
 
-/// Parser callback that refuses a second key of the same name; the library alone would keep the last one silently.
-class UniqueKeys {
+/// Parser callback that refuses what the library alone would take: a second key of the same name, of which it would
+/// keep the last silently, and values so deep that what walks through them recursively would run out of stack.
+class Strictness {
  public:
-  explicit UniqueKeys(std::string source) : source_(std::move(source)) {}
+  explicit Strictness(std::string source) : source_(std::move(source)) {}
 
-  bool operator()(int /*depth*/, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+  bool operator()(int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
+    if (depth > deepest) throw InputError(fmt::format("{}: values are nested more than {} deep", source_, deepest));
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
-      throw InputError(
-          fmt::format("{}: the key {} stands twice in the same object; remove one", source_, parsed.dump()));
+      throw InputError(fmt::format("{}: the key {} stands twice in the same object; remove one", source_,
+                                   printable(parsed.dump(), 60)));
     }
     return true;
   }
 
  private:
+  static constexpr int deepest = 100;
+
   std::string source_;
   std::vector<std::set<std::string>> keys_;
 };
@@ -55,13 +60,20 @@ class UniqueKeys {
 
 nlohmann::json parse_json(std::string_view text, const std::string& source) {
   try {
-    return nlohmann::json::parse(text, UniqueKeys(source));
+    return nlohmann::json::parse(text, Strictness(source));
   } catch (const nlohmann::json::parse_error& error) {
     throw InputError(fmt::format("{}:{}: not valid JSON: {}", source,
-                                 position_of(text, error.byte > 0 ? error.byte - 1 : 0), plain_message(error.what())));
+                                 position_of(text, error.byte > 0 ? error.byte - 1 : 0),
+                                 printable(plain_message(error.what()), 200)));
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not valid JSON: {}", source, plain_message(error.what())));
+    throw InputError(fmt::format("{}: not valid JSON: {}", source, printable(plain_message(error.what()), 200)));
   }
+}
+
+std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::string& source) {
+  nlohmann::json parsed = nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false);
+  if (parsed.is_discarded()) return std::nullopt;
+  return parsed;
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {

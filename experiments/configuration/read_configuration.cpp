@@ -1,10 +1,12 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/printable.h"
 #include "shapegauge/experiments/configuration/apply_override.h"
 #include "shapegauge/experiments/configuration/expand_variables.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
@@ -85,6 +87,10 @@ HistogramConfiguration histogram_of(const Json& settings) {
   HistogramConfiguration histogram;
   histogram.options.bins = settings.value("bins", histogram.options.bins);
   histogram.options.smoothing_bins = settings.value("smoothing_bins", histogram.options.smoothing_bins);
+  if (histogram.options.smoothing_bins > histogram.options.bins) {
+    throw MisplacedValue{"smoothing_bins", fmt::format("the smoothing must be at most the number of bins ({}), not {}",
+                                                       histogram.options.bins, histogram.options.smoothing_bins)};
+  }
   const Json& range = settings.at("range");
   if (range.is_object()) {
     histogram.range = HistogramRange::fixed;
@@ -92,6 +98,9 @@ HistogramConfiguration histogram_of(const Json& settings) {
     if (!(histogram.fixed.low < histogram.fixed.high)) {
       throw MisplacedValue{
           "range.fixed", fmt::format("the first value must be less than the second, not {}", range.at("fixed").dump())};
+    }
+    if (!std::isfinite(histogram.fixed.high - histogram.fixed.low)) {
+      throw MisplacedValue{"range.fixed", fmt::format("the values are too far apart: {}", range.at("fixed").dump())};
     }
   } else {
     histogram.range = range == "dataset" ? HistogramRange::dataset : HistogramRange::per_shape;
@@ -194,7 +203,7 @@ Configuration configuration_from_json(const Json& document, const std::string& s
   try {
     return checked_configuration(document, folder);
   } catch (const MisplacedValue& error) {
-    throw InputError(fmt::format("{}: {}: {}", source, error.path, error.message));
+    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
   }
 }
 

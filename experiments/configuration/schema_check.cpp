@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/printable.h"
 #include "shapegauge/experiments/configuration/experiment_schema.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/schema_hints.h"
@@ -53,9 +54,10 @@ std::string quoted_word(const std::string& description) {
 
 std::string wrong_value(const Json& value, const SchemaHints& hints) {
   if (!value.is_string()) {
-    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""), value.dump());
+    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""), printable(value.dump(), 60));
   }
-  return fmt::format("unknown word {}{}", value.dump(), suggestion(value.get<std::string>(), hints.words));
+  return fmt::format("unknown word {}{}", printable(value.dump(), 60),
+                     suggestion(value.get<std::string>(), hints.words));
 }
 
 /// "Expected number greater than 0.000000" -> "must be a number greater than 0".
@@ -64,23 +66,23 @@ std::string wrong_number(std::string description, const Json& value) {
   const double limit = std::stod(description.substr(space + 1));
   description = description.substr(std::string_view("Expected number ").size(),
                                    space - std::string_view("Expected number ").size());
-  return fmt::format("must be a number {} {:g}, not {}", description, limit, value.dump());
+  return fmt::format("must be a number {} {:g}, not {}", description, limit, printable(value.dump(), 60));
 }
 
 std::string describe(const Error& error, const Json& value, const SchemaHints& hints) {
   const std::string& text = error.description;
   if (text.starts_with(unknown_key)) {
     const std::string key = quoted_word(text);
-    return fmt::format("unknown key \"{}\"{}", key, suggestion(key, hints.keys));
+    return fmt::format("unknown key \"{}\"{}", printable(key, 60), suggestion(key, hints.keys));
   }
   if (text.starts_with(missing_key)) return fmt::format("the key \"{}\" is missing", quoted_word(text));
   if (text.find("enum values") != std::string::npos) return wrong_value(value, hints);
   if (text.find("'type' constraint") != std::string::npos) {
     return fmt::format("must be of type {}, not {} ({})", fmt::join(hints.types, " or "), value.type_name(),
-                       value.dump().substr(0, 60));
+                       printable(value.dump(), 60));
   }
   if (text.starts_with("Expected number")) return wrong_number(text, value);
-  return fmt::format("{} (found {})", text.substr(0, text.find_last_not_of('.') + 1), value.dump().substr(0, 60));
+  return fmt::format("{} (found {})", text.substr(0, text.find_last_not_of('.') + 1), printable(value.dump(), 60));
 }
 
 /// Rank of an error: the larger, the more it tells.
@@ -108,8 +110,8 @@ void check_against_schema(const Json& configuration, const std::string& source) 
   const Json* value = &configuration;
   for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
   const std::string place = path.empty() ? "" : fmt::format("{}: ", fmt::join(path, "."));
-  throw InputError(
-      fmt::format("{}: {}{}", source, place, describe(*worst, *value, schema_hints(rules, configuration, path))));
+  const std::string message = describe(*worst, *value, schema_hints(rules, configuration, path));
+  throw InputError(fmt::format("{}: {}{}", source, printable(place, 200), printable(message, 500)));
 }
 
 }  // namespace shapegauge

@@ -161,6 +161,12 @@ class ClassificationParser {
   std::unordered_map<std::string, std::string> class_of_model_;
 };
 
+}  // namespace
+
+Classification parse_classification(std::string_view text, const std::string& source) {
+  return ClassificationParser(text, source).parse();
+}
+
 std::string format_classification(const Classification& classification) {
   std::string text = fmt::format("PSB 1\n{} {}\n", classification.classes.size(), model_count(classification));
   for (const ModelClass& written : classification.classes) {
@@ -170,12 +176,6 @@ std::string format_classification(const Classification& classification) {
     for (const std::string& model : written.models) text += model + '\n';
   }
   return text;
-}
-
-}  // namespace
-
-Classification parse_classification(std::string_view text, const std::string& source) {
-  return ClassificationParser(text, source).parse();
 }
 
 Classification read_classification(const std::filesystem::path& path) {

@@ -15,6 +15,10 @@ namespace shapegauge {
 /// name or a model that occurs twice, totals that disagree, no models at all.
 Classification parse_classification(std::string_view text, const std::string& source);
 
+/// The text of a `.cla` file. It reads back as the same classification if that can be expressed; see
+/// write_classification.
+std::string format_classification(const Classification& classification);
+
 /// Reads a `.cla` file; see parse_classification. Throws InputError also where the file cannot be read.
 Classification read_classification(const std::filesystem::path& path);
 

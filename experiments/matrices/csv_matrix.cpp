@@ -46,9 +46,8 @@ void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::s
 
 }  // namespace
 
-LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
-  const std::string source = path.string();
-  const std::vector<CsvRow> table = parse_csv(read_file_bytes(path), source);
+LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source);
   LabelledDistances result;
   const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
   if (has_ids) result.ids = read_ids(table.front(), source);
@@ -66,6 +65,10 @@ LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
                                  result.ids.size(), result.distances.rows(), result.distances.cols()));
   }
   return result;
+}
+
+LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
+  return parse_csv_matrix(read_file_bytes(path), path.string());
 }
 
 void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {

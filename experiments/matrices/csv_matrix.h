@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "shapegauge/experiments/matrices/labelled_distances.h"
 
@@ -12,6 +14,9 @@ namespace shapegauge {
 /// not a number, a row of another length, not as many rows as columns, an id that is empty or occurs twice, ids of rows
 /// and columns that differ.
 LabelledDistances read_csv_matrix(const std::filesystem::path& path);
+
+/// The same for the text of a file; `source` stands in front of messages.
+LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source);
 
 /// Writes a matrix as CSV, with ids where it has them; every distance with as many digits as it takes to read back the
 /// same number. Throws InputError where the file cannot be written or an id is empty, occurs twice or contains a line

@@ -9,6 +9,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/printable.h"
 #include "shapegauge/experiments/matrices/matrix_bytes.h"
 #include "shapegauge/experiments/matrices/npy_header.h"
 #include "shapegauge/experiments/text/quoted_word.h"
@@ -16,7 +17,9 @@
 namespace shapegauge {
 namespace {
 
-std::string shape_as_text(const NpyHeader& header) { return fmt::format("({})", fmt::join(header.shape, ", ")); }
+std::string shape_as_text(const NpyHeader& header) {
+  return fmt::format("({})", printable(fmt::format("{}", fmt::join(header.shape, ", ")), 60));
+}
 
 // Checks that the data is a square matrix of numbers of that size, and gives N.
 Eigen::Index checked_size(const NpyHeader& header, std::size_t data_bytes, std::size_t bytes_per_number,
@@ -45,11 +48,9 @@ DistanceMatrix decode(std::string_view data, const NpyHeader& header, std::endia
 
 }  // namespace
 
-DistanceMatrix read_npy(const std::filesystem::path& path) {
-  const std::string source = path.string();
-  const std::string bytes = read_file_bytes(path);
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
   const NpyHeader header = parse_npy_header(bytes, source);
-  const std::string_view data = std::string_view(bytes).substr(header.data_begin);
+  const std::string_view data = bytes.substr(header.data_begin);
   if (header.type == "<f8") return decode<double>(data, header, std::endian::little, source);
   if (header.type == "<f4") return decode<float>(data, header, std::endian::little, source);
   if (header.type == ">f8") return decode<double>(data, header, std::endian::big, source);
@@ -57,6 +58,8 @@ DistanceMatrix read_npy(const std::filesystem::path& path) {
   throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
                                quoted_word(header.type)));
 }
+
+DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_file_bytes(path), path.string()); }
 
 namespace {
 

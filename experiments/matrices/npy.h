@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -11,6 +13,9 @@ namespace shapegauge {
 /// big-endian, C or Fortran order. Throws InputError: absent or unreadable file, another type or shape, a header that
 /// is not understood, data of another length than the shape says.
 DistanceMatrix read_npy(const std::filesystem::path& path);
+
+/// The same for the bytes of a file; `source` stands in front of messages.
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
 
 /// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where
 /// the file cannot be written.

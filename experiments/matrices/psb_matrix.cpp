@@ -23,20 +23,23 @@ std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_
 
 }  // namespace
 
-DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
-  const std::string bytes = read_file_bytes(path);
+DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
   const auto size = size_of_square(bytes.size(), sizeof(float));
-  if (size) return matrix_of_bytes<float>(bytes, *size, std::endian::little, false);
+  if (size && *size > 0) return matrix_of_bytes<float>(bytes, *size, std::endian::little, false);
   // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
   if (const auto size_in_doubles = size_of_square(bytes.size(), sizeof(double))) {
     throw InputError(
         fmt::format("{}: {} bytes are no square matrix of float32, which the format has; this looks like "
                     "float64 ({} x {}): convert it, or save it as .npy",
-                    path.string(), bytes.size(), *size_in_doubles, *size_in_doubles));
+                    source, bytes.size(), *size_in_doubles, *size_in_doubles));
   }
   throw InputError(
       fmt::format("{}: {} bytes are no square matrix of float32 (4 N^2 bytes); the file is cut off or another format",
-                  path.string(), bytes.size()));
+                  source, bytes.size()));
+}
+
+DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
+  return parse_psb_matrix(read_file_bytes(path), path.string());
 }
 
 void write_psb_matrix(const std::filesystem::path& path, const DistanceMatrix& matrix) {

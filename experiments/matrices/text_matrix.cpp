@@ -1,17 +1,12 @@
 #include "shapegauge/experiments/matrices/text_matrix.h"
 
-#include <string>
-#include <string_view>
-
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/matrices/square_rows.h"
 #include "shapegauge/experiments/text/lines.h"
 
 namespace shapegauge {
 
-DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
-  const std::string source = path.string();
-  const std::string text = read_file_bytes(path);
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source) {
   SquareRows rows(source);
   std::size_t number = 0;
   for (std::string_view line : split_lines(text)) {
@@ -26,6 +21,10 @@ DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
     rows.end_row(number);
   }
   return rows.matrix();
+}
+
+DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
+  return parse_text_matrix(read_file_bytes(path), path.string());
 }
 
 }  // namespace shapegauge

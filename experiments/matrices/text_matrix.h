@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -10,5 +12,8 @@ namespace shapegauge {
 /// that begin with `#` are passed over; `inf` is a number. Throws InputError: absent or unreadable file, something that
 /// is not a number, a row of another length, not as many rows as columns.
 DistanceMatrix read_text_matrix(const std::filesystem::path& path);
+
+/// The same for the text of a file; `source` stands in front of messages.
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source);
 
 }  // namespace shapegauge

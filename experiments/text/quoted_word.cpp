@@ -1,15 +1,9 @@
 #include "shapegauge/experiments/text/quoted_word.h"
 
-#include <algorithm>
+#include "shapegauge/core/printable.h"
 
 namespace shapegauge {
 
-std::string quoted_word(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  std::string shown(word.substr(0, longest));
-  std::ranges::replace_if(
-      shown, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
-  return '"' + shown + (word.size() > longest ? "...\"" : "\"");
-}
+std::string quoted_word(std::string_view word) { return '"' + printable(word, 40) + '"'; }
 
 }  // namespace shapegauge

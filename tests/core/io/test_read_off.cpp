@@ -260,6 +260,11 @@ TEST(ReadOff, CoordinateThatIsNoNumber) {
   }
 }
 
+TEST(ReadOff, AWordThatIsNoTextIsShownInPartAndOnOneLine) {
+  expect_error("OFF\n1 0 0\n0 0 \x01" + std::string(1000, '\x7F') + "\n",
+               "t.off:3: expected a coordinate, found \"" + std::string(270, '?') + "...");
+}
+
 TEST(ReadOff, HeaderAloneCanBeChecked) {
   EXPECT_NO_THROW(check_off_header("OFF\n4 4 6\n", "t.off"));
   EXPECT_NO_THROW(check_off_header("OFF BINARY\n", "t.off"));

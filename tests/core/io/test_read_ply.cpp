@@ -145,6 +145,7 @@ TEST(ReadPly, UnusableHeaders) {
   expect_error(ascii(vertex_header + vertex_header, ""), "t.ply: its header has two elements \"vertex\"");
   expect_error(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"),
                "t.ply: its element \"vertex\" needs one property \"z\"");
+  expect_error(ascii(vertex_header + face_header + face_header, ""), "t.ply: its header has two elements \"face\"");
   expect_error(ascii("element vertex 3000000000\nproperty float x\n", ""),
                "t.ply: 3000000000 vertices: at most 2147483647 can be read");
 }
@@ -154,6 +155,8 @@ TEST(ReadPly, UnusableFaces) {
                "t.ply: its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
   expect_error(ascii(vertex_header + "element face 1\nproperty list uchar float vertex_indices\n", vertices),
                "t.ply: the indices of its faces are not of an integer type");
+  expect_error(ascii(vertex_header + face_header + "property list uchar float vertex_indices\n", vertices),
+               "t.ply: its element \"face\" has two lists of vertices");
   expect_error(ascii(vertex_header + "element face 1\nproperty list float int vertex_indices\n", vertices),
                "t.ply:8: the length of a list must be of an integer type");
   expect_error(ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", vertices + "1 0\n"),

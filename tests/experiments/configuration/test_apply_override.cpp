@@ -42,5 +42,16 @@ TEST(ApplyOverride, WhatLeadsNowhereIsAnError) {
   EXPECT_THAT(input_error_of([] { overridden("a..b=1"); }), HasSubstr("is empty"));
 }
 
+TEST(ApplyOverride, WhatNoConfigurationCanHoldIsAnError) {
+  EXPECT_THAT(input_error_of([] { overridden("name=\xFF"); }), HasSubstr("not UTF-8"));
+  EXPECT_THAT(input_error_of([] { overridden("na\xC3me=x"); }), HasSubstr("not UTF-8"));
+  EXPECT_THAT(input_error_of([] { overridden("name=" + std::string(200, '[') + std::string(200, ']')); }),
+              HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(input_error_of([] { overridden(R"(name={"a": 1, "a": 2})"); }), HasSubstr("stands twice"));
+  std::string deep = "a";
+  for (int i = 0; i < 100; ++i) deep += ".a";
+  EXPECT_THAT(input_error_of([&] { overridden(deep + "=1"); }), HasSubstr("more than 100 keys"));
+}
+
 }  // namespace
 }  // namespace shapegauge

@@ -38,6 +38,11 @@ TEST(NearestWord, AShortWordIsNotNearToEverything) {
   EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
 }
 
+TEST(NearestWord, EndlessWordsAreNotCompared) {
+  const std::string endless(1'000'000, 'x');
+  EXPECT_EQ(nearest_word(endless, std::vector<std::string>{endless + 'y'}), std::nullopt);
+}
+
 TEST(Suggestion, NamesTheNearestOrAll) {
   EXPECT_EQ(suggestion("rnage", words), "; did you mean \"range\"?");
   EXPECT_EQ(suggestion("colour", words), "; known here: \"bins\", \"range\", \"smoothing_bins\"");

@@ -36,6 +36,26 @@ TEST(ParseJson, AKeyThatStandsTwiceIsAnError) {
   EXPECT_NO_THROW(parse_json(R"([{"b": 1}, {"b": {"b": 3}}])", "x.json"));
 }
 
+TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  EXPECT_NO_THROW(parse_json(nested(100), "x.json"));
+  EXPECT_THAT(input_error_of([&] { parse_json(nested(102), "x.json"); }), HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }), HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }), HasSubstr("not valid JSON"));
+}
+
+TEST(ParseJson, MessagesAreShort) {
+  const std::string word(100'000, 'x');
+  EXPECT_LT(input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
+  EXPECT_LT(input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(), 500U);
+}
+
+TEST(ParseIfJson, GivesNothingForOtherText) {
+  EXPECT_EQ(parse_if_json("[1]", "x"), nlohmann::json::array({1}));
+  EXPECT_EQ(parse_if_json("per-shape", "x"), std::nullopt);
+  EXPECT_THAT(input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("stands twice"));
+}
+
 TEST(ReadJson, AnAbsentFileAndAFolderAreErrors) {
   EXPECT_THAT(input_error_of([] { read_json("/nowhere/x.json"); }), StartsWith("/nowhere/x.json: no such file"));
   EXPECT_THAT(input_error_of([] { read_json("/"); }), HasSubstr("cannot be read"));

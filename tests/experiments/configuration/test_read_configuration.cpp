@@ -110,6 +110,11 @@ TEST(Configuration, SettingsThatContradictEachOther) {
       HasSubstr("answers at faces only"));
   EXPECT_THAT(message_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
               HasSubstr("signatures.1.histogram.range.fixed: the first value must be less"));
+  EXPECT_THAT(message_with("/signatures/1/histogram/range/fixed", {-1e308, 1e308}),
+              HasSubstr("signatures.1.histogram.range.fixed: the values are too far apart"));
+  EXPECT_THAT(
+      message_with("/signatures/1/histogram/smoothing_bins", 41),
+      HasSubstr("signatures.1.histogram.smoothing_bins: the smoothing must be at most the number of bins (40)"));
   EXPECT_THAT(message_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
               HasSubstr("signatures.2.field: does not go with \"concatenate\""));
   EXPECT_THAT(message_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));

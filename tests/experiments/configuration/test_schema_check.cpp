@@ -114,6 +114,15 @@ TEST(SchemaCheck, EmptyListsAndLineBreaksInNames) {
   EXPECT_THAT(message_with("/signatures/0/name", "a\nb"), StartsWith("x.json: signatures.0.name: "));
 }
 
+TEST(SchemaCheck, EndlessTexts) {
+  const std::string endless(1'000'000, 'x');
+  EXPECT_THAT(message_with("/signatures/0/name", endless), Eq("no error"));
+  EXPECT_THAT(message_with("/signatures/0/name", endless + "\n"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_LT(message_with("/protocol", endless).size(), 1000U);
+  EXPECT_LT(message_with("/signatures/0/histogram/bins", endless).size(), 1000U);
+  EXPECT_LT(message_with("/signatures/0/" + endless, 1).size(), 1000U);
+}
+
 std::vector<std::string> words_at(const std::string& pointer) {
   return Json::parse(experiment_schema()).at(Json::json_pointer(pointer)).get<std::vector<std::string>>();
 }

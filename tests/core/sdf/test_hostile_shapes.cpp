@@ -1,0 +1,222 @@
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <gmock/gmock.h>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/normalise.h"
+#include "tests/core/test_shapes.h"
+
+/// Shapes that nobody wants, and what becomes of them: a defined value or an InputError, in bounded time.
+namespace shapegauge {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+Shape triangles_of(const std::vector<Eigen::RowVector3d>& corners) {
+  Shape shape;
+  shape.vertices.resize(std::ssize(corners), 3);
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) shape.vertices.row(i) = corners[static_cast<std::size_t>(i)];
+  shape.triangles.resize(std::ssize(corners) / 3, 3);
+  for (Eigen::Index i = 0; i < shape.triangles.size(); ++i) shape.triangles.data()[i] = static_cast<std::int32_t>(i);
+  return shape;
+}
+
+Shape tetrahedron_at(const Eigen::RowVector3d& place, double size) {
+  Shape shape;
+  shape.vertices.resize(4, 3);
+  shape.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;
+  shape.vertices = (size * shape.vertices).rowwise() + place;
+  shape.triangles.resize(4, 3);
+  shape.triangles << 0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3;
+  return shape;
+}
+
+Eigen::RowVector3d random_place(RandomNumbers& random) {
+  const double x = random.uniform(0, 1);
+  const double y = random.uniform(0, 1);
+  return {x, y, random.uniform(0, 1)};
+}
+
+/// Small closed parts, far from each other as a rule, spread through the unit cube.
+Shape many_tetrahedra(int count, double size) {
+  RandomNumbers random(1, 0);
+  std::vector<Shape> parts;
+  for (int i = 0; i < count; ++i) parts.push_back(tetrahedron_at(random_place(random), size));
+  return test_shapes::joined(parts);
+}
+
+/// Both SDFs at both sites: values from 0 up, finite except where the conventional SDF has none. Returns the offset SDF
+/// at the faces.
+Eigen::VectorXd values_of(const Shape& shape, double offset) {
+  Eigen::VectorXd at_faces;
+  for (const SampleSite site : {SampleSite::vertices, SampleSite::faces}) {
+    const Samples samples = sample_shape(shape, site);
+    EXPECT_TRUE((samples.weights.array() >= 0).all());
+    const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = offset});
+    EXPECT_TRUE(result.values.allFinite() && result.normals.allFinite());
+    EXPECT_TRUE((result.values.array() >= 0).all());
+    EXPECT_EQ(result.outcomes.total, static_cast<std::size_t>(samples.points.rows()));
+    const ConeSdfResult cone = cone_sdf(shape, samples, {.rays = 7});
+    for (const double value : cone.values) EXPECT_TRUE(std::isnan(value) || (std::isfinite(value) && value >= 0));
+    at_faces = result.values;
+  }
+  return at_faces;
+}
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+TEST(HostileShapes, ASheetHasNoThickness) {
+  const Shape triangle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const Shape plane = test_shapes::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
+  for (const double offset : {0.01, 0.1, 1.0, 5.0, 100.0}) {
+    const double r = offset * std::sqrt(2.0);
+    EXPECT_LE(values_of(triangle, offset).maxCoeff(), 2e-3 * r) << offset;
+    const Samples samples = sample_shape(plane, SampleSite::faces);
+    const Eigen::VectorXd values = values_of(plane, offset);
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      if (samples.weights[i] > 0) {
+        EXPECT_LE(values[i], 2e-3 * r) << offset;
+      }
+    }
+  }
+}
+
+TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
+  // Of no area: p + r n is not to be had, and any direction across the needle is as good as another.
+  const Shape needle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}});
+  for (const double offset : {0.01, 0.3, 5.0}) {
+    EXPECT_LE(values_of(needle, offset).maxCoeff(), 1 + 1e-2 * offset) << offset;
+  }
+  const Shape thin = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}});
+  for (const double offset : {0.01, 0.3, 5.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
+}
+
+TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
+  Shape point = test_shapes::box({0, 0, 0}, 2);
+  point.vertices.array() += 3;
+  EXPECT_FALSE(is_closed(point));
+  EXPECT_TRUE((sample_shape(point, SampleSite::vertices).weights.array() == 0).all());
+  EXPECT_THAT([&] { offset_sdf(point, sample_shape(point, SampleSite::faces), {}); },
+              ThrowsMessage<InputError>(HasSubstr("no usable extent")));
+  EXPECT_THAT([&] { scaled_to_unit_area(point); }, ThrowsMessage<InputError>(HasSubstr("area")));
+  const ConeSdfResult cone = cone_sdf(point, sample_shape(point, SampleSite::faces), {});
+  EXPECT_EQ(cone.missing, static_cast<std::size_t>(point.triangles.rows()));
+}
+
+TEST(HostileShapes, TwoPartsFarApart) {
+  const double distance = 1e6;
+  const Shape parts = test_shapes::joined({tetrahedron_at({0, 0, 0}, 1), tetrahedron_at({distance, 0, 0}, 1)});
+  for (const double offset : {0.01, 0.4}) {  // r is 10,000 and 400,000: neither joins the two balls
+    EXPECT_LE(values_of(parts, offset).maxCoeff(), 2 + 1e-2 * offset * distance) << offset;
+  }
+  // r is 5,000,000: the two balls are one, and only what lies across it is as thin as before.
+  EXPECT_LE(values_of(parts, 5).maxCoeff(), 1.1 * distance);
+}
+
+TEST(HostileShapes, HugeAndTinyCoordinates) {
+  for (const double scale : {1e-300, 1e-30, 1e30, 1e300}) {
+    const Shape sphere = test_shapes::transformed(test_shapes::sphere(1, 2), scale, Eigen::Matrix3d::Identity(),
+                                                  Eigen::Vector3d::Constant(3 * scale));
+    const Eigen::VectorXd values = values_of(sphere, 0.05) / scale;
+    EXPECT_GE(values.minCoeff(), 1.8) << scale;
+    EXPECT_LE(values.maxCoeff(), 2.01) << scale;
+  }
+  // A sphere of size 1 beside a triangle of size 1e30: a point to all that is measured here.
+  const Shape mixed =
+      test_shapes::joined({test_shapes::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
+                           triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
+  for (const double offset : {0.02, 1.0}) EXPECT_LE(values_of(mixed, offset).maxCoeff(), 2e-3 * offset * 1.5e30);
+  const double largest = std::numeric_limits<double>::max();
+  const Shape too_large = triangles_of({{-largest, 0, 0}, {largest, 0, 0}, {0, largest, 0}});
+  EXPECT_THAT([&] { offset_sdf(too_large, sample_shape(too_large, SampleSite::vertices), {}); },
+              ThrowsMessage<InputError>(HasSubstr("no usable extent")));
+}
+
+void expect_unusable(const Shape& shape, const std::string& message) {
+  EXPECT_THAT([&] { is_closed(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  EXPECT_THAT([&] { scaled_to_unit_area(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  const Samples samples = sample_shape(tetrahedron_at({0, 0, 0}, 1), SampleSite::faces);
+  EXPECT_THAT([&] { cone_sdf(shape, samples, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {
+    EXPECT_THAT([&] { sample_shape(shape, site); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  }
+}
+
+TEST(HostileShapes, ACoordinateThatIsNoFiniteNumberIsAnInputError) {
+  for (const double value : {nan, infinity, -infinity}) {
+    Shape shape = tetrahedron_at({0, 0, 0}, 1);
+    shape.vertices(2, 1) = value;
+    expect_unusable(shape, "the shape is unusable: vertex 2 has a coordinate that is not a finite number");
+  }
+}
+
+TEST(HostileShapes, AnIndexOutOfRangeIsAnInputError) {
+  for (const std::int32_t index : {-1, 4, std::numeric_limits<std::int32_t>::max()}) {
+    Shape shape = tetrahedron_at({0, 0, 0}, 1);
+    shape.triangles(3, 1) = index;
+    expect_unusable(shape, "the shape is unusable: triangle 3 has a vertex outside 0..3");
+  }
+}
+
+TEST(HostileShapes, ThousandsOfPartsTakeSeconds) {
+  const Shape parts = many_tetrahedra(3000, 0.01);
+  for (const double offset : {0.01, 0.05, 1.0}) {
+    EXPECT_LT(seconds_of([&] { values_of(parts, offset); }), 30) << offset;
+  }
+}
+
+TEST(HostileShapes, TinyPartsAreAsThinAsTheyAre) {
+  // Parts of a thousandth of the distance between them: r = 0.5 % joins few of them.
+  const Shape parts = many_tetrahedra(500, 1e-4);
+  const Samples samples = sample_shape(parts, SampleSite::faces);
+  const OffsetSdfResult result = offset_sdf(parts, samples, {.offset = 0.005});
+  Eigen::VectorXd values = result.values;
+  std::ranges::nth_element(values, values.begin() + values.size() / 2);
+  EXPECT_LE(values[values.size() / 2], 1e-4);
+}
+
+TEST(HostileShapes, AnOffsetLargerThanTheShape) {
+  const Shape sphere = test_shapes::sphere(1, 3);
+  for (const double offset : {1.0, 5.0, 100.0}) {
+    const Eigen::VectorXd values = values_of(sphere, offset);
+    const double r = offset * bounding_box_diagonal(sphere);
+    EXPECT_GE(values.minCoeff(), 1.95 - 2e-3 * r) << offset;
+    EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r) << offset;
+  }
+}
+
+TEST(HostileShapes, DuplicatedAndFlippedFacesChangeNothing) {
+  const Shape sphere = test_shapes::sphere(1, 3);
+  Shape twice = test_shapes::joined({sphere, sphere});
+  twice.triangles.bottomRows(sphere.triangles.rows()) = sphere.triangles;  // the very same vertices
+  Shape flipped_at_random = sphere;
+  RandomNumbers random(7, 0);
+  for (Eigen::Index f = 0; f < flipped_at_random.triangles.rows(); ++f) {
+    if (random.uniform(0, 1) < 0.5) std::swap(flipped_at_random.triangles(f, 0), flipped_at_random.triangles(f, 1));
+  }
+  for (const double offset : {0.01, 0.05, 0.3}) {
+    const double tolerance = 0.02 * offset * bounding_box_diagonal(sphere);
+    const Eigen::VectorXd values = values_of(sphere, offset);
+    EXPECT_TRUE((values_of(twice, offset).head(values.size()) - values).cwiseAbs().maxCoeff() < tolerance) << offset;
+    EXPECT_TRUE((values_of(flipped_at_random, offset) - values).cwiseAbs().maxCoeff() < tolerance) << offset;
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,40 @@
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "shapegauge/experiments/configuration/apply_override.h"
+#include "shapegauge/experiments/configuration/parse_json.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/promises.h"
+
+namespace shapegauge::fuzz {
+
+namespace {
+
+constexpr std::string_view set = "\n--set ";
+
+/// Takes what stands in front of the next override off the text, and what introduces the override.
+std::string_view next_part(std::string_view& text) {
+  const std::size_t end = text.find(set);
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(end == std::string_view::npos ? text.size() : end + set.size());
+  return part;
+}
+
+}  // namespace
+
+bool configuration(std::string_view bytes) {
+  nlohmann::json document;
+  if (!is_accepted("run.json:", [&] { document = parse_json(next_part(bytes), "run.json"); })) return false;
+  while (!bytes.empty()) {
+    const std::string_view assignment = next_part(bytes);
+    if (!is_accepted("--set ", [&] { apply_override(document, assignment); })) return false;
+  }
+  Configuration read;
+  if (!is_accepted("run.json: ", [&] { read = configuration_from_json(document, "run.json", "folder"); })) return false;
+  const auto read_again = [&] { configuration_from_json(to_json(read), "complete", ""); };
+  promise(is_accepted("complete: ", read_again), "a configuration with all defaults filled in is a configuration");
+  return true;
+}
+
+}  // namespace shapegauge::fuzz

@@ -1,0 +1,41 @@
+#include <string>
+
+#include "shapegauge/core/io/read_obj.h"
+#include "shapegauge/core/io/read_off.h"
+#include "shapegauge/core/io/read_ply.h"
+#include "shapegauge/core/io/read_stl.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/promises.h"
+
+namespace shapegauge::fuzz {
+
+namespace {
+
+void promise_sound(const Shape& shape) {
+  promise(shape.vertices.allFinite(), "coordinates are finite");
+  if (shape.triangles.rows() == 0) return;
+  promise(shape.triangles.minCoeff() >= 0, "indices are not negative");
+  promise(shape.triangles.maxCoeff() < shape.vertices.rows(), "indices are within range");
+}
+
+using Read = Shape (*)(const std::string& bytes, const std::string& name);
+using Check = void (*)(const std::string& bytes, const std::string& name);
+
+/// The reader, and the look at the header that goes before it in long runs: it must not refuse what can be read.
+bool read_with(Read read, Check check, std::string_view bytes) {
+  const std::string copy(bytes);
+  const std::string name = "shape";
+  const bool is_read = is_accepted("shape:", [&] { promise_sound(read(copy, name)); });
+  const bool is_checked = is_accepted("shape:", [&] { check(copy, name); });
+  promise(!is_read || is_checked, "the header of what can be read is accepted");
+  return is_read;
+}
+
+}  // namespace
+
+bool read_off(std::string_view bytes) { return read_with(shapegauge::read_off, check_off_header, bytes); }
+bool read_obj(std::string_view bytes) { return read_with(shapegauge::read_obj, check_obj_header, bytes); }
+bool read_ply(std::string_view bytes) { return read_with(shapegauge::read_ply, check_ply_header, bytes); }
+bool read_stl(std::string_view bytes) { return read_with(shapegauge::read_stl, check_stl_header, bytes); }
+
+}  // namespace shapegauge::fuzz

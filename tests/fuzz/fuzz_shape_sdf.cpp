@@ -1,0 +1,53 @@
+#include <cmath>
+
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/normalise.h"
+#include "tests/fuzz/fuzz_targets.h"
+#include "tests/fuzz/promises.h"
+#include "tests/fuzz/soup_from_bytes.h"
+
+namespace shapegauge::fuzz {
+
+namespace {
+
+bool offset_sdf_is_measured(const Measurement& of, const Samples& samples) {
+  return is_accepted("the ", [&] {
+    const OffsetSdfResult result = offset_sdf(of.shape, samples, {.offset = of.offset, .parallel = false});
+    promise(result.values.size() == samples.points.rows(), "every sample has an offset SDF");
+    promise(result.values.allFinite() && result.normals.allFinite(), "an offset SDF and its normal are finite");
+    promise((result.values.array() >= 0).all(), "an offset SDF is not negative");
+    promise(result.outcomes.total == static_cast<std::size_t>(samples.points.rows()), "every sample is counted");
+  });
+}
+
+bool cone_sdf_is_measured(const Measurement& of, const Samples& samples) {
+  return is_accepted("the ", [&] {
+    const ConeSdfResult result = cone_sdf(of.shape, samples, {.rays = 7, .parallel = false});
+    for (const double value : result.values) {
+      promise(std::isnan(value) || (std::isfinite(value) && value >= 0), "a conventional SDF is NaN or from 0 up");
+    }
+  });
+}
+
+}  // namespace
+
+bool shape_sdf(std::string_view bytes) {
+  const Measurement measurement = measurement_from_bytes(bytes);
+  Samples samples;
+  const bool usable = is_accepted("the shape", [&] {
+    is_closed(measurement.shape);
+    samples = sample_shape(measurement.shape, measurement.site);
+  });
+  if (!usable) return false;
+  promise(samples.points.allFinite() && samples.normals.allFinite(), "samples are finite");
+  promise((samples.weights.array() >= 0).all(), "areas are not negative");
+  is_accepted("the shape", [&] {
+    promise(std::abs(surface_area(scaled_to_unit_area(measurement.shape)) - 1) < 1e-9, "a unit area is 1");
+  });
+  const bool cone = cone_sdf_is_measured(measurement, samples);
+  return offset_sdf_is_measured(measurement, samples) || cone;
+}
+
+}  // namespace shapegauge::fuzz

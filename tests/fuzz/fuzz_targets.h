@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string_view>
+
+/// What is fuzzed: functions that any bytes at all may be handed to. Each returns whether the bytes were of use (false:
+/// they were refused with an InputError, as they should be) and throws std::logic_error where a promise is broken; any
+/// other exception breaks one, too.
+namespace shapegauge::fuzz {
+
+/// Shape readers. What is read has finite coordinates and indices within range.
+/// @{
+bool read_off(std::string_view bytes);
+bool read_obj(std::string_view bytes);
+bool read_ply(std::string_view bytes);
+bool read_stl(std::string_view bytes);
+/// @}
+
+/// A `.cla` file: what is read is written and read again as the same.
+bool classification(std::string_view bytes);
+
+/// Distance matrices: what is read is square and not empty.
+/// @{
+bool npy(std::string_view bytes);
+bool text_matrix(std::string_view bytes);
+bool csv_matrix(std::string_view bytes);
+bool psb_matrix(std::string_view bytes);
+/// @}
+
+/// A configuration, and after each line end followed by `--set ` an override. What is read, with all defaults filled
+/// in, is a configuration again.
+bool configuration(std::string_view bytes);
+
+/// A small shape (soup_from_bytes.h), sampled and measured: the values of both SDFs are not negative, and finite except
+/// where the conventional SDF has no answer.
+bool shape_sdf(std::string_view bytes);
+
+}  // namespace shapegauge::fuzz

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "shapegauge/core/error.h"
+
+namespace shapegauge::fuzz {
+
+/// Throws std::logic_error where the promise is not kept.
+inline void promise(bool kept, std::string_view what) {
+  if (!kept) throw std::logic_error("broken promise: " + std::string(what));
+}
+
+/// Runs the function. False where it refuses its input, which it has to do with one line that begins with `source`.
+template <typename Function>
+bool is_accepted(std::string_view source, const Function& function) {
+  try {
+    function();
+    return true;
+  } catch (const InputError& error) {
+    const std::string_view message = error.what();
+    promise(message.starts_with(source), "an error begins with where it is");
+    promise(message.find('\n') == std::string_view::npos, "an error is one line");
+    promise(message.size() < 1000, "an error is short");
+    return false;
+  }
+}
+
+}  // namespace shapegauge::fuzz

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/core/io/file_bytes.h"
+#include "tests/core/io/largest_allocation.h"
+#include "tests/fuzz/fuzz_targets.h"
+
+namespace shapegauge::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+struct Target {
+  std::string_view name;  // of the folders in seeds and regressions
+  bool (*run)(std::string_view bytes);
+};
+
+constexpr std::array targets = {Target{"read_off", read_off},
+                                Target{"read_obj", read_obj},
+                                Target{"read_ply", read_ply},
+                                Target{"read_stl", read_stl},
+                                Target{"shape_sdf", shape_sdf},
+                                Target{"classification", classification},
+                                Target{"npy", npy},
+                                Target{"text_matrix", text_matrix},
+                                Target{"csv_matrix", csv_matrix},
+                                Target{"psb_matrix", psb_matrix},
+                                Target{"configuration", configuration}};
+
+class FuzzCorpus : public ::testing::TestWithParam<Target> {
+ protected:
+  static std::vector<fs::path> files(const char* kind) {
+    return files_in(fs::path(SHAPEGAUGE_FUZZ_FOLDER) / kind / GetParam().name);
+  }
+
+  /// Whether the target has a use for the file, as far as it says; seconds and memory are bounded.
+  static bool run(const fs::path& file) {
+    SCOPED_TRACE(file);
+    const std::string bytes = read_file_bytes(file);
+    bool accepted = false;
+    test_io::reset_largest_allocation();
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_NO_THROW(accepted = GetParam().run(bytes));
+    // Far more than it takes: only what gets out of hand is to fail, not what a busy machine delays.
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+    // The octree of the offset SDF takes what it takes, but no more; what is read takes a multiple of its file.
+    const std::size_t limit = GetParam().run == shape_sdf ? 200'000'000 : 200'000 + 100 * bytes.size();
+    EXPECT_LT(test_io::largest_allocation(), limit);
+    return accepted;
+  }
+};
+
+TEST_P(FuzzCorpus, SeedsAreOfUse) {
+  const std::vector<fs::path> seeds = files("seeds");
+  ASSERT_FALSE(seeds.empty());
+  for (const fs::path& file : seeds) EXPECT_TRUE(run(file)) << file;
+}
+
+TEST_P(FuzzCorpus, WhatFuzzersFoundKeepsItsPromises) {
+  for (const fs::path& file : files("regressions")) run(file);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, FuzzCorpus, ::testing::ValuesIn(targets),
+                         [](const auto& target) { return std::string(target.param.name); });
+
+}  // namespace
+}  // namespace shapegauge::fuzz
