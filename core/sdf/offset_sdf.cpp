@@ -10,6 +10,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/closedness.h"
 #include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/spatial/exposed_direction.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
@@ -67,7 +68,9 @@ Answer answer_at(const OffsetExterior& exterior, const Eigen::Vector3d& p, const
     q = nearest_exterior_point(exterior, p, normal, memory);
     distance = (q->point - p).norm();
   }
-  const Eigen::Vector3d outward = (q->point - p).normalized();
+  Eigen::Vector3d outward = (q->point - p).normalized();
+  // Without a normal, any point of the ball about p would do as q; its middle is the one that means something.
+  if (normal.isZero() && distance <= r * (1 + 2 * offset_slack)) outward = middle_of_exposed(exterior, p, outward);
   const ExteriorEntry entry = first_exterior_entry(exterior, p, -outward);
   if (!q->decided || !entry.decided) outcome = Outcome::undecided;
   return {(distance - r) + (entry.distance - r), outward, outcome};
@@ -91,7 +94,7 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   const UnitFrame frame = unit_frame(shape);
   const Shape unit_shape = in_unit_frame(shape, frame);
   const SurfaceTree tree(unit_shape);
-  const OffsetExterior exterior(tree, bounding_box(unit_shape), options.offset, is_closed(shape));
+  const OffsetExterior exterior(tree, bounding_box(unit_shape), options.offset, is_closed_and_oriented(shape));
 
   OffsetSdfResult result;
   result.build_seconds = seconds_since(start);

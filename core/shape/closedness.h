@@ -9,4 +9,8 @@ namespace shapegauge {
 /// shape without triangles is not closed. Throws InputError where the shape is unusable (validity.h).
 bool is_closed(const Shape& shape);
 
+/// Whether the triangles are oriented alike besides: every edge is run through as often one way as the other. Then, of
+/// any ray from outside, as many crossings lead in as out, however parts overlap.
+bool is_closed_and_oriented(const Shape& shape);
+
 }  // namespace shapegauge
