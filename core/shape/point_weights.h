@@ -15,10 +15,10 @@ namespace shapegauge {
 /// an outlier, whose neighbours are all far away and close to each other, would otherwise outweigh thousands of points.
 /// Where the cloud has fewer than 13 places, all others are neighbours; all points at one place have no area (0).
 ///
-/// Sheets closer to each other than about 1.6 times the points' mean distance are taken for one, and get down to half of
-/// their area; along the border of an open surface points get up to twice theirs. On SHREC'11 shapes the sum is 1.3 to
-/// 2.7 % less than the surface area for 10,000 random points, and 2.3 % less to 0.4 % more for the meshes' vertices; on
-/// regular grids it is 8 to 12 % more.
+/// Sheets closer to each other than about 1.6 times the points' mean distance are taken for one, and get down to half
+/// of their area; along the border of an open surface points get up to twice theirs. On SHREC'11 shapes the sum is 1.3
+/// to 2.7 % less than the surface area for 10,000 random points, and 2.3 % less to 0.4 % more for the meshes' vertices;
+/// on regular grids it is 8 to 12 % more.
 ///
 /// Proportional to the square of the scale; the same for each point in any order. Runs in the calling TBB arena. Throws
 /// InputError where a coordinate or the cloud's extent is not finite.
