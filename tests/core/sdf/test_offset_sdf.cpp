@@ -273,39 +273,45 @@ TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
       const OffsetSdfResult result = at_faces(scaled, 0.05);
       EXPECT_EQ(result.outcomes.undecided, 0U);
       EXPECT_GE(result.values.minCoeff(), 0);
-      // r is 0.17, and the largest hole among the points has a radius of about 0.1: the offset surface dents there by
-      // 0.17 - sqrt(0.17^2 - 0.1^2) = 0.03, on either side.
+      // r is 0.17, and the largest hole among the points has a radius h of about 0.1. The offset surface dents there by
+      // r - sqrt(r^2 - h^2) = 0.03, and p's closest point may be off the normal by an angle whose sine is h/r.
       EXPECT_NEAR(result.values.mean() / scale, 2, 0.03);
-      EXPECT_GT(result.values.minCoeff() / scale, 1.9);
+      EXPECT_GT(result.values.minCoeff() / scale, 1.6);
       EXPECT_LT(result.values.maxCoeff() / scale, 2.05);
     }
   }
 }
 
-TEST(OffsetSdf, OfPointsInAPlaneIsNothing) {
-  Shape plane = test_shapes::random_points(test_shapes::box({1, 1, 1}, 1), 2000, 1);
-  plane.vertices.col(2).setConstant(3);
+TEST(OffsetSdf, OfPointsInAPlaneIsNothingAwayFromTheRim) {
+  const Shape plane = test_shapes::random_points(test_shapes::box({1, 1, 0}, 1), 4000, 1);
   const OffsetSdfResult result = at_faces(plane, 0.05);
   const double r = 0.05 * bounding_box_diagonal(plane);
   EXPECT_GE(result.values.minCoeff(), 0);
-  EXPECT_LT(result.values.mean(), 0.1 * r);
+  double sum = 0;
+  int inner = 0;
+  for (Eigen::Index i = 0; i < plane.vertices.rows(); ++i) {
+    if (plane.vertices.row(i).cwiseAbs().maxCoeff() > 0.5 - 2 * r) continue;
+    sum += result.values[i];
+    ++inner;
+  }
+  EXPECT_LT(sum / inner, 0.1 * r);
 }
 
 TEST(OffsetSdf, OfTwoFarPointsAndADenseCluster) {
   Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 3), 1000, 1);
   cloud.vertices.row(0) << 1000, 0, 0;
   cloud.vertices.row(1) << -1000, 500, 0;
-  const OffsetSdfResult result = at_faces(cloud, 0.01);  // 20 times the cluster's radius
+  const OffsetSdfResult result = at_faces(cloud, 0.01);
+  const double r = 0.01 * bounding_box_diagonal(cloud);  // 20 times the cluster's radius
   EXPECT_EQ(result.outcomes.undecided, 0U);
-  EXPECT_NEAR(result.values[0], 0, 1e-6);  // a point alone, in a ball of its own
-  EXPECT_NEAR(result.values[1], 0, 1e-6);
+  EXPECT_LT(result.values.head<2>().maxCoeff(), 2e-3 * r);  // a point alone in its ball: 1e-3 r at either end
   EXPECT_GE(result.values.minCoeff(), 0);
-  EXPECT_LT(result.values.maxCoeff(), 2);
+  EXPECT_LT(result.values.maxCoeff(), 2 + 2e-3 * r);
 }
 
 TEST(OffsetSdf, OfACloudOfFewPoints) {
   const Shape two{(Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), {}, {}};
-  EXPECT_LT(at_faces(two, 0.05).values.maxCoeff(), 1e-6);
+  EXPECT_LT(at_faces(two, 0.05).values.maxCoeff(), 2e-3 * 0.05);
   EXPECT_THROW(at_faces({Points::Ones(1, 3), {}, {}}, 0.05), InputError);
   EXPECT_THROW(at_faces({Points::Ones(40, 3), {}, {}}, 0.05), InputError);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 #include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "shapegauge/core/error.h"
@@ -135,6 +136,7 @@ TEST(PointWeights, OnALineAndInAPlane) {
 
 TEST(PointWeights, TheSameBytesOnAnyNumberOfThreads) {
   const Points points = scattered(1, 2000);
+  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 4);
   const auto on = [&](int threads) { return tbb::task_arena(threads).execute([&] { return point_weights(points); }); };
   EXPECT_EQ(on(1), on(3));
 }

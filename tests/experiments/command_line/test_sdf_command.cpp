@@ -5,6 +5,7 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/io/write_off.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/text/csv.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/random_points.h"
@@ -78,10 +79,12 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
   }
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   ASSERT_EQ(rows.size(), 501U);
-  const Eigen::VectorXd weights = sample_shape(cloud, SampleSite::vertices).weights;
+  const Samples samples = sample_shape(cloud, SampleSite::vertices);
+  const Eigen::VectorXd expected = offset_sdf(cloud, samples, {.offset = 0.1}).values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 2);
-    EXPECT_EQ(std::stod(rows[i].cells[2]), weights[static_cast<Eigen::Index>(i - 1)]);
+    const auto sample = static_cast<Eigen::Index>(i - 1);
+    EXPECT_EQ(std::stod(rows[i].cells[1]), expected[sample]);
+    EXPECT_EQ(std::stod(rows[i].cells[2]), samples.weights[sample]);
   }
   EXPECT_EQ(read_shape(at("x.ply")).vertices, cloud.vertices);
   ASSERT_EQ(run_executable(command + at("v.csv") + "' --at vertices").status, 0);
