@@ -39,7 +39,30 @@ void append_sample(std::string& bytes, double value, const Colour& colour) {
   append_little_endian(bytes, value);
 }
 
+void append_triangle(std::string& bytes, const Shape& shape, Eigen::Index triangle) {
+  append_little_endian(bytes, std::uint8_t{3});
+  for (int corner = 0; corner < 3; ++corner) append_little_endian(bytes, shape.triangles(triangle, corner));
+}
+
 }  // namespace
+
+void write_ply(const std::filesystem::path& path, const Shape& shape) {
+  require_writable(path, shape);
+  const bool has_normals = is_cloud(shape) && shape.normals.rows() > 0;
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{}"
+      "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      shape.vertices.rows(), has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "",
+      shape.triangles.rows());
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    for (const double coordinate : shape.vertices.row(i)) append_little_endian(bytes, coordinate);
+    if (!has_normals) continue;
+    for (const double coordinate : shape.normals.row(i)) append_little_endian(bytes, coordinate);
+  }
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) append_triangle(bytes, shape, f);
+  write_file_atomically(path, bytes);
+}
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
                const std::vector<Colour>& colours) {
@@ -55,8 +78,7 @@ void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite
     if (site == SampleSite::vertices) append_sample(bytes, values[i], colours[static_cast<std::size_t>(i)]);
   }
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    append_little_endian(bytes, std::uint8_t{3});
-    for (int corner = 0; corner < 3; ++corner) append_little_endian(bytes, shape.triangles(f, corner));
+    append_triangle(bytes, shape, f);
     if (site == SampleSite::faces) append_sample(bytes, values[f], colours[static_cast<std::size_t>(f)]);
   }
   write_file_atomically(path, bytes);
