@@ -22,7 +22,8 @@ std::string name_of(const FieldReport& field) {
 
 std::vector<std::string> shapes_header(const ExperimentResults& results) {
   std::vector<std::string> header{"id", "class", "choices"};
-  for (const auto& [name, value] : diagnostics_json({}).items()) header.push_back(name);
+  const nlohmann::ordered_json diagnostics = diagnostics_json({});
+  for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
   for (const FieldReport& field : results.fields) {
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
@@ -41,7 +42,8 @@ Table shapes_table(const ExperimentResults& results) {
     auto& row = table.rows.emplace_back();
     row = {model.id, results.classes[static_cast<std::size_t>(model.label)],
            fmt::format("{}", fmt::join(shape.chosen, " "))};
-    for (const auto& [name, value] : diagnostics_json(shape.diagnostics).items()) row.push_back(value.dump());
+    const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
+    for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
     for (std::size_t field = 0; field < results.fields.size(); ++field) {
       for (const auto& [outcome, sum] : results.fields[field].outcomes) {
         const auto count = shape.outcomes[field].find(outcome);
