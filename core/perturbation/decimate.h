@@ -9,10 +9,10 @@ namespace shapegauge {
 /// Collapses that would turn a face over by more than about 80 degrees, make a sliver or change the topology are left
 /// out; the result is closed where the mesh was, and every face keeps its orientation.
 ///
-/// Vertices at the same place are taken as one and faces whose corners are not at three places are dropped. Of edges
-/// where not just two faces meet (non-manifold ones, and one of each non-orientable band) the ends stay where they are;
-/// faces that a half-edge structure cannot hold even so stay untouched. A mesh that has too many of these, or is
-/// simplified as far as it goes, keeps more faces than asked for. Vertices that no face uses are dropped.
+/// Vertices at the same place are taken as one and faces whose corners are not at three places are dropped. The ends of
+/// edges with more than two faces, and of an edge of each band that cannot be oriented, stay; faces that a half-edge
+/// structure cannot hold even so stay untouched. A mesh that has too many of these, or is simplified as far as it goes,
+/// keeps more faces than asked for. Vertices that no face uses are dropped.
 ///
 /// A mesh of no more faces is returned as it is. Throws InputError for a point cloud, less than one face, a mesh
 /// without extent, and where not one edge can be collapsed.

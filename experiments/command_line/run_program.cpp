@@ -11,6 +11,8 @@
 #include "shapegauge/experiments/command_line/dataset_command.h"
 #include "shapegauge/experiments/command_line/evaluate_command.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
+#include "shapegauge/experiments/command_line/info_command.h"
+#include "shapegauge/experiments/command_line/perturb_command.h"
 #include "shapegauge/experiments/command_line/run_command.h"
 #include "shapegauge/experiments/command_line/sdf_command.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
@@ -70,6 +72,8 @@ int run_program(std::span<const std::string> arguments) {
   int status = exit_success;
   add_run_command(app, status);
   add_sdf_command(app, status);
+  add_info_command(app, status);
+  add_perturb_command(app, status);
   add_evaluate_command(app, status);
   add_dataset_command(app, status);
   try {

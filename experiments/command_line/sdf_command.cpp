@@ -12,6 +12,7 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/fields/field_registry.h"
+#include "shapegauge/experiments/results/diagnostics_json.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/runner/with_threads.h"
 
@@ -53,11 +54,12 @@ void warn_of(const FieldOutcomes& outcomes) {
   }
 }
 
-void write_timings(const fs::path& path, double read_seconds, const FieldValues& computed) {
+void write_timings(const fs::path& path, const Shape& shape, double read_seconds, const FieldValues& computed) {
   const nlohmann::ordered_json timings{{"read_seconds", read_seconds},
                                        {"build_seconds", computed.build_seconds},
                                        {"query_seconds", computed.query_seconds},
-                                       {"samples", computed.outcomes}};
+                                       {"samples", computed.outcomes},
+                                       {"shape", diagnostics_json(diagnose(shape))}};
   write_file_atomically(path, timings.dump(2) + "\n");
 }
 
@@ -81,7 +83,7 @@ int run(const SdfArguments& arguments) {
   with_threads(arguments.threads, [&] {
     const auto [samples, computed] = compute(field, shape, arguments.input);
     write(arguments.output, shape, samples, computed.values);
-    if (!arguments.timings.empty()) write_timings(arguments.timings, read_seconds, computed);
+    if (!arguments.timings.empty()) write_timings(arguments.timings, shape, read_seconds, computed);
     warn_of(computed.outcomes);
   });
   return exit_success;
@@ -115,7 +117,8 @@ void add_sdf_command(CLI::App& app, int& status) {
       command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
   for (CLI::Option* option : of_cone) option->capture_default_str();
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
-  command->add_option("--timings", arguments->timings, "JSON file for the times taken and the samples' outcomes");
+  command->add_option("--timings", arguments->timings,
+                      "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, offset, of_cone] {
     const bool is_offset = arguments->method == "offset";
     for (const CLI::Option* option : of_cone) {

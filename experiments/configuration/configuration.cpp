@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "shapegauge/experiments/perturbations/perturbation_registry.h"
+
 namespace shapegauge {
 
 namespace {
@@ -86,6 +88,8 @@ Json to_json(const GeneratorOptions& generator) {
 Json to_json(const Configuration& configuration) {
   Json json{{"name", configuration.name},
             {"dataset", dataset_to_json(configuration)},
+            {"perturbations", to_json(configuration.perturbations)},
+            {"seed", configuration.seed},
             {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", signatures_to_json(configuration.signatures)},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"
 
@@ -41,6 +43,8 @@ struct Configuration {
   std::string description;
   std::optional<DatasetLocation> location;    ///< a data set on disk, or else
   std::optional<GeneratorOptions> generator;  ///< one that the program makes
+  std::vector<Perturbation> perturbations;    ///< applied to every model after reading
+  std::uint64_t seed = 1;                     ///< of the perturbations
   std::vector<Protocol> protocols{Protocol::psb};
   int minimum_class_size = 2;
   OnError on_error = OnError::stop;

@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/configuration/schema_check.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/fields/field_registry.h"
+#include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
 
@@ -185,6 +186,8 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   } else {
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
+  configuration.seed = document.value("seed", configuration.seed);
+  if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   if (document.contains("evaluation")) {
     configuration.minimum_class_size =

@@ -7,6 +7,7 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/fields/field.h"
+#include "shapegauge/experiments/results/shape_report.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -30,6 +31,7 @@ struct ExperimentResults {
   Configuration configuration;
   std::vector<std::string> classes;  ///< names, by label
   std::vector<Model> models;         ///< those that have signatures
+  std::vector<ShapeReport> shapes;   ///< of the models
   std::vector<FailedModel> failures;
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;

@@ -57,14 +57,13 @@ Json execution(const ExperimentResults& results) {
 }  // namespace
 
 Json manifest(const ExperimentResults& results, const std::vector<std::string>& files) {
-  const auto& generator = results.configuration.generator;
   return {{"shapegauge", version()},
           {"commit", commit()},
           {"compiler", compiler()},
           {"build_type", build_type()},
           {"libraries", Json::parse(library_versions())},
           {"configuration", to_json(results.configuration)},
-          {"seed", generator ? Json(generator->seed) : Json(nullptr)},
+          {"seed", results.configuration.seed},
           {"inputs", inputs(results)},
           {"models", results.models.size()},
           {"models_never_queries", left_out(results)},

@@ -13,6 +13,7 @@
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/file_names.h"
 #include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/results/shape_tables.h"
 
 namespace shapegauge {
 
@@ -66,7 +67,9 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
           {"summary.tex", to_latex(rounded)},
           {"per_class.csv", to_csv(per_class_table(evaluations, labels, results.classes))},
           {"per_query.csv", to_csv(per_query_table(evaluations, ids, labels, results.classes))},
-          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))}};
+          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
+          {"shapes.csv", to_csv(shapes_table(results))},
+          {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
 }
 
 /// The distance matrices that an earlier manifest in the folder lists.
@@ -101,9 +104,9 @@ std::vector<std::string> matrix_files(const ExperimentResults& results) {
 }  // namespace
 
 bool has_results(const fs::path& folder) {
-  static constexpr std::array<std::string_view, 9> names{"summary.csv",   "summary.json",  "summary.md",
-                                                         "summary.tex",   "per_class.csv", "per_query.csv",
-                                                         "pr_curves.csv", "distances",     manifest_name};
+  static constexpr std::array<std::string_view, 11> names{
+      "summary.csv",   "summary.json", "summary.md",        "summary.tex", "per_class.csv", "per_query.csv",
+      "pr_curves.csv", "shapes.csv",   "shape_seconds.csv", "distances",   manifest_name};
   return std::ranges::any_of(names, [&](std::string_view name) { return fs::exists(folder / name); });
 }
 

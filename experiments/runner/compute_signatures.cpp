@@ -48,8 +48,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   const bool parallel_within = remaining.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::vector<ModelFailure> failures =
       for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
-        described.models[model] =
-            describe_model(dataset.models[model], plan, configuration.signatures, parallel_within);
+        described.models[model] = describe_model(dataset, model, configuration, plan, parallel_within);
       });
   described.failures.insert(described.failures.end(), failures.begin(), failures.end());
   std::ranges::sort(described.failures, {}, &ModelFailure::model);
@@ -109,6 +108,15 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   return reports;
 }
 
+ShapeReport report_shape(const ModelDescription& model) {
+  ShapeReport report{.diagnostics = model.diagnostics, .chosen = model.chosen, .outcomes = {}, .seconds = {}};
+  for (const FieldDescription& field : model.fields) {
+    report.outcomes.push_back(field.outcomes);
+    report.seconds.push_back(field.seconds);
+  }
+  return report;
+}
+
 }  // namespace
 
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
@@ -121,6 +129,7 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
     if (!described.models[i]) continue;
     computed.models.push_back(i);
     models.push_back(&*described.models[i]);
+    computed.shapes.push_back(report_shape(*described.models[i]));
   }
   computed.signatures = assemble(models, plan, configuration.signatures);
   computed.fields = report_fields(models, plan);

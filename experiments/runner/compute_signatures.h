@@ -6,6 +6,7 @@
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/fields/field.h"
+#include "shapegauge/experiments/results/shape_report.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -16,6 +17,7 @@ struct ComputedSignatures {
   std::vector<std::size_t> models;     ///< those that have signatures, by index in the data set
   std::vector<Signatures> signatures;  ///< by signature of the configuration; row i is of models[i]
   std::vector<FieldReport> fields;
+  std::vector<ShapeReport> shapes;     ///< of the models that have signatures
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip
 };
 

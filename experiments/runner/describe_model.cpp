@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <fmt/format.h>
+#include <utility>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_shape.h"
@@ -39,12 +40,18 @@ Interval range_of(const ScalarField& field, const Field& what) {
 
 }  // namespace
 
-ModelDescription describe_model(const Model& model, std::span<const PlannedField> plan,
-                                std::span<const SignatureConfiguration> signatures, bool parallel) {
-  const Shape shape = scaled_to_unit_area(read_shape(model.file));
-  SamplesBySite samples(shape);
+ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                std::span<const PlannedField> plan, bool parallel) {
+  const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
+  const Model& source = dataset.models[model];
+  PerturbedShape perturbed =
+      perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model);
   ModelDescription description;
+  description.diagnostics = diagnose(perturbed.shape);
+  description.chosen = std::move(perturbed.chosen);
   description.histograms.resize(signatures.size());
+  const Shape shape = scaled_to_unit_area(std::move(perturbed.shape));
+  SamplesBySite samples(shape);
   for (const PlannedField& planned : plan) {
     const auto start = std::chrono::steady_clock::now();
     const Samples& sites = samples.at(planned.field.site);

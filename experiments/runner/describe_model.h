@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/runner/field_plan.h"
@@ -22,14 +23,17 @@ struct FieldDescription {
 
 /// What is kept of one shape; its mesh is not.
 struct ModelDescription {
+  ShapeDiagnostics diagnostics;             ///< after the perturbations, in the file's units
   std::vector<FieldDescription> fields;     ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
+  std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
 };
 
-/// Reads the model, scales it to unit area and computes the planned fields and their histograms. parallel: spread the
-/// samples over threads. Throws InputError or std::invalid_argument where the shape is of no use.
-ModelDescription describe_model(const Model& model, std::span<const PlannedField> plan,
-                                std::span<const SignatureConfiguration> signatures, bool parallel);
+/// Reads a model of the data set, perturbs it, scales it to unit area and computes the planned fields and their
+/// histograms. parallel: spread the samples over threads. Throws InputError or std::invalid_argument where the shape is
+/// of no use.
+ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                std::span<const PlannedField> plan, bool parallel);
 
 /// The histogram of values that were kept, over a range.
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);

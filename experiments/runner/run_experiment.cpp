@@ -56,6 +56,7 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
     results.failures.push_back({.model = dataset.models[failure.model], .message = failure.message});
   }
   results.fields = std::move(computed.fields);
+  results.shapes = std::move(computed.shapes);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {

@@ -98,6 +98,8 @@ TEST_F(SdfCommand, TimingsCountTheSamples) {
   EXPECT_EQ(timings["samples"]["total"], shape.triangles.rows());
   EXPECT_EQ(timings["samples"]["direct"].get<int>() + timings["samples"]["searched"].get<int>(),
             shape.triangles.rows());
+  EXPECT_EQ(timings["shape"]["closed"], true);
+  EXPECT_EQ(timings["shape"]["triangles"], shape.triangles.rows());
 }
 
 TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {

@@ -40,6 +40,8 @@ TEST(Configuration, FillsInDefaults) {
   EXPECT_EQ(configuration.minimum_class_size, 2);
   EXPECT_EQ(configuration.on_error, OnError::stop);
   EXPECT_EQ(configuration.distance, "l1");
+  EXPECT_EQ(configuration.seed, 1U);
+  EXPECT_TRUE(configuration.perturbations.empty());
   EXPECT_EQ(configuration.signatures[0].histogram.options.bins, 80);
   EXPECT_EQ(configuration.signatures[0].histogram.range, HistogramRange::dataset);
   EXPECT_EQ(configuration.signatures[1].histogram.range, HistogramRange::fixed);
@@ -56,10 +58,30 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
   full["on_error"] = "skip";
   full["evaluation"]["minimum_class_size"] = 3;
   full["description"] = "why";
+  full["seed"] = 7;
+  full["perturbations"] = Json::parse(R"([
+    {"type": "motion"},
+    {"type": "one_of", "choices": [[], [{"type": "holes"}, {"type": "one_of", "choices": [[{"type": "decimate", "faces": 9}]]}]]}
+  ])");
   const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
   EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
+  EXPECT_EQ(filled["seed"], 7);
+  EXPECT_EQ(filled["perturbations"][1]["choices"][1][0]["radius"], 0.05);
   EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
+}
+
+TEST(Configuration, MistakesInPerturbationsGiveThePlaceAndTheNearestWord) {
+  const auto message = [](const char* steps) { return message_with("/perturbations", Json::parse(steps)); };
+  EXPECT_THAT(message(R"([{"type": "motion"}, {"type": "vertex_nois", "amplitude": 1}])"),
+              HasSubstr("perturbations.1.type: unknown word \"vertex_nois\"; did you mean \"vertex_noise\"?"));
+  EXPECT_THAT(message(R"([{"type": "holes", "radios": 0.1}])"),
+              HasSubstr("perturbations.0: unknown key \"radios\"; did you mean \"radius\"?"));
+  EXPECT_THAT(message(R"([{"type": "one_of", "choices": [[], [{"type": "decimate"}]]}])"),
+              HasSubstr("perturbations.0.choices.1.0: the key \"faces\" is missing"));
+  EXPECT_THAT(message(R"([{"type": "one_of", "assign": "inturn", "choices": [[]]}])"),
+              HasSubstr("perturbations.0.assign: unknown word \"inturn\"; did you mean \"in_turn\"?"));
+  EXPECT_THAT(message(R"([{"type": "remove_faces", "fraction": 2}])"), HasSubstr("perturbations.0.fraction: must be"));
 }
 
 TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {

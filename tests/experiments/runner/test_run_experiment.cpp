@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/text/csv.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/random_points.h"
 #include "tests/experiments/input_error.h"
@@ -130,9 +132,9 @@ TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
 
 TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) write_results(folder(std::to_string(threads)), run(Json::object(), threads));
-  for (const char* file :
-       {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv", "pr_curves.csv",
-        "distances/fixed.npy", "distances/per_shape.npy", "distances/data_set.npy", "distances/both.npy"}) {
+  for (const char* file : {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv",
+                           "pr_curves.csv", "shapes.csv", "distances/fixed.npy", "distances/per_shape.npy",
+                           "distances/data_set.npy", "distances/both.npy"}) {
     const std::string bytes = text_of(folder("1") / file);
     EXPECT_FALSE(bytes.empty()) << file;
     EXPECT_TRUE(bytes == text_of(folder("3") / file)) << file;
@@ -223,12 +225,59 @@ TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
   EXPECT_TRUE(fs::exists(folder("out") / "distances/mine.npy"));
 }
 
+TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads) {
+  const Json changes = Json::parse(R"({"seed": 3, "perturbations": [
+    {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "vertex_noise", "amplitude": 0.01}]]},
+    {"type": "motion", "scale": 10}]})");
+  const ExperimentResults results = run(changes, 1);
+  EXPECT_EQ(results.methods[0].distances, run(changes, 3).methods[0].distances);
+  EXPECT_NE(results.methods[0].distances, run().methods[0].distances);
+  EXPECT_NE(results.methods[0].distances,
+            run({{"seed", 4}, {"perturbations", changes["perturbations"]}}).methods[0].distances);
+  EXPECT_DOUBLE_EQ(results.methods[0].evaluations.at(0).micro[0], 1) << "NN: shapes still look like themselves";
+}
+
+TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
+  // The second model becomes a cloud, which cannot be decimated.
+  const Json changes = Json::parse(R"({"on_error": "skip", "perturbations": [
+    {"type": "one_of", "assign": "in_turn", "choices": [
+      [], [{"type": "sample_points", "points": 100}, {"type": "decimate", "faces": 10}], [], [], [], [], [], [], []]}]})");
+  const ExperimentResults results = run(changes);
+  ASSERT_EQ(results.failures.size(), 1U);
+  EXPECT_EQ(results.failures[0].model.id, "1");
+  EXPECT_THAT(results.failures[0].message, HasSubstr("a point cloud cannot be decimated"));
+}
+
+TEST_F(RunExperiment, ShapesAreDescribedAsTheyWereMeasured) {
+  const Json changes = Json::parse(R"({"perturbations": [
+    {"type": "one_of", "assign": "in_turn", "choices": [[], [{"type": "remove_faces", "fraction": 0.1}]]}]})");
+  write_results(folder("out"), run(changes));
+  const std::vector<CsvRow> rows = parse_csv(text_of(folder("out") / "shapes.csv"), "shapes.csv");
+  ASSERT_EQ(rows.size(), 10U);
+  const auto cell = [&](std::size_t row, const std::string& column) {
+    const auto found = std::ranges::find(rows[0].cells, column);
+    return found == rows[0].cells.end() ? "no such column"
+                                        : rows[row].cells[static_cast<std::size_t>(found - rows[0].cells.begin())];
+  };
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(cell(i + 1, "id"), std::to_string(i));
+    EXPECT_EQ(cell(i + 1, "choices"), i % 2 == 0 ? "0" : "1");
+    EXPECT_EQ(cell(i + 1, "closed"), i % 2 == 0 ? "true" : "false");
+    EXPECT_EQ(
+        cell(i + 1, "cone_sdf at=faces engine=embree opening_angle_degrees=60.0 postprocess=false rays=25: total"),
+        cell(i + 1, "triangles"));
+  }
+  EXPECT_EQ(parse_csv(text_of(folder("out") / "shape_seconds.csv"), "shape_seconds.csv").size(), 10U);
+}
+
 TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
-  write_results(folder("out"), run());
+  write_results(folder("out"), run({{"seed", 5}}));
   const Json manifest = Json::parse(text_of(folder("out") / "manifest.json"));
   for (const char* key : {"shapegauge", "commit", "compiler", "libraries", "configuration", "seed", "inputs"}) {
     EXPECT_TRUE(manifest.contains(key)) << key;
   }
+  EXPECT_EQ(manifest["seed"], 5);
+  EXPECT_EQ(manifest["configuration"]["perturbations"], Json::array());
   EXPECT_EQ(manifest["configuration"]["signatures"][0]["field"]["rays"], 25);
   EXPECT_EQ(manifest["inputs"]["models"].size(), 9U);
   EXPECT_EQ(manifest["inputs"]["models"]["0"].get<std::string>().size(), 64U);

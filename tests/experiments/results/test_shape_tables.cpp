@@ -1,0 +1,53 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "shapegauge/experiments/results/shape_tables.h"
+
+namespace shapegauge {
+namespace {
+
+ExperimentResults two_models() {
+  ExperimentResults results;
+  results.classes = {"ant", "bird"};
+  results.models = {{.id = "3", .file = "", .label = 1}, {.id = "5", .file = "", .label = 0}};
+  results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
+                     .outcomes = {{"total", 9}, {"undecided", 1}}}};
+  results.shapes.resize(2);
+  results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
+                       .chosen = {2, 0},
+                       .outcomes = {{{"total", 4}}},
+                       .seconds = {0.25}};
+  results.shapes[1] = {
+      .diagnostics = {.triangles = 5}, .chosen = {}, .outcomes = {{{"total", 5}, {"undecided", 1}}}, .seconds = {1.5}};
+  return results;
+}
+
+std::string cell(const Table& table, std::size_t row, const std::string& column) {
+  const auto found = std::ranges::find(table.header, column);
+  return found == table.header.end() ? "no such column"
+                                     : table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin()));
+}
+
+TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
+  const Table table = shapes_table(two_models());
+  ASSERT_EQ(table.rows.size(), 2U);
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+  EXPECT_EQ(cell(table, 0, "id"), "3");
+  EXPECT_EQ(cell(table, 0, "class"), "bird");
+  EXPECT_EQ(cell(table, 0, "choices"), "2 0");
+  EXPECT_EQ(cell(table, 0, "closed"), "true");
+  EXPECT_EQ(cell(table, 0, "triangles"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: total"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: undecided"), "0");
+  EXPECT_EQ(cell(table, 1, "choices"), "");
+  EXPECT_EQ(cell(table, 1, "offset_sdf at=faces offset=0.05: undecided"), "1");
+}
+
+TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
+  const Table table = shape_seconds_table(two_models());
+  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
+  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
+}
+
+}  // namespace
+}  // namespace shapegauge
