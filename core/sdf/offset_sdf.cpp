@@ -44,12 +44,17 @@ struct Answer {
   Outcome outcome;
 };
 
-/// q = p + r n, or p - r n where only that is exterior; nothing where another part of the offset solid covers both.
-std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const Eigen::Vector3d& p,
+/// q = p + r n, or p - r n where only that is exterior; nothing where another part of the offset solid covers both. Of
+/// a cloud, where every point of the exposed part of the ball about p is as near, the middle of that part.
+std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p,
                                           const Eigen::Vector3d& normal) {
   if (normal.isZero()) return std::nullopt;
   const double r = exterior.r();
   for (const double side : {1.0, -1.0}) {
+    if (of_cloud) {
+      if (const auto u = middle_of_exposed(exterior, p, side * normal)) return ExteriorPoint{p + r * *u};
+      continue;
+    }
     const Eigen::Vector3d q = p + side * r * normal;
     if (exterior.tree().any_within(q, r * (1 - offset_slack))) continue;
     if (exterior.contains(q) == true) return ExteriorPoint{q};
@@ -57,20 +62,21 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, const 
   return std::nullopt;
 }
 
-Answer answer_at(const OffsetExterior& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
                  SearchMemory& memory) {
   const double r = exterior.r();
   Outcome outcome = Outcome::direct;
   double distance = r;
-  auto q = direct_point(exterior, p, normal);
+  auto q = direct_point(exterior, of_cloud, p, normal);
   if (!q) {
     outcome = Outcome::searched;
     q = nearest_exterior_point(exterior, p, normal, memory);
     distance = (q->point - p).norm();
   }
   Eigen::Vector3d outward = (q->point - p).normalized();
-  // Without a normal, any point of the ball about p would do as q; its middle is the one that means something.
-  if (normal.isZero() && distance <= r * (1 + 2 * offset_slack)) outward = middle_of_exposed(exterior, p, outward);
+  if (of_cloud && outcome == Outcome::searched && distance <= r * (1 + 2 * offset_slack)) {
+    outward = middle_of_exposed(exterior, p, outward).value_or(outward);
+  }
   const ExteriorEntry entry = first_exterior_entry(exterior, p, -outward);
   if (!q->decided || !entry.decided) outcome = Outcome::undecided;
   return {(distance - r) + (entry.distance - r), outward, outcome};
@@ -111,7 +117,7 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
     const Eigen::Index end = std::min(n, (block + 1) * block_size);
     for (Eigen::Index k = block * block_size; k < end; ++k) {
       const Eigen::Index i = order[static_cast<std::size_t>(k)];
-      const Answer answer = answer_at(exterior, frame.to_unit(samples.points.row(i).transpose()),
+      const Answer answer = answer_at(exterior, is_cloud(shape), frame.to_unit(samples.points.row(i).transpose()),
                                       samples.normals.row(i).transpose(), memory);
       result.values[i] = answer.value * frame.diagonal;
       result.normals.row(i) = answer.normal;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shapegauge/core/shape/point_normals.h"
 #include "shapegauge/core/shape/point_weights.h"
 #include "shapegauge/core/shape/validity.h"
 
@@ -111,7 +112,7 @@ Samples sample_faces(const Shape& shape) {
 Samples sample_cloud(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;
-  if (shape.normals.rows() > 0) samples.normals = shape.normals;
+  samples.normals = shape.normals.rows() > 0 ? shape.normals : unsigned_point_normals(shape.vertices);
   samples.weights = point_weights(shape.vertices);
   return samples;
 }

@@ -21,7 +21,8 @@ struct Samples {
 /// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
 /// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). A point cloud
 /// is sampled at its points whatever the site (weight: see point_weights(), whose errors it throws; normal: the
-/// file's), and the samples say `vertices`. Throws InputError where the shape is unusable (validity.h).
+/// file's, or without those unsigned_point_normals()), and the samples say `vertices`. Throws InputError where the
+/// shape is unusable (validity.h).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 }  // namespace shapegauge
