@@ -234,7 +234,6 @@ TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads)
   EXPECT_NE(results.methods[0].distances, run().methods[0].distances);
   EXPECT_NE(results.methods[0].distances,
             run({{"seed", 4}, {"perturbations", changes["perturbations"]}}).methods[0].distances);
-  EXPECT_DOUBLE_EQ(results.methods[0].evaluations.at(0).micro[0], 1) << "NN: shapes still look like themselves";
 }
 
 TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
