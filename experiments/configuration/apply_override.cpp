@@ -50,7 +50,7 @@ bool is_utf8(std::string_view text) {
 }  // namespace
 
 void apply_override(nlohmann::json& document, std::string_view assignment) {
-  if (!is_utf8(assignment)) fail("", "the bytes are not UTF-8");
+  if (!is_utf8(assignment)) fail(assignment, "the bytes are not UTF-8");
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos || equals == 0) {
     fail(assignment, "expected dotted.key=value, for example signatures.0.histogram.bins=40");

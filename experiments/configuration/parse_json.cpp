@@ -5,6 +5,7 @@
 #include <fstream>
 #include <set>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/error.h"
@@ -73,7 +74,7 @@ nlohmann::json parse_json(std::string_view text, const std::string& source) {
 std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::string& source) {
   nlohmann::json parsed = nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false);
   if (parsed.is_discarded()) return std::nullopt;
-  return parsed;
+  return std::optional<nlohmann::json>(std::move(parsed));
 }
 
 nlohmann::json read_json(const std::filesystem::path& path) {

@@ -13,11 +13,11 @@
 namespace shapegauge {
 namespace {
 
-// N where there are exactly N^2 numbers of that many bytes each.
+// N where there are exactly N^2 numbers of that many bytes each, and some.
 std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_per_number) {
   const std::size_t numbers = bytes / bytes_per_number;
   const auto size = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(numbers))));
-  if (size * size * bytes_per_number != bytes) return std::nullopt;
+  if (size == 0 || size * size * bytes_per_number != bytes) return std::nullopt;
   return static_cast<Eigen::Index>(size);
 }
 
@@ -25,7 +25,7 @@ std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_
 
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
   const auto size = size_of_square(bytes.size(), sizeof(float));
-  if (size && *size > 0) return matrix_of_bytes<float>(bytes, *size, std::endian::little, false);
+  if (size) return matrix_of_bytes<float>(bytes, *size, std::endian::little, false);
   // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
   if (const auto size_in_doubles = size_of_square(bytes.size(), sizeof(double))) {
     throw InputError(
