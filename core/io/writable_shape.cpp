@@ -8,7 +8,8 @@
 namespace shapegauge {
 
 void require_writable(const std::filesystem::path& path, const Shape& shape) {
-  if (const auto defect = defect_of(shape)) throw InputError(fmt::format("cannot write {}: {}", path.string(), *defect));
+  if (const auto defect = defect_of(shape))
+    throw InputError(fmt::format("cannot write {}: {}", path.string(), *defect));
 }
 
 }  // namespace shapegauge

@@ -38,8 +38,8 @@ struct ConeSdfResult {
 ///
 /// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
 /// then says where, not what. The same input gives the same bytes on any number of threads. Throws InputError for
-/// options out of range, a shape without triangles or otherwise unusable (validity.h), samples that are not the shape's,
-/// and a mesh that the cgal engine cannot use.
+/// options out of range, a shape without triangles or otherwise unusable (validity.h), samples that are not the
+/// shape's, and a mesh that the cgal engine cannot use.
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

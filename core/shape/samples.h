@@ -18,8 +18,8 @@ struct Samples {
 };
 
 /// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
-/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). Throws InputError where the shape is unusable
-/// (validity.h).
+/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). Throws InputError
+/// where the shape is unusable (validity.h).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 }  // namespace shapegauge

@@ -32,8 +32,8 @@ std::string plain_message(std::string message) {
   return message;
 }
 
-/// Parser callback that refuses what the library alone would take: a second key of the same name, of which it would keep
-/// the last silently, and values so deep that what walks through them recursively would run out of stack.
+/// Parser callback that refuses what the library alone would take: a second key of the same name, of which it would
+/// keep the last silently, and values so deep that what walks through them recursively would run out of stack.
 class Strictness {
  public:
   explicit Strictness(std::string source) : source_(std::move(source)) {}
@@ -44,8 +44,8 @@ class Strictness {
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
-      throw InputError(
-          fmt::format("{}: the key {} stands twice in the same object; remove one", source_, printable(parsed.dump(), 60)));
+      throw InputError(fmt::format("{}: the key {} stands twice in the same object; remove one", source_,
+                                   printable(parsed.dump(), 60)));
     }
     return true;
   }

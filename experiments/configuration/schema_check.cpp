@@ -54,10 +54,10 @@ std::string quoted_word(const std::string& description) {
 
 std::string wrong_value(const Json& value, const SchemaHints& hints) {
   if (!value.is_string()) {
-    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""),
-                       printable(value.dump(), 60));
+    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""), printable(value.dump(), 60));
   }
-  return fmt::format("unknown word {}{}", printable(value.dump(), 60), suggestion(value.get<std::string>(), hints.words));
+  return fmt::format("unknown word {}{}", printable(value.dump(), 60),
+                     suggestion(value.get<std::string>(), hints.words));
 }
 
 /// "Expected number greater than 0.000000" -> "must be a number greater than 0".
