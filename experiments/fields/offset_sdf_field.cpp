@@ -21,7 +21,8 @@ Field offset_sdf_field(const nlohmann::json& settings) {
                                .outcomes = {{"total", outcomes.total},
                                             {"direct", outcomes.direct},
                                             {"searched", outcomes.searched},
-                                            {"undecided", outcomes.undecided}},
+                                            {"undecided", outcomes.undecided},
+                                            {"missing", outcomes.missing}},
                                .offset = automatic ? std::optional(r) : std::nullopt,
                                .build_seconds = result.build_seconds,
                                .query_seconds = result.query_seconds};
