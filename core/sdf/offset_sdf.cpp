@@ -67,8 +67,8 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool o
 Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
                  SearchMemory& memory) {
   const double r = exterior.r();
-  constexpr double on_surface = 1e-3;  // of r
-  if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface * r)) {
+  const double on_surface = std::max(1e-3 * r, 1e-6);  // what rounding may have moved a sample by
+  if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface)) {
     return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(), Outcome::missing};
   }
   Outcome outcome = Outcome::direct;
