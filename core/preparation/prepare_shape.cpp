@@ -14,13 +14,10 @@ namespace shapegauge {
 
 namespace {
 
-Shape scaled_to_unit_tube_area(Shape shape) {
+double positive_tube_area(const Shape& shape) {
   const double area = tube_area(shape);
-  if (!std::isnormal(area)) {
-    throw InputError(fmt::format("the shape cannot be scaled to a unit tube area: its tube area is {}", area));
-  }
-  shape.vertices /= std::sqrt(area);
-  return shape;
+  if (std::isnormal(area)) return area;
+  throw InputError(fmt::format("the shape cannot be scaled to a unit tube area: its tube area is {}", area));
 }
 
 }  // namespace
@@ -34,8 +31,9 @@ PreparedShape prepare_shape(Shape shape, const PreparationOptions& options) {
     result.noise = clean.noise;
     result.pass_band = clean.pass_band;
   }
-  result.shape = options.scale == ScaleEstimate::area ? scaled_to_unit_area(std::move(shape))
-                                                      : scaled_to_unit_tube_area(std::move(shape));
+  result.area = options.scale == ScaleEstimate::area ? positive_area(shape) : positive_tube_area(shape);
+  shape.vertices /= std::sqrt(result.area);
+  result.shape = std::move(shape);
   return result;
 }
 

@@ -7,7 +7,7 @@ namespace shapegauge {
 
 /// What a shape is scaled by before it is compared with others.
 enum class ScaleEstimate {
-  area,       ///< unit surface area (scaled_to_unit_area): exact on clean meshes, meaningless under noise and holes
+  area,       ///< unit positive_area(): exact on clean meshes, meaningless under noise and holes
   tube_area,  ///< unit tube_area(): holds under noise, cracks and sampling
 };
 
@@ -22,10 +22,11 @@ struct PreparedShape {
   Shape shape;
   NoiseLevel noise;      ///< of the shape given; with denoise only
   double pass_band = 0;  ///< of the smoothing; 0: none
+  double area = 0;       ///< what was scaled to 1, in units of the shape given, squared
 };
 
 /// The shape without its noise, if so wanted, and scaled about the origin to a unit of area. Throws InputError as
-/// scaled_to_unit_area() and tube_area() do, and where the shape is unusable (validity.h).
+/// positive_area() and tube_area() do, and where the shape is unusable (validity.h).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 
 }  // namespace shapegauge

@@ -13,6 +13,7 @@ namespace shapegauge {
 struct ShapeReport {
   ShapeDiagnostics diagnostics;
   std::vector<std::size_t> chosen;             ///< what perturbations that choose have chosen, in order
+  double area = 0;                             ///< that was scaled to 1, in the file's units, squared
   double noise = 0;                            ///< NoiseLevel::relative(), where the preparation looks for noise
   double pass_band = 0;                        ///< of the preparation's smoothing; 0: none
   std::vector<FieldOutcomes> outcomes;         ///< by field

@@ -26,6 +26,7 @@ std::vector<std::string> shapes_header(const ExperimentResults& results) {
   std::vector<std::string> header{"id", "class", "choices"};
   const nlohmann::ordered_json diagnostics = diagnostics_json({});
   for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
+  header.emplace_back("area scaled to 1");
   if (results.configuration.preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
   for (const FieldReport& field : results.fields) {
     if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
@@ -48,6 +49,7 @@ Table shapes_table(const ExperimentResults& results) {
            fmt::format("{}", fmt::join(shape.chosen, " "))};
     const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
     for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
+    row.push_back(fmt::format("{}", shape.area));
     if (results.configuration.preparation.denoise) {
       row.push_back(fmt::format("{:.4g}", shape.noise));
       row.push_back(fmt::format("{:.4g}", shape.pass_band));

@@ -111,6 +111,7 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 ShapeReport report_shape(const ModelDescription& model) {
   ShapeReport report{.diagnostics = model.diagnostics,
                      .chosen = model.chosen,
+                     .area = model.area,
                      .noise = model.noise,
                      .pass_band = model.pass_band,
                      .outcomes = {},

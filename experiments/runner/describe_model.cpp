@@ -52,6 +52,7 @@ ModelDescription describe_model(const Dataset& dataset, std::size_t model, const
   description.chosen = std::move(perturbed.chosen);
   description.histograms.resize(signatures.size());
   const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), configuration.preparation);
+  description.area = prepared.area;
   description.noise = prepared.noise.relative();
   description.pass_band = prepared.pass_band;
   const Shape& shape = prepared.shape;

@@ -28,6 +28,7 @@ struct ModelDescription {
   std::vector<FieldDescription> fields;     ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
   std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
+  double area = 0;                          ///< that was scaled to 1, in the file's units, squared
   double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
   double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
 };
