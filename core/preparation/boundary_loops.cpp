@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/shape/edge_uses.h"
 #include "shapegauge/core/shape/merged_vertices.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -70,6 +71,7 @@ BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) 
 }  // namespace
 
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
+  require_usable(shape);
   BoundaryEdges edges(edge_uses(shape.triangles, merged_by_place(shape.vertices)));
   std::vector<BoundaryLoop> loops;
   std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);

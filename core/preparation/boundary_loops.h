@@ -12,13 +12,14 @@ struct BoundaryLoop {
   std::vector<std::int32_t> vertices;  ///< in order; the last is joined to the first
   double length = 0;                   ///< in the shape's units
   /// 2 |vector area| / length: the radius of a round hole, the width of a long slit. An offset surface with r above it
-  /// closes the hole.
+  /// closes the hole, unless its rim is far from round or plane: a narrow slit that runs into a hole lowers it.
   double radius = 0;
 };
 
 /// The loops of a mesh's boundary edges: those that belong to one triangle, vertices at the same place taken as one.
 /// Loops that touch at a vertex part there. A path that does not come back, as non-manifold edges can leave, is closed
-/// by its ends. Orientation plays no part. None for a closed mesh or a cloud.
+/// by its ends. Orientation plays no part. None for a closed mesh or a cloud. Throws InputError where
+/// the shape is unusable (validity.h).
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape);
 
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/preparation/boundary_loops.h"
 #include "shapegauge/core/shape/point_neighbours.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -43,6 +44,9 @@ double gap_in_mesh(const Shape& mesh) {
 
 }  // namespace
 
-double gap_size(const Shape& shape) { return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape); }
+double gap_size(const Shape& shape) {
+  require_usable(shape);
+  return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape);
+}
 
 }  // namespace shapegauge
