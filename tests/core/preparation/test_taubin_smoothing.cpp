@@ -71,7 +71,9 @@ TEST(TaubinSmoothing, KeepsWhatIsInThePassBandAndFadesWhatIsNot) {
       } else {
         EXPECT_LE(std::abs(gain(k, pass_band)), 1 + 1e-12);
       }
-      if (k > 0.75) EXPECT_LE(std::abs(gain(k, pass_band)), 0.1);
+      if (k > 0.75) {
+        EXPECT_LE(std::abs(gain(k, pass_band)), 0.1);
+      }
     }
   }
 }
