@@ -84,6 +84,13 @@ GeneratorOptions generator_of(const Json& dataset) {
   return options;
 }
 
+PreparationOptions preparation_of(const Json& settings) {
+  PreparationOptions preparation;
+  preparation.denoise = settings.value("denoise", preparation.denoise);
+  if (settings.value("scale", "area") == "tube_area") preparation.scale = ScaleEstimate::tube_area;
+  return preparation;
+}
+
 HistogramConfiguration histogram_of(const Json& settings) {
   HistogramConfiguration histogram;
   histogram.options.bins = settings.value("bins", histogram.options.bins);
@@ -187,6 +194,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
   configuration.seed = document.value("seed", configuration.seed);
+  if (document.contains("preparation")) configuration.preparation = preparation_of(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   if (document.contains("evaluation")) {

@@ -20,11 +20,15 @@ std::string name_of(const FieldReport& field) {
   return name;
 }
 
+bool chooses_offset(const FieldReport& field) { return field.settings.value("offset", nlohmann::json()).is_string(); }
+
 std::vector<std::string> shapes_header(const ExperimentResults& results) {
   std::vector<std::string> header{"id", "class", "choices"};
   const nlohmann::ordered_json diagnostics = diagnostics_json({});
   for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
+  if (results.configuration.preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
   for (const FieldReport& field : results.fields) {
+    if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
     }
@@ -44,7 +48,12 @@ Table shapes_table(const ExperimentResults& results) {
            fmt::format("{}", fmt::join(shape.chosen, " "))};
     const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
     for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
+    if (results.configuration.preparation.denoise) {
+      row.push_back(fmt::format("{:.4g}", shape.noise));
+      row.push_back(fmt::format("{:.4g}", shape.pass_band));
+    }
     for (std::size_t field = 0; field < results.fields.size(); ++field) {
+      if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
       for (const auto& [outcome, sum] : results.fields[field].outcomes) {
         const auto count = shape.outcomes[field].find(outcome);
         row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));

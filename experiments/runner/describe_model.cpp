@@ -1,35 +1,36 @@
 #include "shapegauge/experiments/runner/describe_model.h"
 
-#include <array>
 #include <chrono>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/scalar_field.h"
-#include "shapegauge/core/shape/normalise.h"
 #include "shapegauge/core/shape/samples.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// The samples of a shape at each site, made when first asked for.
-class SamplesBySite {
+/// The samples of a shape by plan, taken when first asked for.
+class SamplesByPlan {
  public:
-  explicit SamplesBySite(const Shape& shape) : shape_(&shape) {}
+  explicit SamplesByPlan(const Shape& shape) : shape_(&shape) {}
 
-  const Samples& at(SampleSite site) {
-    const bool at_faces = site == SampleSite::faces && !is_cloud(*shape_);  // a cloud has one kind of samples
-    std::optional<Samples>& samples = samples_[at_faces ? 0 : 1];
-    if (!samples) samples = sample_shape(*shape_, site);
-    return *samples;
+  const Samples& at(SamplePlan plan) {
+    // A cloud has its points, whether faces or vertices are asked for.
+    if (is_cloud(*shape_) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
+    const auto [place, is_new] = samples_.try_emplace(plan);
+    if (is_new) place->second = take_samples(*shape_, plan);
+    return place->second;
   }
 
  private:
   const Shape* shape_;
-  std::array<std::optional<Samples>, 2> samples_;
+  std::map<SamplePlan, Samples> samples_;
 };
 
 /// The values' range, which also says whether there are any.
@@ -50,16 +51,20 @@ ModelDescription describe_model(const Dataset& dataset, std::size_t model, const
   description.diagnostics = diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
   description.histograms.resize(signatures.size());
-  const Shape shape = scaled_to_unit_area(std::move(perturbed.shape));
-  SamplesBySite samples(shape);
+  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), configuration.preparation);
+  description.noise = prepared.noise.relative();
+  description.pass_band = prepared.pass_band;
+  const Shape& shape = prepared.shape;
+  SamplesByPlan samples(shape);
   for (const PlannedField& planned : plan) {
     const auto start = std::chrono::steady_clock::now();
-    const Samples& sites = samples.at(planned.field.site);
+    const Samples& sites = samples.at(planned.field.samples);
     FieldValues computed = planned.field.compute(shape, sites, parallel);
     const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
 
     FieldDescription& kept = description.fields.emplace_back();
     kept.outcomes = std::move(computed.outcomes);
+    kept.offset = computed.offset;
     kept.range = range_of(field, planned.field);
     for (const std::size_t i : planned.signatures) {
       const HistogramConfiguration& wanted = signatures[i].histogram;

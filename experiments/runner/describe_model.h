@@ -18,6 +18,7 @@ struct FieldDescription {
   Eigen::VectorXf values;   ///< kept where the plan says so, else empty; single precision, as there is one a sample and
   Eigen::VectorXf weights;  ///< a data set has millions
   FieldOutcomes outcomes;
+  std::optional<double> offset;  ///< where the field chose one
   double seconds = 0;
 };
 
@@ -27,9 +28,11 @@ struct ModelDescription {
   std::vector<FieldDescription> fields;     ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
   std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
+  double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
+  double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
 };
 
-/// Reads a model of the data set, perturbs it, scales it to unit area and computes the planned fields and their
+/// Reads a model of the data set, perturbs it, prepares it and computes the planned fields and their
 /// histograms. parallel: spread the samples over threads. Throws InputError or std::invalid_argument where the shape is
 /// of no use.
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
