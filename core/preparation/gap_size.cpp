@@ -12,9 +12,9 @@ namespace shapegauge {
 
 namespace {
 
-double gap_in_cloud(const Points& points) {
+/// The distance within which this share of the points have their sixth neighbour.
+double distance_to_sixth(const Points& points, double share) {
   constexpr Eigen::Index neighbours = 6;
-  constexpr double share = 0.999;
   if (points.rows() < 2) return 0;
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   Eigen::VectorXd distances = nearest.distances.rightCols(1);
@@ -46,7 +46,12 @@ double gap_in_mesh(const Shape& mesh) {
 
 double gap_size(const Shape& shape) {
   require_usable(shape);
-  return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape);
+  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.999) : gap_in_mesh(shape);
+}
+
+double point_spacing(const Shape& shape) {
+  require_usable(shape);
+  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.5) : 0;
 }
 
 }  // namespace shapegauge
