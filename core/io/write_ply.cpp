@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <fmt/format.h>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -16,23 +17,23 @@ namespace shapegauge {
 
 namespace {
 
-/// Values and colours of the samples at a site.
-struct ColouredValues {
+/// What the samples at a site have besides their places.
+struct SampleProperties {
   SampleSite site;
-  const Eigen::VectorXd& values;
-  const std::vector<Colour>& colours;
+  std::string_view declaration;
+  std::function<void(std::string& bytes, Eigen::Index sample)> append;
 };
 
-std::string header_of(const Shape& shape, const ColouredValues* samples) {
-  constexpr std::string_view of_samples =
-      "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double sdf\n";
-  const auto properties_at = [&](SampleSite site) { return samples && samples->site == site ? of_samples : ""; };
+constexpr std::string_view normal_declaration = "property double nx\nproperty double ny\nproperty double nz\n";
+
+std::string header_of(const Shape& shape, const SampleProperties* samples) {
+  const auto properties_at = [&](SampleSite site) {
+    return samples && samples->site == site ? samples->declaration : "";
+  };
   std::string header = fmt::format(
       "ply\nformat binary_little_endian 1.0\n"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{}{}",
-      shape.vertices.rows(),
-      has_cloud_normals(shape) ? "property double nx\nproperty double ny\nproperty double nz\n" : "",
-      properties_at(SampleSite::vertices));
+      shape.vertices.rows(), has_cloud_normals(shape) ? normal_declaration : "", properties_at(SampleSite::vertices));
   if (!is_cloud(shape)) {
     header += fmt::format("element face {}\nproperty list uchar int vertex_indices\n{}", shape.triangles.rows(),
                           properties_at(SampleSite::faces));
@@ -51,27 +52,26 @@ void append_vector(std::string& bytes, const Eigen::RowVector3d& vector) {
   for (const double component : vector) append_little_endian(bytes, component);
 }
 
-void append_sample(std::string& bytes, const ColouredValues& samples, Eigen::Index i) {
-  for (const std::uint8_t channel : samples.colours[static_cast<std::size_t>(i)]) append_little_endian(bytes, channel);
-  append_little_endian(bytes, samples.values[i]);
-}
-
 /// The file, with samples where there are any.
-void write(const std::filesystem::path& path, const Shape& shape, const ColouredValues* samples) {
+void write(const std::filesystem::path& path, const Shape& shape, const SampleProperties* samples) {
   require_writable(path, shape);
   std::string bytes = header_of(shape, samples);
   const bool at_vertices = samples && samples->site == SampleSite::vertices;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
     append_vector(bytes, shape.vertices.row(i));
     if (has_cloud_normals(shape)) append_vector(bytes, shape.normals.row(i));
-    if (at_vertices) append_sample(bytes, *samples, i);
+    if (at_vertices) samples->append(bytes, i);
   }
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     append_little_endian(bytes, std::uint8_t{3});
     for (int corner = 0; corner < 3; ++corner) append_little_endian(bytes, shape.triangles(f, corner));
-    if (samples && !at_vertices) append_sample(bytes, *samples, f);
+    if (samples && !at_vertices) samples->append(bytes, f);
   }
   write_file_atomically(path, bytes);
+}
+
+Eigen::Index sample_count(const Shape& shape, SampleSite site) {
+  return site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
 }
 
 }  // namespace
@@ -80,13 +80,32 @@ void write_ply(const std::filesystem::path& path, const Shape& shape) { write(pa
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
                const std::vector<Colour>& colours) {
-  const Eigen::Index samples = site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
+  const Eigen::Index samples = sample_count(shape, site);
   if (values.size() != samples || colours.size() != static_cast<std::size_t>(samples)) {
     throw InputError(fmt::format("cannot write {}: {} values and {} colours for {} samples", path.string(),
                                  values.size(), colours.size(), samples));
   }
-  const ColouredValues coloured{.site = site, .values = values, .colours = colours};
+  const SampleProperties coloured{
+      .site = site,
+      .declaration = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double sdf\n",
+      .append = [&](std::string& bytes, Eigen::Index i) {
+        for (const std::uint8_t channel : colours[static_cast<std::size_t>(i)]) append_little_endian(bytes, channel);
+        append_little_endian(bytes, values[i]);
+      }};
   write(path, shape, &coloured);
+}
+
+void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, const Points& normals) {
+  const Eigen::Index samples = sample_count(shape, site);
+  if (normals.rows() != samples) {
+    throw InputError(fmt::format("cannot write {}: {} normals for {} samples", path.string(), normals.rows(), samples));
+  }
+  shape.normals.resize(0, 3);
+  const SampleProperties properties{
+      .site = site, .declaration = normal_declaration, .append = [&](std::string& bytes, Eigen::Index i) {
+        append_vector(bytes, normals.row(i));
+      }};
+  write(path, shape, &properties);
 }
 
 }  // namespace shapegauge

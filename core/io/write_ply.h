@@ -23,4 +23,10 @@ void write_ply(const std::filesystem::path& path, const Shape& shape);
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
                const std::vector<Colour>& colours);
 
+/// Writes a shape with a normal at each of its triangles or vertices: the element `face` or `vertex`, as the site says,
+/// has the properties `nx`, `ny`, `nz` (doubles, written exactly). Those of the cloud itself are left out.
+///
+/// Throws InputError as above, and where the number of normals is not the site's number of samples.
+void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, const Points& normals);
+
 }  // namespace shapegauge

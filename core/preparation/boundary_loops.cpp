@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/shape/edge_uses.h"
 #include "shapegauge/core/shape/merged_vertices.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -62,13 +63,13 @@ BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) 
     loop.length += (b - a).norm();
     loop.vector_area += (a - origin).cross(b - origin).transpose() / 2;
   }
-  if (loop.length > 0) loop.radius_bound = 2 * loop.vector_area.norm() / loop.length;
   return loop;
 }
 
 }  // namespace
 
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
+  require_usable(shape);
   BoundaryEdges edges(edge_uses(shape.triangles, merged_by_place(shape.vertices)));
   std::vector<BoundaryLoop> loops;
   std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);

@@ -8,14 +8,15 @@
 #include "shapegauge/core/preparation/boundary_loops.h"
 #include "shapegauge/core/preparation/inscribed_circle.h"
 #include "shapegauge/core/shape/point_neighbours.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
 namespace {
 
-double gap_in_cloud(const Points& points) {
+/// The distance within which this share of the points have their sixth neighbour.
+double distance_to_sixth(const Points& points, double share) {
   constexpr Eigen::Index neighbours = 6;
-  constexpr double share = 0.999;
   if (points.rows() < 2) return 0;
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   Eigen::VectorXd distances = nearest.distances.rightCols(1);
@@ -43,7 +44,7 @@ double gap_in_mesh(const Shape& mesh, double limit) {
   std::ranges::sort(loops, std::greater<>(), &BoundaryLoop::radius_bound);
   double gap = 0;
   for (const BoundaryLoop& loop : loops) {
-    if (loop.radius_bound <= gap) break;
+    if (loop.radius_bound() <= gap) break;
     const double radius = inscribed_circle_radius(flattened(loop, mesh.vertices));
     if (radius <= limit) gap = std::max(gap, radius);
   }
@@ -53,7 +54,13 @@ double gap_in_mesh(const Shape& mesh, double limit) {
 }  // namespace
 
 double gap_size(const Shape& shape, double limit) {
-  return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape, limit);
+  require_usable(shape);
+  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.999) : gap_in_mesh(shape, limit);
+}
+
+double point_spacing(const Shape& shape) {
+  require_usable(shape);
+  return is_cloud(shape) ? distance_to_sixth(shape.vertices, 0.5) : 0;
 }
 
 }  // namespace shapegauge

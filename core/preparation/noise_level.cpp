@@ -6,13 +6,19 @@
 #include <cmath>
 
 #include "shapegauge/core/preparation/taubin_smoothing.h"
+#include "shapegauge/core/shape/merged_vertices.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// The directions along which the triangles about each vertex face, whichever way round each is oriented.
+/// The directions along which the triangles about each vertex face, whichever way round each is oriented. Vertices at
+/// the same place have the same.
 Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
+  const std::vector<std::int32_t> merged = merged_by_place(vertices);
+  const auto place_of = [&](Eigen::Index vertex) {
+    return static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)]);
+  };
   std::vector<Eigen::Matrix3d> spread(static_cast<std::size_t>(vertices.rows()), Eigen::Matrix3d::Zero());
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     const Eigen::Vector3d a = vertices.row(triangles(f, 0));
@@ -22,11 +28,11 @@ Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
     const double length = cross.norm();
     if (!(length > 0)) continue;
     const Eigen::Matrix3d outer = cross * cross.transpose() / length;
-    for (int k = 0; k < 3; ++k) spread[static_cast<std::size_t>(triangles(f, k))] += outer;
+    for (int k = 0; k < 3; ++k) spread[place_of(triangles(f, k))] += outer;
   }
   Points normals = Points::Zero(vertices.rows(), 3);
   for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
-    const Eigen::Matrix3d& matrix = spread[static_cast<std::size_t>(v)];
+    const Eigen::Matrix3d& matrix = spread[place_of(v)];
     if (matrix.isZero(0)) continue;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(matrix / matrix.trace());
@@ -41,6 +47,13 @@ double mean_edge_length(const Points& vertices, const VertexNeighbours& neighbou
     for (const std::int32_t u : neighbours.of(v)) sum += (vertices.row(u) - vertices.row(v)).norm();
   }
   return neighbours.neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.neighbours.size());
+}
+
+/// The number of places that have neighbours.
+std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
+  std::vector<bool> has_neighbours(neighbours.first.size());
+  for (const std::int32_t u : neighbours.neighbours) has_neighbours[static_cast<std::size_t>(u)] = true;
+  return std::ranges::count(has_neighbours, true);
 }
 
 double median(std::vector<double> values) {
@@ -99,10 +112,10 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
 }
 
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
-  constexpr std::size_t fewest_vertices = 500;
+  constexpr std::ptrdiff_t fewest_vertices = 500;
   constexpr double least_relative = 0.1;
   constexpr double agreement_of_form = 0.56;
-  return neighbours.first.size() > fewest_vertices && noise.relative() >= least_relative &&
+  return count_places(neighbours) >= fewest_vertices && noise.relative() >= least_relative &&
          noise.agreement < agreement_of_form;
 }
 

@@ -25,7 +25,8 @@ struct NoiseLevel {
 /// a cloud.
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours);
 
-/// Whether the vertices are noisy beyond doubt: at least 500 of them, a relative() of 0.1 or more, and an agreement
+/// Whether the vertices are noisy beyond doubt: at least 500 of them (those at the same place
+/// counted once, those of no triangle not at all), a relative() of 0.1 or more, and an agreement
 /// that form does not have (below 0.56).
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 

@@ -1,6 +1,9 @@
 #include "shapegauge/core/preparation/taubin_smoothing.h"
 
 #include <cmath>
+#include <fmt/format.h>
+
+#include "shapegauge/core/error.h"
 
 namespace shapegauge {
 
@@ -21,6 +24,9 @@ void step(Points& vertices, Points& before, const VertexNeighbours& neighbours, 
 }  // namespace
 
 Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
+  if (!(pass_band > 0 && pass_band < 1)) {
+    throw InputError(fmt::format("the pass band of the smoothing is {}: it must lie between 0 and 1", pass_band));
+  }
   constexpr double inward = 0.5;
   const double outward = 1 / (pass_band - 1 / inward);  // 1 / inward + 1 / outward = pass_band
   const int rounds = static_cast<int>(std::ceil(2 / pass_band)) + 3;

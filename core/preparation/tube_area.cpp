@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <vector>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/core/shape/merged_vertices.h"
 #include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/shape/validity.h"
 #include "shapegauge/core/spatial/surface_tree.h"
 
 namespace shapegauge {
@@ -14,8 +17,8 @@ namespace {
 
 constexpr double finest_cube = 1.0 / 256;  // of the diagonal
 
-/// The volume of the tube in a cube and its parts, down to the smallest: of those, the share that a plane at the
-/// surface of the tube would cut off.
+/// The volume of the tube in a cube and its parts, down to the smallest: of those, the share that the tube of a plane
+/// would fill, parallel to a side and as far from the centre as the surface is.
 class TubeVolume {
  public:
   TubeVolume(const SurfaceTree& tree, double r)
@@ -27,7 +30,10 @@ class TubeVolume {
     const double volume = 8 * half * half * half;
     if (!hit) return 0;
     if (hit->distance + radius < r_) return volume;
-    if (half <= smallest_half_) return volume * std::clamp(0.5 - (hit->distance - r_) / (2 * half), 0.0, 1.0);
+    if (half <= smallest_half_) {
+      const double filled = std::min(hit->distance + r_, half) - std::max(hit->distance - r_, -half);
+      return volume * std::max(filled, 0.0) / (2 * half);
+    }
     double sum = 0;
     for (int i = 0; i < 8; ++i) {
       const Eigen::Vector3d direction((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
@@ -41,6 +47,14 @@ class TubeVolume {
   double r_;
   double smallest_half_;
 };
+
+/// The number of places at which a cloud has points.
+double count_places(const Points& points) {
+  const std::vector<std::int32_t> merged = merged_by_place(points);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < merged.size(); ++i) count += static_cast<std::size_t>(merged[i]) == i ? 1 : 0;
+  return static_cast<double>(count);
+}
 
 /// Dawson's integral over its argument, D(s) / s = integral over [0, 1] of exp(-s^2 (1 - t^2)), by Simpson's rule.
 double dawson_ratio(double s_squared) {
@@ -74,6 +88,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
     throw InputError(
         fmt::format("the tube's radius is {}: it must be a fraction of the diagonal, above 0, at most 1", r));
   }
+  require_usable(shape);
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));
@@ -83,7 +98,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
   const Eigen::AlignedBox3d box = bounding_box(unit_shape);
   const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);
   double area = volume / (2 * r);
-  if (is_cloud(shape)) area = corrected_for_gaps(area, static_cast<double>(shape.vertices.rows()), r);
+  if (is_cloud(shape)) area = corrected_for_gaps(area, count_places(unit_shape.vertices), r);
   return area * diagonal * diagonal;
 }
 

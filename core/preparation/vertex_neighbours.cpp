@@ -3,15 +3,23 @@
 #include <algorithm>
 #include <utility>
 
+#include "shapegauge/core/shape/merged_vertices.h"
+#include "shapegauge/core/shape/validity.h"
+
 namespace shapegauge {
 
-VertexNeighbours vertex_neighbours(const Shape& shape) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  pairs.reserve(6 * static_cast<std::size_t>(shape.triangles.rows()));
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+namespace {
+
+using Pair = std::pair<std::int32_t, std::int32_t>;
+
+/// The ends of all edges, either way round, each once, sorted.
+std::vector<Pair> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+  std::vector<Pair> pairs;
+  pairs.reserve(6 * static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     for (int k = 0; k < 3; ++k) {
-      const std::int32_t a = shape.triangles(f, k);
-      const std::int32_t b = shape.triangles(f, (k + 1) % 3);
+      const std::int32_t a = merged[static_cast<std::size_t>(triangles(f, k))];
+      const std::int32_t b = merged[static_cast<std::size_t>(triangles(f, (k + 1) % 3))];
       if (a == b) continue;
       pairs.emplace_back(a, b);
       pairs.emplace_back(b, a);
@@ -20,15 +28,34 @@ VertexNeighbours vertex_neighbours(const Shape& shape) {
   std::ranges::sort(pairs);
   const auto repeated = std::ranges::unique(pairs);
   pairs.erase(repeated.begin(), repeated.end());
+  return pairs;
+}
 
+/// Which vertices a triangle uses.
+std::vector<bool> used_vertices(const Shape& shape) {
+  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));
+  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
+  return used;
+}
+
+}  // namespace
+
+VertexNeighbours vertex_neighbours(const Shape& shape) {
+  require_usable(shape);
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<Pair> pairs = neighbouring_places(shape.triangles, merged);
+  const std::vector<bool> used = used_vertices(shape);
   VertexNeighbours result;
-  result.first.assign(static_cast<std::size_t>(shape.vertices.rows()) + 1, 0);
+  result.first.reserve(merged.size() + 1);
   result.neighbours.reserve(pairs.size());
-  for (const auto& [vertex, neighbour] : pairs) {
-    ++result.first[static_cast<std::size_t>(vertex) + 1];
-    result.neighbours.push_back(neighbour);
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    result.first.push_back(result.neighbours.size());
+    if (!used[v]) continue;
+    for (const Pair& pair : std::ranges::equal_range(pairs, merged[v], {}, &Pair::first)) {
+      result.neighbours.push_back(pair.second);
+    }
   }
-  for (std::size_t v = 1; v < result.first.size(); ++v) result.first[v] += result.first[v - 1];
+  result.first.push_back(result.neighbours.size());
   return result;
 }
 

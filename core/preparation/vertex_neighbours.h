@@ -9,7 +9,8 @@
 
 namespace shapegauge {
 
-/// For every vertex the vertices that share a triangle's edge with it, each once, in ascending order.
+/// For every vertex the vertices that share a triangle's edge with it, each once, in ascending order. Vertices at the
+/// same place are one: they have the same neighbours, and of neighbours at the same place the first stands for all.
 struct VertexNeighbours {
   std::vector<std::size_t> first;        ///< by vertex, where its neighbours begin; one more entry at the end
   std::vector<std::int32_t> neighbours;  ///< all, vertex by vertex
@@ -20,7 +21,8 @@ struct VertexNeighbours {
   }
 };
 
-/// The neighbours of a shape's vertices. None where there are no triangles.
+/// The neighbours of a shape's vertices. None where there are no triangles. Throws InputError where the shape is
+/// unusable (validity.h).
 VertexNeighbours vertex_neighbours(const Shape& shape);
 
 }  // namespace shapegauge

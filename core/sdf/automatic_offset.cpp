@@ -7,6 +7,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/preparation/noise_level.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -15,6 +16,7 @@ AutomaticOffset automatic_offset(const Shape& shape, const AutomaticOffsetOption
     throw InputError(fmt::format("the automatic offset must lie between two positive bounds, not {} and {}",
                                  options.least, options.most));
   }
+  require_usable(shape);
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));

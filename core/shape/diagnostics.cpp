@@ -8,8 +8,11 @@
 #include <numeric>
 #include <vector>
 
+#include "shapegauge/core/preparation/gap_size.h"
+#include "shapegauge/core/preparation/noise_level.h"
 #include "shapegauge/core/shape/edge_uses.h"
 #include "shapegauge/core/shape/merged_vertices.h"
+#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -99,9 +102,19 @@ void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged,
   found.boundary_length = std::accumulate(boundary.begin(), boundary.end(), 0.0);
 }
 
+void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
+  found.gap_size = gap_size(shape);
+  found.point_spacing = point_spacing(shape);
+  const VertexNeighbours neighbours = vertex_neighbours(shape);
+  const NoiseLevel noise = noise_level(shape, neighbours);
+  found.noise_deviation = noise.deviation;
+  found.noisy = is_noisy(noise, neighbours);
+}
+
 }  // namespace
 
 ShapeDiagnostics diagnose(const Shape& shape) {
+  require_usable(shape);
   ShapeDiagnostics found;
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
   found.vertices = merged.size();
@@ -117,6 +130,7 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.components = count_components(corners, merged.size());
   found.duplicate_triangles = count_duplicates(std::move(corners));
   diagnose_edges(shape, merged, found);
+  diagnose_gaps_and_noise(shape, found);
   return found;
 }
 

@@ -27,9 +27,15 @@ struct ShapeDiagnostics {
   double boundary_length = 0;          ///< their lengths' sum, in the shape's units
   std::size_t non_manifold_edges = 0;  ///< those of more than two triangles
   std::size_t inconsistent_edges = 0;  ///< those of two triangles that are not oriented alike
+
+  double gap_size = 0;         ///< what an offset must exceed to close the gaps (gap_size()), in the shape's units
+  double point_spacing = 0;    ///< of a cloud (point_spacing()), in the shape's units
+  double noise_deviation = 0;  ///< of a mesh: what neighbours do not share (NoiseLevel), in the shape's units
+  bool noisy = false;          ///< whether that is noise beyond doubt (is_noisy)
 };
 
-/// Diagnoses a mesh or a cloud; of an empty shape everything is 0.
+/// Diagnoses a mesh or a cloud; of an empty shape everything is 0. Throws InputError where the shape is unusable
+/// (validity.h).
 ShapeDiagnostics diagnose(const Shape& shape);
 
 }  // namespace shapegauge

@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/command_line/evaluate_command.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/info_command.h"
+#include "shapegauge/experiments/command_line/normals_command.h"
 #include "shapegauge/experiments/command_line/perturb_command.h"
 #include "shapegauge/experiments/command_line/run_command.h"
 #include "shapegauge/experiments/command_line/sdf_command.h"
@@ -72,6 +73,7 @@ int run_program(std::span<const std::string> arguments) {
   int status = exit_success;
   add_run_command(app, status);
   add_sdf_command(app, status);
+  add_normals_command(app, status);
   add_info_command(app, status);
   add_perturb_command(app, status);
   add_evaluate_command(app, status);

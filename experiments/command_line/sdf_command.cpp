@@ -5,12 +5,13 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
-#include <utility>
+#include <optional>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
+#include "shapegauge/experiments/command_line/offset_option.h"
 #include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/experiments/results/diagnostics_json.h"
 #include "shapegauge/experiments/results/field_files.h"
@@ -27,7 +28,7 @@ struct SdfArguments {
   fs::path output;
   std::string method;
   std::string site = "faces";
-  double offset = 0.05;
+  std::string offset = "0.05";
   std::string engine = "embree";
   double opening_angle = 60;
   int rays = 25;
@@ -35,10 +36,9 @@ struct SdfArguments {
   fs::path timings;
 };
 
-nlohmann::json field_settings(const SdfArguments& arguments) {
-  if (arguments.method == "offset") {
-    return {{"type", "offset_sdf"}, {"offset", arguments.offset}, {"at", arguments.site}};
-  }
+/// `chosen`: with the offset method only.
+nlohmann::json field_settings(const SdfArguments& arguments, const std::optional<ChosenOffset>& chosen) {
+  if (chosen) return {{"type", "offset_sdf"}, {"offset", chosen->offset}, {"at", arguments.site}};
   return {{"type", "cone_sdf"},
           {"engine", arguments.engine},
           {"opening_angle_degrees", arguments.opening_angle},
@@ -54,37 +54,49 @@ void warn_of(const FieldOutcomes& outcomes) {
   }
 }
 
-void write_timings(const fs::path& path, const Shape& shape, double read_seconds, const FieldValues& computed) {
-  const nlohmann::ordered_json timings{{"read_seconds", read_seconds},
-                                       {"build_seconds", computed.build_seconds},
-                                       {"query_seconds", computed.query_seconds},
-                                       {"samples", computed.outcomes},
-                                       {"shape", diagnostics_json(diagnose(shape))}};
+/// What was computed of a shape.
+struct Computed {
+  std::optional<ChosenOffset> chosen;  ///< with the offset method only
+  Samples samples;
+  FieldValues field;
+};
+
+void write_timings(const fs::path& path, const Shape& shape, double read_seconds, const Computed& computed) {
+  nlohmann::ordered_json timings{{"read_seconds", read_seconds},
+                                 {"build_seconds", computed.field.build_seconds},
+                                 {"query_seconds", computed.field.query_seconds},
+                                 {"samples", computed.field.outcomes}};
+  if (computed.chosen) timings["offset"] = to_json(*computed.chosen);
+  timings["shape"] = diagnostics_json(diagnose(shape));
   write_file_atomically(path, timings.dump(2) + "\n");
 }
 
-/// The field's values and where they are; what is wrong with the shape is told with the file's name.
-std::pair<Samples, FieldValues> compute(const Field& field, const Shape& shape, const fs::path& file) {
+/// What is wrong with the shape is told with the file's name.
+Computed compute(const SdfArguments& arguments, std::optional<double> given_offset, const Shape& shape) {
   try {
-    Samples samples = take_samples(shape, field.samples);
-    FieldValues computed = field.compute(shape, samples, true);
-    return {std::move(samples), std::move(computed)};
+    Computed computed;
+    if (arguments.method == "offset") computed.chosen = choose_offset(given_offset, shape);
+    const Field field = make_field(field_settings(arguments, computed.chosen));
+    computed.samples = take_samples(shape, field.samples);
+    computed.field = field.compute(shape, computed.samples, true);
+    return computed;
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+    throw InputError(fmt::format("{}: {}", arguments.input.string(), error.what()));
   }
 }
 
 int run(const SdfArguments& arguments) {
   const FieldFileWriter write = field_file_writer(arguments.output);
-  const Field field = make_field(field_settings(arguments));
+  const std::optional<double> given_offset = parse_offset(arguments.offset);
   const auto start = std::chrono::steady_clock::now();
   const Shape shape = read_shape(arguments.input);
   const double read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   with_threads(arguments.threads, [&] {
-    const auto [samples, computed] = compute(field, shape, arguments.input);
-    write(arguments.output, shape, samples, computed.values);
+    const Computed computed = compute(arguments, given_offset, shape);
+    write(arguments.output, shape, computed.samples, computed.field.values);
     if (!arguments.timings.empty()) write_timings(arguments.timings, shape, read_seconds, computed);
-    warn_of(computed.outcomes);
+    if (computed.chosen) report(*computed.chosen);
+    warn_of(computed.field.outcomes);
   });
   return exit_success;
 }
@@ -108,7 +120,8 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
   CLI::Option* offset =
-      command->add_option("--offset", arguments->offset, "Offset distance as a fraction of the bounding-box diagonal");
+      command->add_option("--offset", arguments->offset,
+                          "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and noise");
   offset->capture_default_str();
   std::vector<CLI::Option*> of_cone{
       command->add_option("--engine", arguments->engine, "cone: who casts the rays")

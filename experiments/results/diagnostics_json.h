@@ -6,8 +6,8 @@
 
 namespace shapegauge {
 
-/// The diagnostics by name, as ShapeDiagnostics has them; `boundary_fraction` is the boundary's length over the
-/// diagonal, or 0 where there is none.
+/// The diagnostics by name, as ShapeDiagnostics has them; `boundary_fraction`, `gap_fraction` and
+/// `noise_fraction` are lengths over the diagonal, or 0 where there is none.
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 }  // namespace shapegauge

@@ -159,6 +159,16 @@ Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotat
   return result;
 }
 
+Shape soup(const Shape& shape) {
+  const Eigen::Index count = shape.triangles.rows();
+  Shape result{Points(3 * count, 3), Triangles(count, 3)};
+  for (Eigen::Index i = 0; i < 3 * count; ++i) {
+    result.vertices.row(i) = shape.vertices.row(shape.triangles(i / 3, i % 3));
+    result.triangles(i / 3, i % 3) = static_cast<std::int32_t>(i);
+  }
+  return result;
+}
+
 Shape flipped(const Shape& shape) {
   Shape result = shape;
   result.triangles.col(1).swap(result.triangles.col(2));

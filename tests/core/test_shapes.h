@@ -28,6 +28,9 @@ Shape joined(const std::vector<Shape>& parts);
 /// Scaled, then rotated, then moved.
 Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& move);
 
+/// The same triangles, each with three vertices of its own: vertex 3 f + k is corner k of triangle f.
+Shape soup(const Shape& shape);
+
 /// Every triangle turned over.
 Shape flipped(const Shape& shape);
 

@@ -1,0 +1,78 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/perturbation/flip_orientation.h"
+#include "shapegauge/core/perturbation/vertex_noise.h"
+#include "shapegauge/core/sdf/offset_normals.h"
+#include "tests/core/random_points.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+/// Angles in degrees between normals and the directions from the origin.
+Eigen::ArrayXd errors_on_sphere(const Points& points, const Points& normals) {
+  const Eigen::ArrayXd cosines = points.rowwise().normalized().cwiseProduct(normals).rowwise().sum().array();
+  return cosines.min(1).max(-1).acos() * (180 / std::numbers::pi);
+}
+
+Points normals_of(const Shape& shape, const Samples& samples, double offset) {
+  const OffsetNormals result = offset_normals(shape, samples, {.offset = offset});
+  EXPECT_EQ(result.outcomes.total, static_cast<std::size_t>(samples.points.rows()));
+  EXPECT_EQ(result.outcomes.undecided + result.outcomes.missing, 0U);
+  return result.normals;
+}
+
+TEST(OffsetNormals, OfAFineSphereAreWithinADegree) {
+  // 20480 faces: a face is tilted by up to half of the angle between two.
+  Shape sphere = test_shapes::sphere(1, 5);
+  RandomNumbers random(1);
+  for (const Shape& shape : {sphere, flip_orientation(sphere, 0.5, random)}) {
+    for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {
+      const Samples samples = sample_shape(shape, site);
+      for (const double offset : {0.01, 0.03, 0.05}) {
+        EXPECT_LT(errors_on_sphere(samples.points, normals_of(shape, samples, offset)).maxCoeff(), 1) << offset;
+      }
+    }
+  }
+}
+
+TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
+  // The icosphere's 10242 vertices, 0.011 of the diagonal apart.
+  const Shape cloud{test_shapes::sphere(1, 5).vertices, {}};
+  const Samples samples = sample_shape(cloud, SampleSite::vertices);
+  for (const double offset : {0.03, 0.05}) {
+    EXPECT_LT(errors_on_sphere(samples.points, normals_of(cloud, samples, offset)).mean(), 1) << offset;
+  }
+}
+
+TEST(OffsetNormals, OfANoisySphereAreFarBetterThanAveragedFaceNormals) {
+  for (const double noise : {0.005, 0.01, 0.02}) {
+    RandomNumbers random(1);
+    const Shape noisy = vertex_noise(test_shapes::sphere(1, 5),
+                                     {.amplitude = noise, .distribution = NoiseDistribution::uniform}, random);
+    const Samples samples = sample_shape(noisy, SampleSite::vertices);
+    const double averaged = errors_on_sphere(samples.points, samples.normals).mean();
+    const double by_offset = errors_on_sphere(samples.points, normals_of(noisy, samples, 0.05)).mean();
+    EXPECT_LT(by_offset, averaged / 2) << noise;
+  }
+}
+
+TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
+  Shape sphere = test_shapes::sphere(1, 2);
+  sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
+  sphere.vertices.bottomRows(1) << 0.5, 0, 0;
+  const OffsetNormals result = offset_normals(sphere, sample_shape(sphere, SampleSite::vertices), {.offset = 0.05});
+  EXPECT_EQ(result.outcomes.missing, 1U);
+  EXPECT_TRUE(result.normals.bottomRows(1).isZero(0));
+}
+
+TEST(OffsetNormals, RefusesWhatTheOffsetSdfRefuses) {
+  const Shape sphere = test_shapes::sphere(1, 1);
+  EXPECT_THROW(offset_normals(sphere, sample_shape(sphere, SampleSite::faces), {.offset = 0}), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge
