@@ -20,7 +20,8 @@ TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
   for (const auto& [noise, factor] : {std::pair(0.0025, 2.8), {0.005, 3.5}, {0.01, 4.2}, {0.02, 4.6}}) {
     for (const std::uint64_t seed : {1, 2, 3}) {
       RandomNumbers random(seed);
-      const Shape noisy = vertex_noise(sphere, {.amplitude = noise}, random);
+      const Shape noisy =
+          vertex_noise(sphere, {.amplitude = noise, .distribution = NoiseDistribution::gaussian}, random);
       const DenoisedShape result = denoised(noisy);
       EXPECT_GT(result.pass_band, 0);
       EXPECT_GT(result.noise.deviation, 0);

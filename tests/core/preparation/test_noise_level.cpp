@@ -26,7 +26,9 @@ Shape with_normal_noise(Shape sphere, double deviation) {
 /// Noise in all directions, of that standard deviation along each.
 Shape with_isotropic_noise(const Shape& shape, double deviation) {
   RandomNumbers random(3);
-  return vertex_noise(shape, {.amplitude = deviation / bounding_box_diagonal(shape)}, random);
+  return vertex_noise(
+      shape, {.amplitude = deviation / bounding_box_diagonal(shape), .distribution = NoiseDistribution::gaussian},
+      random);
 }
 
 TEST(NoiseLevel, IsTheDeviationOfTheNoiseOfASphere) {

@@ -57,7 +57,7 @@ TEST(TubeArea, StaysWhereFacesAreMissing) {
 TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
   const Shape torus = test_shapes::torus(2, 0.7, 60, 120);
   RandomNumbers random(1);
-  const Shape noisy = vertex_noise(torus, {.amplitude = 0.005}, random);
+  const Shape noisy = vertex_noise(torus, {.amplitude = 0.005, .distribution = NoiseDistribution::gaussian}, random);
   EXPECT_GT(surface_area(noisy) / surface_area(torus), 1.5);
   EXPECT_LT(tube_area(noisy) / tube_area(torus), 1.25);
 }

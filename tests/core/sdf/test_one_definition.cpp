@@ -61,7 +61,7 @@ Shape random_part() {
 
 RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   std::vector<Shape> parts;
-  const int count = *rc::gen::inRange(1, 5);
+  const int count = *rc::gen::inRange(1, 4);
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(10, 60) / 1000.0;
   const double share = share_in_dispute(test_shapes::joined(parts), offset);

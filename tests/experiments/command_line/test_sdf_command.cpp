@@ -71,7 +71,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
     lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);
   }
   write_text(at("cloud.pts"), lines);
-  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset --offset 0.1 -o '";
+  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset --offset 0.2 -o '";
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
     const Outcome outcome = run_executable(command + at(file) + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -80,7 +80,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   ASSERT_EQ(rows.size(), 501U);
   const Samples samples = sample_shape(cloud, SampleSite::vertices);
-  const Eigen::VectorXd expected = offset_sdf(cloud, samples, {.offset = 0.1}).values;
+  const Eigen::VectorXd expected = offset_sdf(cloud, samples, {.offset = 0.2}).values;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const auto sample = static_cast<Eigen::Index>(i - 1);
     EXPECT_EQ(std::stod(rows[i].cells[1]), expected[sample]);
