@@ -31,7 +31,7 @@ double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen:
 double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
   if (polygon.size() < 3) return 0;
   constexpr int steps = 12;  // of the grid along each axis
-  constexpr int rounds = 5;
+  constexpr int rounds = 10;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : polygon) box.extend(corner);
   Eigen::Vector2d centre = box.center();
@@ -49,7 +49,7 @@ double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
       }
     }
     centre = next;
-    half *= 2.0 / steps;
+    half /= 2;
   }
   return best;
 }

@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/sdf/offset_normals.h"
+#include "shapegauge/experiments/command_line/denoise_option.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/offset_option.h"
 #include "shapegauge/experiments/results/normal_files.h"
@@ -26,6 +28,7 @@ struct NormalsArguments {
   fs::path output;
   std::string site = "vertices";
   std::string offset = "0.03";
+  bool denoise = false;
   int threads = 0;
 };
 
@@ -39,7 +42,8 @@ void warn_of(const OffsetSdfOutcomes& outcomes) {
 }
 
 void compute_and_write(const NormalsArguments& arguments, std::optional<double> given, const NormalFileWriter& write) {
-  const Shape shape = read_shape(arguments.input);
+  Shape shape = read_shape(arguments.input);
+  if (arguments.denoise) shape = denoised_with_report(std::move(shape));
   try {
     const Samples samples = sample_shape(shape, arguments.site == "faces" ? SampleSite::faces : SampleSite::vertices);
     const ChosenOffset chosen = choose_offset(given, shape);
@@ -80,6 +84,7 @@ void add_normals_command(CLI::App& app, int& status) {
       ->add_option("--offset", arguments->offset,
                    "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and the noise")
       ->capture_default_str();
+  command->add_flag("--denoise", arguments->denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/experiments/command_line/denoise_option.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/offset_option.h"
 #include "shapegauge/experiments/fields/field_registry.h"
@@ -32,6 +34,7 @@ struct SdfArguments {
   std::string engine = "embree";
   double opening_angle = 60;
   int rays = 25;
+  bool denoise = false;
   int threads = 0;
   fs::path timings;
 };
@@ -89,8 +92,9 @@ int run(const SdfArguments& arguments) {
   const FieldFileWriter write = field_file_writer(arguments.output);
   const std::optional<double> given_offset = parse_offset(arguments.offset);
   const auto start = std::chrono::steady_clock::now();
-  const Shape shape = read_shape(arguments.input);
+  Shape shape = read_shape(arguments.input);
   const double read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (arguments.denoise) shape = denoised_with_report(std::move(shape));
   with_threads(arguments.threads, [&] {
     const Computed computed = compute(arguments, given_offset, shape);
     write(arguments.output, shape, computed.samples, computed.field.values);
@@ -129,6 +133,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       command->add_option("--opening-angle", arguments->opening_angle, "cone: opening angle in degrees"),
       command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
   for (CLI::Option* option : of_cone) option->capture_default_str();
+  command->add_flag("--denoise", arguments->denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");

@@ -3,6 +3,7 @@
 
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/io/write_off.h"
+#include "shapegauge/core/perturbation/vertex_noise.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/offset_normals.h"
 #include "shapegauge/experiments/text/csv.h"
@@ -35,7 +36,6 @@ class NormalsCommand : public testing::Test {
   Shape mesh = test_shapes::flipped(test_shapes::sphere(10, 2));
   Shape cloud = test_shapes::random_points(test_shapes::sphere(10, 4), 3000, 1);
 
- private:
   test_io::TemporaryFolder folder_;
 };
 
@@ -79,6 +79,24 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
   EXPECT_THAT(outcome.errors, HasSubstr(" or auto\n"));
+}
+
+TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
+  const Shape fine = test_shapes::sphere(10, 4);
+  RandomNumbers random(1);
+  write_off(folder_.path() / "clean.off", fine);
+  write_off(folder_.path() / "noisy.off", vertex_noise(fine, {.amplitude = 0.01}, random));
+  EXPECT_THAT(normals("clean.off", "--denoise", "clean.xyz").errors, HasSubstr("no noise beyond doubt"));
+  EXPECT_THAT(normals("noisy.off", "--denoise", "denoised.xyz").errors, HasSubstr("smoothed with a pass band"));
+  EXPECT_EQ(normals("noisy.off", "", "noisy.xyz").status, 0);
+  const auto mean_cosine = [&](const std::string& name) {
+    const Shape result = read_shape(at(name));
+    return result.normals.cwiseProduct(fine.vertices.rowwise().normalized()).sum() /
+           static_cast<double>(fine.vertices.rows());
+  };
+  EXPECT_GT(mean_cosine("clean.xyz"), 0.9998);
+  EXPECT_GT(mean_cosine("denoised.xyz"), 0.99);
+  EXPECT_LT(mean_cosine("noisy.xyz"), 0.99);
 }
 
 TEST_F(NormalsCommand, RefusesWhatItCannotUse) {
