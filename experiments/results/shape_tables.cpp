@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/experiments/results/diagnostics_json.h"
@@ -20,38 +21,43 @@ std::string name_of(const FieldReport& field) {
   return name;
 }
 
-std::vector<std::string> shapes_header(const ExperimentResults& results) {
-  std::vector<std::string> header{"id", "class", "choices"};
+void append_header(std::vector<std::string>& header, std::span<const FieldReport> fields) {
   const nlohmann::ordered_json diagnostics = diagnostics_json({});
   for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
-  for (const FieldReport& field : results.fields) {
+  for (const FieldReport& field : fields) {
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
     }
   }
-  return header;
 }
 
 }  // namespace
 
-Table shapes_table(const ExperimentResults& results) {
-  Table table{.header = shapes_header(results), .rows = {}, .text_columns = 3};
-  for (std::size_t i = 0; i < results.models.size(); ++i) {
-    const Model& model = results.models[i];
-    const ShapeReport& shape = results.shapes[i];
-    auto& row = table.rows.emplace_back();
-    row = {model.id, results.classes[static_cast<std::size_t>(model.label)],
-           fmt::format("{}", fmt::join(shape.chosen, " "))};
-    const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
+Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, std::span<const FieldReport> fields) {
+  table.text_columns = table.header.size() + 1;
+  table.header.emplace_back("choices");
+  append_header(table.header, fields);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    auto& row = table.rows[i];
+    row.push_back(fmt::format("{}", fmt::join(shapes[i].chosen, " ")));
+    const nlohmann::ordered_json diagnostics = diagnostics_json(shapes[i].diagnostics);
     for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
-    for (std::size_t field = 0; field < results.fields.size(); ++field) {
-      for (const auto& [outcome, sum] : results.fields[field].outcomes) {
-        const auto count = shape.outcomes[field].find(outcome);
-        row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
+    for (std::size_t field = 0; field < fields.size(); ++field) {
+      for (const auto& [outcome, sum] : fields[field].outcomes) {
+        const auto count = shapes[i].outcomes[field].find(outcome);
+        row.push_back(std::to_string(count == shapes[i].outcomes[field].end() ? 0 : count->second));
       }
     }
   }
   return table;
+}
+
+Table shapes_table(const ExperimentResults& results) {
+  Table table{.header = {"id", "class"}, .rows = {}};
+  for (const Model& model : results.models) {
+    table.rows.push_back({model.id, results.classes[static_cast<std::size_t>(model.label)]});
+  }
+  return with_shape_reports(std::move(table), results.shapes, results.fields);
 }
 
 Table shape_seconds_table(const ExperimentResults& results) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,7 +9,9 @@
 #include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/experiments/runner/field_plan.h"
+#include "shapegauge/experiments/runner/prepare_shape.h"
 
 namespace shapegauge {
 
@@ -29,9 +32,17 @@ struct ModelDescription {
   std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
 };
 
-/// Reads a model of the data set, perturbs it, scales it to unit area and computes the planned fields and their
-/// histograms. parallel: spread the samples over threads. Throws InputError or std::invalid_argument where the shape is
-/// of no use.
+/// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and
+/// what was computed.
+using FieldObserver =
+    std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
+
+/// Prepares a shape and computes the planned fields and their histograms. parallel: spread the samples over threads.
+/// Throws InputError or std::invalid_argument where the shape is of no use, and what the observer throws.
+ModelDescription describe_shape(PerturbedShape perturbed, const std::vector<SignatureConfiguration>& signatures,
+                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
+
+/// The same for a model of the data set, which is read and perturbed.
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const PlannedField> plan, bool parallel);
 
