@@ -96,6 +96,9 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
 
 Configuration configuration_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);
+  if (is_comparison(document)) {
+    throw InputError(fmt::format("{}: compares \"shapes\": it is not a retrieval experiment", source));
+  }
   try {
     return checked_configuration(document, folder);
   } catch (const MisplacedValue& error) {
@@ -103,10 +106,16 @@ Configuration configuration_from_json(const Json& document, const std::string& s
   }
 }
 
-Configuration read_configuration(const fs::path& path, std::span<const std::string> overrides) {
+Json read_configuration_document(const fs::path& path, std::span<const std::string> overrides) {
   Json document = read_json(path);
   for (const std::string& assignment : overrides) apply_override(document, assignment);
-  return configuration_from_json(document, path.string(), path.parent_path());
+  return document;
+}
+
+bool is_comparison(const Json& document) { return document.is_object() && document.contains("shapes"); }
+
+Configuration read_configuration(const fs::path& path, std::span<const std::string> overrides) {
+  return configuration_from_json(read_configuration_document(path, overrides), path.string(), path.parent_path());
 }
 
 }  // namespace shapegauge
