@@ -13,7 +13,7 @@ enum class NoiseDistribution {
 
 struct VertexNoiseOptions {
   double amplitude = 0.005;  ///< as a fraction of the bounding box's diagonal; at least 0
-  NoiseDistribution distribution = NoiseDistribution::gaussian;
+  NoiseDistribution distribution = NoiseDistribution::uniform;
 };
 
 /// The shape with every vertex (or point of a cloud) moved by a random vector of its own. Vertices are told apart by

@@ -56,14 +56,13 @@ class BoundaryEdges {
 BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) {
   BoundaryLoop loop{.vertices = std::move(vertices)};
   const Eigen::RowVector3d origin = points.row(loop.vertices.front());
-  Eigen::RowVector3d area = Eigen::RowVector3d::Zero();
   for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
     const Eigen::RowVector3d a = points.row(loop.vertices[i]);
     const Eigen::RowVector3d b = points.row(loop.vertices[(i + 1) % loop.vertices.size()]);
     loop.length += (b - a).norm();
-    area += (a - origin).cross(b - origin) / 2;
+    loop.vector_area += (a - origin).cross(b - origin).transpose() / 2;
   }
-  if (loop.length > 0) loop.radius = 2 * area.norm() / loop.length;
+  if (loop.length > 0) loop.radius_bound = 2 * loop.vector_area.norm() / loop.length;
   return loop;
 }
 

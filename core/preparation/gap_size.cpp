@@ -1,10 +1,12 @@
 #include "shapegauge/core/preparation/gap_size.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
-#include <utility>
+#include <functional>
 #include <vector>
 
 #include "shapegauge/core/preparation/boundary_loops.h"
+#include "shapegauge/core/preparation/inscribed_circle.h"
 #include "shapegauge/core/shape/point_neighbours.h"
 
 namespace shapegauge {
@@ -22,27 +24,36 @@ double gap_in_cloud(const Points& points) {
   return distances[rank];
 }
 
-double gap_in_mesh(const Shape& mesh) {
-  constexpr double share = 0.99;
-  std::vector<std::pair<double, double>> loops;  // radius and length
-  double total = 0;
-  for (const BoundaryLoop& loop : boundary_loops(mesh)) {
-    loops.emplace_back(loop.radius, loop.length);
-    total += loop.length;
+/// The loop seen along its vector area.
+std::vector<Eigen::Vector2d> flattened(const BoundaryLoop& loop, const Points& points) {
+  const Eigen::Vector3d normal = loop.vector_area.normalized();
+  const Eigen::Vector3d u = normal.unitOrthogonal();
+  const Eigen::Vector3d v = normal.cross(u);
+  const Eigen::Vector3d origin = points.row(loop.vertices.front());
+  std::vector<Eigen::Vector2d> polygon;
+  for (const std::int32_t vertex : loop.vertices) {
+    const Eigen::Vector3d x = points.row(vertex).transpose() - origin;
+    polygon.emplace_back(u.dot(x), v.dot(x));
   }
-  std::ranges::sort(loops);
+  return polygon;
+}
+
+double gap_in_mesh(const Shape& mesh, double limit) {
+  std::vector<BoundaryLoop> loops = boundary_loops(mesh);
+  std::ranges::sort(loops, std::greater<>(), &BoundaryLoop::radius_bound);
   double gap = 0;
-  double below = 0;
-  for (const auto& [radius, length] : loops) {
-    if (below >= share * total) break;
-    gap = radius;
-    below += length;
+  for (const BoundaryLoop& loop : loops) {
+    if (loop.radius_bound <= gap) break;
+    const double radius = inscribed_circle_radius(flattened(loop, mesh.vertices));
+    if (radius <= limit) gap = std::max(gap, radius);
   }
   return gap;
 }
 
 }  // namespace
 
-double gap_size(const Shape& shape) { return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape); }
+double gap_size(const Shape& shape, double limit) {
+  return is_cloud(shape) ? gap_in_cloud(shape.vertices) : gap_in_mesh(shape, limit);
+}
 
 }  // namespace shapegauge

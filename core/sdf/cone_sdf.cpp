@@ -37,11 +37,16 @@ void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
     throw InputError(
         "the cgal engine of the conventional SDF answers at faces only: choose faces, or the embree engine");
   }
-  const Eigen::Index sites = at_faces ? shape.triangles.rows() : shape.vertices.rows();
+  const bool at_surface = samples.site == SampleSite::surface;
+  const Eigen::Index sites = at_faces     ? shape.triangles.rows()
+                             : at_surface ? std::ssize(samples.triangles)
+                                          : shape.vertices.rows();
   if (samples.points.rows() != sites || samples.normals.rows() != sites) {
     throw InputError(fmt::format("the samples are not those of the shape: {} points and {} normals for {} {}",
                                  samples.points.rows(), samples.normals.rows(), sites,
-                                 at_faces ? "faces" : "vertices"));
+                                 at_faces     ? "faces"
+                                 : at_surface ? "triangles of the samples"
+                                              : "vertices"));
   }
 }
 

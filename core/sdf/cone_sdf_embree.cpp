@@ -88,13 +88,17 @@ double mean_without_outliers(std::span<double> distances, std::span<double> scra
 /// For every sample the triangles that its rays start on: its own, or those with a corner where the vertex is.
 class StartTriangles {
  public:
-  StartTriangles(const Shape& shape, SampleSite site) {
-    if (site == SampleSite::faces) {
-      triangles_.resize(static_cast<std::size_t>(shape.triangles.rows()));
-      std::iota(triangles_.begin(), triangles_.end(), 0);
+  StartTriangles(const Shape& shape, const Samples& samples) {
+    if (samples.site != SampleSite::vertices) {
+      triangles_ = samples.triangles;
+      if (samples.site == SampleSite::faces) {
+        triangles_.resize(static_cast<std::size_t>(shape.triangles.rows()));
+        std::iota(triangles_.begin(), triangles_.end(), 0);
+      }
       begin_.resize(triangles_.size() + 1);
       std::iota(begin_.begin(), begin_.end(), 0);
-      group_ = triangles_;
+      group_.resize(triangles_.size());
+      std::iota(group_.begin(), group_.end(), 0);
       return;
     }
     group_vertices(shape);
@@ -162,7 +166,7 @@ ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const 
   ConeSdfResult result;
   const Clock::time_point build_start = Clock::now();
   const RayCaster caster(shape);
-  const StartTriangles start_triangles(shape, samples.site);
+  const StartTriangles start_triangles(shape, samples);
   const std::vector<Eigen::Vector3d> directions = cone_directions(options);
   result.build_seconds = seconds_since(build_start);
 

@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <tbb/parallel_for.h>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/closedness.h"
 #include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/shape/validity.h"
 #include "shapegauge/core/spatial/exposed_direction.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
@@ -36,7 +38,7 @@ void require_extent(const Shape& shape) {
                   diagonal));
 }
 
-enum class Outcome : std::uint8_t { direct, searched, undecided };
+enum class Outcome : std::uint8_t { direct, searched, undecided, missing };
 
 struct Answer {
   double value;  ///< |qq'| - 2r
@@ -65,6 +67,10 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool o
 Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
                  SearchMemory& memory) {
   const double r = exterior.r();
+  const double on_surface = std::max(1e-3 * r, 1e-6);  // what rounding may have moved a sample by
+  if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface)) {
+    return {std::numeric_limits<double>::quiet_NaN(), Eigen::Vector3d::Zero(), Outcome::missing};
+  }
   Outcome outcome = Outcome::direct;
   double distance = r;
   auto q = direct_point(exterior, of_cloud, p, normal);
@@ -87,14 +93,17 @@ void count(OffsetSdfOutcomes& outcomes, Outcome outcome) {
   outcomes.direct += outcome == Outcome::direct ? 1 : 0;
   outcomes.searched += outcome == Outcome::searched ? 1 : 0;
   outcomes.undecided += outcome == Outcome::undecided ? 1 : 0;
+  outcomes.missing += outcome == Outcome::missing ? 1 : 0;
 }
 
 }  // namespace
 
 OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options) {
-  if (!(options.offset > 0) || !std::isfinite(options.offset)) {
-    throw InputError(fmt::format("the offset is {}: it must be a positive fraction of the diagonal", options.offset));
+  if (!(options.offset >= 1e-6 && options.offset <= 1e6)) {
+    throw InputError(
+        fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
   }
+  require_usable(shape);
   const Clock::time_point start = Clock::now();
   require_extent(shape);
   const UnitFrame frame = unit_frame(shape);

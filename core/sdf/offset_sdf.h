@@ -10,7 +10,7 @@ namespace shapegauge {
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
-  double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal; greater than 0
+  double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal; 1e-6 to 1e6
   bool parallel = true;  ///< spread the samples over the threads of the calling TBB arena
 };
 
@@ -19,21 +19,22 @@ struct OffsetSdfOutcomes {
   std::size_t total = 0;
   std::size_t direct = 0;     ///< q = p + r n, n the normal of the sample's own surface (either side)
   std::size_t searched = 0;   ///< p + r n is covered by another part of the offset solid: q found by search
-  std::size_t undecided = 0;  ///< answered, but whether q or q' belongs to the outer surface could not be decided
+  std::size_t undecided = 0;  ///< answered, but free space was taken for enclosed without proof on the way
+  std::size_t missing = 0;    ///< not a point of the surface (a vertex that no triangle uses): no value
 };
 
 /// The SDF of the offset surface, sample by sample.
 struct OffsetSdfResult {
-  Eigen::VectorXd values;  ///< |qq'| - 2r, never negative, in the shape's units
-  Points normals;          ///< (q - p)/|q - p|: the outward normal estimate
+  Eigen::VectorXd values;  ///< |qq'| - 2r, never negative, in the shape's units; NaN where missing
+  Points normals;          ///< (q - p)/|q - p|: the outward normal estimate; zero where missing
   OffsetSdfOutcomes outcomes;
   double build_seconds = 0;  ///< spatial structures and the classification of space
   double query_seconds = 0;  ///< all samples
 };
 
 /// SDF of the offset surface at the given samples of the shape (the paper, Algorithm 1; the design, section 2.2).
-/// The shape may be a point cloud. Throws InputError where the shape has no extent or the offset is not positive and
-/// finite.
+/// The shape may be a point cloud. Throws InputError where the shape is unusable (validity.h) or has no extent, and
+/// where the offset is out of range.
 OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
 
 }  // namespace shapegauge

@@ -10,7 +10,7 @@
 
 namespace shapegauge {
 
-Shape scaled_to_unit_area(Shape shape) {
+double positive_area(const Shape& shape) {
   require_usable(shape);
   const double area = is_cloud(shape) ? point_weights(shape.vertices).sum() : surface_area(shape);
   // An area that is not a normal number would turn the coordinates into zeros, infinities or NaN.
@@ -24,7 +24,11 @@ Shape scaled_to_unit_area(Shape shape) {
                           "triangle of positive, finite area",
                           shape.triangles.rows(), area));
   }
-  shape.vertices /= std::sqrt(area);
+  return area;
+}
+
+Shape scaled_to_unit_area(Shape shape) {
+  shape.vertices /= std::sqrt(positive_area(shape));
   return shape;
 }
 

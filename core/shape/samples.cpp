@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
+#include <utility>
 
+#include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/point_normals.h"
 #include "shapegauge/core/shape/point_weights.h"
+#include "shapegauge/core/shape/surface_points.h"
 #include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
@@ -143,12 +147,55 @@ Samples sample_vertices(const Shape& shape) {
   return samples;
 }
 
+/// So many of the numbers below n, in order, each choice as likely as any other (Knuth 1997, algorithm 3.4.2 S).
+std::vector<Eigen::Index> random_choice(Eigen::Index n, Eigen::Index count, RandomNumbers& random) {
+  std::vector<Eigen::Index> chosen;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto wanted = static_cast<double>(count - std::ssize(chosen));
+    if (random.uniform(0, static_cast<double>(n - i)) < wanted) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+Samples some_of(const Samples& all, Eigen::Index count, RandomNumbers& random) {
+  const std::vector<Eigen::Index> chosen = random_choice(all.points.rows(), count, random);
+  Samples some = empty_samples(all.site, std::ssize(chosen));
+  some.points = all.points(chosen, Eigen::all);
+  some.normals = all.normals(chosen, Eigen::all);
+  some.weights = all.weights(chosen);
+  // They stand for those that were not chosen, too.
+  const double sum = some.weights.sum();
+  if (sum > 0) some.weights *= all.weights.sum() / sum;
+  return some;
+}
+
 }  // namespace
 
 Samples sample_shape(const Shape& shape, SampleSite site) {
   require_usable(shape);
   if (is_cloud(shape)) return sample_cloud(shape);
+  if (site == SampleSite::surface) throw InputError("samples of the surface need their number");
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
+}
+
+Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed) {
+  require_usable(shape);
+  RandomNumbers random(seed);
+  if (is_cloud(shape)) {
+    if (count < 1) throw InputError(fmt::format("the number of samples must be at least 1, not {}", count));
+    const Samples all = sample_cloud(shape);
+    return count < all.points.rows() ? some_of(all, count, random) : all;
+  }
+  SurfacePoints on_surface = surface_points(shape, count, random);
+  Samples samples = empty_samples(SampleSite::surface, count);
+  samples.points = std::move(on_surface.points);
+  samples.triangles = std::move(on_surface.triangles);
+  samples.weights.setConstant(surface_area(shape) / static_cast<double>(count));
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const TriangleForm form = form_of(corners_of(shape, samples.triangles[static_cast<std::size_t>(i)]));
+    samples.normals.row(i) = form.normal.transpose();
+  }
+  return samples;
 }
 
 }  // namespace shapegauge

@@ -1,13 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 /// Where a field is sampled (the design, section 2.4). The points of a cloud are its vertices.
-enum class SampleSite { faces, vertices };
+enum class SampleSite {
+  faces,     ///< at the triangles' centroids
+  vertices,  ///< at the vertices, or the points of a cloud
+  surface,   ///< at so many places of the surface, uniform by area
+};
 
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
@@ -15,7 +21,8 @@ struct Samples {
   Points points;  ///< one sample a row, in the shape's units
   /// Unit normals by the triangles' orientation, or those of the cloud; zero where there is none (degenerate, unused).
   Points normals;
-  Eigen::VectorXd weights;  ///< area that the sample stands for; zero where there is none
+  Eigen::VectorXd weights;              ///< area that the sample stands for; zero where there is none
+  std::vector<std::int32_t> triangles;  ///< surface, of a mesh: on which each sample lies; otherwise empty
 };
 
 /// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
@@ -24,5 +31,11 @@ struct Samples {
 /// file's, or without those unsigned_point_normals()), and the samples say `vertices`. Throws InputError where the
 /// shape is unusable (validity.h).
 Samples sample_shape(const Shape& shape, SampleSite site);
+
+/// Samples at so many places of the surface (SampleSite::surface; see surface_points()), with the triangles' normals
+/// and equal weights that sum to the area. They are the same for the same shape and seed. Of a cloud, so many of its
+/// points at random, or all where there are no more; the samples say `vertices` then. Throws InputError as above, for a
+/// mesh without area, and for less than one sample.
+Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
 
 }  // namespace shapegauge

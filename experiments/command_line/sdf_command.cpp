@@ -66,7 +66,7 @@ void write_timings(const fs::path& path, const Shape& shape, double read_seconds
 /// The field's values and where they are; what is wrong with the shape is told with the file's name.
 std::pair<Samples, FieldValues> compute(const Field& field, const Shape& shape, const fs::path& file) {
   try {
-    Samples samples = sample_shape(shape, field.site);
+    Samples samples = take_samples(shape, field.samples);
     FieldValues computed = field.compute(shape, samples, true);
     return {std::move(samples), std::move(computed)};
   } catch (const InputError& error) {

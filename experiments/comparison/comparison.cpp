@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/comparison/comparison.h"
 
+#include "shapegauge/experiments/configuration/preparation_settings.h"
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
@@ -30,6 +31,7 @@ Json to_json(const ComparedShape& shape) {
 Json to_json(const Comparison& comparison) {
   Json json{{"name", comparison.name},
             {"seed", comparison.seed},
+            {"preparation", to_json(comparison.preparation)},
             {"on_error", comparison.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(comparison.signatures)},
             {"distance", comparison.distance}};

@@ -30,7 +30,8 @@ struct Comparison {
   std::optional<std::size_t> reference;  ///< index of the shape that the others are compared with, if any
   bool registered =
       true;  ///< whether the shapes lie where the reference lies: only then are values and normals compared
-  std::uint64_t seed = 1;  ///< of the perturbations
+  std::uint64_t seed = 1;          ///< of the perturbations
+  PreparationOptions preparation;  ///< of every shape, after them
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;  ///< histograms of a field, all of them
   std::string distance = "l1";

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/comparison/measure_shape.h"
 
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "shapegauge/core/io/read_shape.h"
@@ -16,7 +17,7 @@ Shape shape_of(const ComparedShape& source) {
 /// Compares the normals that a field estimates, and those of the samples, with the reference's.
 void compare_normals(const TrueNormals& truth, const PreparedShape& prepared, const Samples& samples,
                      const Points& estimated, FieldMeasurement& measurement) {
-  const Points points = samples.points / prepared.scale;
+  const Points points = samples.points * std::sqrt(prepared.area);
   const bool sided = !is_cloud(prepared.shape) || prepared.shape.normals.rows() > 0;
   measurement.offset_normals = normal_errors(truth, points, estimated, samples.weights, true);
   measurement.own_normals = normal_errors(truth, points, samples.normals, samples.weights, sided);
@@ -53,14 +54,15 @@ MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std
     if (control.interrupted()) throw Interrupted();
     FieldMeasurement& measurement = measured.measurement.fields.emplace_back(measure_field(samples, computed));
     if (reference == nullptr) return;
-    const PlacedValues placed = placed_values(samples, computed.values, prepared.scale);
+    const PlacedValues placed = placed_values(samples, computed.values, std::sqrt(prepared.area));
     if (is_reference) reference->values.push_back(placed);
     measurement.errors = value_errors(placed, reference->values[field], reference->diagonal);
     if (reference->normals && computed.normals.rows() > 0) {
       compare_normals(*reference->normals, prepared, samples, computed.normals, measurement);
     }
   };
-  measured.description = describe_shape(std::move(perturbed), comparison.signatures, plan, true, observe);
+  measured.description =
+      describe_shape(std::move(perturbed), comparison.preparation, comparison.signatures, plan, true, observe);
   return measured;
 }
 

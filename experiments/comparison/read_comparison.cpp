@@ -8,6 +8,7 @@
 #include "shapegauge/experiments/configuration/misplaced_value.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/path_value.h"
+#include "shapegauge/experiments/configuration/preparation_settings.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/read_signatures.h"
 #include "shapegauge/experiments/configuration/schema_check.h"
@@ -84,6 +85,7 @@ Comparison checked_comparison(const Json& document, const fs::path& folder) {
   }
   comparison.registered = document.value("registered", comparison.reference.has_value());
   comparison.seed = document.value("seed", comparison.seed);
+  if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
   comparison.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
   comparison.distance = document.value("distance", comparison.distance);
   comparison.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });

@@ -28,12 +28,12 @@ Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& referen
 
 }  // namespace
 
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double scale) {
+PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && samples.weights[i] > 0) kept.push_back(i);
   }
-  return {.points = samples.points(kept, Eigen::all) / scale, .values = values(kept) / scale};
+  return {.points = samples.points(kept, Eigen::all) * unit, .values = values(kept) * unit};
 }
 
 ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal) {

@@ -14,9 +14,9 @@ struct PlacedValues {
   Eigen::VectorXd values;  ///< all of them finite
 };
 
-/// The values at samples that have one and that stand for some area. The samples' lengths, and the values, are
-/// `scale` times those of the result.
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double scale);
+/// The values at samples that have one and that stand for some area. Lengths, of the samples and of the values,
+/// multiplied by the unit, are those of the result.
+PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit);
 
 /// How far a field is from that of the reference: quantiles of |value - reference's value at its sample nearest by|,
 /// each sample counting once.

@@ -25,7 +25,7 @@ Table shapes_table(const ComparisonResults& results) {
     table.rows.push_back({shape.name});
     reports.push_back(shape.report);
   }
-  return with_shape_reports(std::move(table), reports, results.fields);
+  return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
 }
 
 /// The tables that say how the shapes compare, by title; those without rows are left out.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "shapegauge/experiments/configuration/preparation_settings.h"
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
@@ -90,6 +91,7 @@ Json to_json(const Configuration& configuration) {
             {"dataset", dataset_to_json(configuration)},
             {"perturbations", to_json(configuration.perturbations)},
             {"seed", configuration.seed},
+            {"preparation", to_json(configuration.preparation)},
             {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(configuration.signatures)},

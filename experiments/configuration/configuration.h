@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
@@ -45,6 +46,7 @@ struct Configuration {
   std::optional<GeneratorOptions> generator;  ///< one that the program makes
   std::vector<Perturbation> perturbations;    ///< applied to every model after reading
   std::uint64_t seed = 1;                     ///< of the perturbations
+  PreparationOptions preparation;             ///< of every model, then
   std::vector<Protocol> protocols{Protocol::psb};
   int minimum_class_size = 2;
   OnError on_error = OnError::stop;

@@ -9,6 +9,7 @@
 #include "shapegauge/experiments/configuration/misplaced_value.h"
 #include "shapegauge/experiments/configuration/parse_json.h"
 #include "shapegauge/experiments/configuration/path_value.h"
+#include "shapegauge/experiments/configuration/preparation_settings.h"
 #include "shapegauge/experiments/configuration/read_signatures.h"
 #include "shapegauge/experiments/configuration/schema_check.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
@@ -80,6 +81,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
   configuration.seed = document.value("seed", configuration.seed);
+  if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   if (document.contains("evaluation")) {

@@ -2,7 +2,6 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
-#include "shapegauge/experiments/fields/field_registry.h"
 
 namespace shapegauge {
 
@@ -21,21 +20,21 @@ ConeSdfOptions options_of(const nlohmann::json& settings) {
 
 Field cone_sdf_field(const nlohmann::json& settings) {
   const ConeSdfOptions options = options_of(settings);
-  const SampleSite site = site_of(settings);
+  const SamplePlan samples_wanted = sample_plan_of(settings);
   const bool cgal = options.engine == ConeSdfEngine::cgal;
   if (options.postprocess && !cgal) {
     throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine gives raw values only)");
   }
-  if (cgal && site != SampleSite::faces) {
-    throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for "at": "vertices")");
+  if (cgal && samples_wanted.site != SampleSite::faces) {
+    throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for other sites)");
   }
   return {.settings = {{"type", "cone_sdf"},
                        {"engine", cgal ? "cgal" : "embree"},
                        {"opening_angle_degrees", options.opening_angle_degrees},
                        {"rays", options.rays},
                        {"postprocess", options.postprocess},
-                       {"at", name_of(site)}},
-          .site = site,
+                       {"at", to_json(samples_wanted)}},
+          .samples = samples_wanted,
           .compute = [options](const Shape& shape, const Samples& samples, bool parallel) {
             ConeSdfOptions now = options;
             now.parallel = parallel;
@@ -43,6 +42,7 @@ Field cone_sdf_field(const nlohmann::json& settings) {
             const auto total = static_cast<std::size_t>(result.values.size());
             return FieldValues{.values = std::move(result.values),
                                .outcomes = {{"total", total}, {"missing", result.missing}},
+                               .offset = {},
                                .build_seconds = result.build_seconds,
                                .query_seconds = result.query_seconds};
           }};

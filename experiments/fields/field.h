@@ -5,10 +5,12 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/fields/sample_plan.h"
 
 namespace shapegauge {
 
@@ -21,14 +23,15 @@ struct FieldValues {
   Eigen::VectorXd values;  ///< one a sample; NaN where there is none
   Points normals = {};     ///< of fields that estimate them: outward unit normals, one a sample; else empty
   FieldOutcomes outcomes;
-  double build_seconds = 0;  ///< spatial structures
-  double query_seconds = 0;  ///< all samples
+  std::optional<double> offset;  ///< r as a fraction of the diagonal, where the field chose it for the shape
+  double build_seconds = 0;      ///< spatial structures
+  double query_seconds = 0;      ///< all samples
 };
 
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.
 struct Field {
   nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
-  SampleSite site = SampleSite::faces;
+  SamplePlan samples;
   /// The values at the samples of a shape; parallel: spread the samples over the threads of the calling TBB arena.
   std::function<FieldValues(const Shape&, const Samples&, bool parallel)> compute;
 };

@@ -25,11 +25,4 @@ Field make_field(const nlohmann::json& settings) {
   throw InputError(fmt::format("there is no field of type \"{}\"", type));
 }
 
-SampleSite site_of(const nlohmann::json& settings) {
-  return settings.value("at", name_of(SampleSite::faces)) == name_of(SampleSite::vertices) ? SampleSite::vertices
-                                                                                           : SampleSite::faces;
-}
-
-std::string name_of(SampleSite site) { return site == SampleSite::faces ? "faces" : "vertices"; }
-
 }  // namespace shapegauge

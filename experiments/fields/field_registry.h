@@ -2,10 +2,8 @@
 
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/fields/field.h"
 
 namespace shapegauge {
@@ -24,11 +22,5 @@ std::span<const FieldType> field_types();
 
 /// The field that the settings describe, by their "type". Throws InputError for a type that is not in field_types().
 Field make_field(const nlohmann::json& settings);
-
-/// The setting "at" of fields on meshes: "faces" (default) or "vertices".
-SampleSite site_of(const nlohmann::json& settings);
-
-/// The name of a sample site in configurations and options: "faces" or "vertices".
-std::string name_of(SampleSite site);
 
 }  // namespace shapegauge

@@ -1,19 +1,20 @@
 #include "shapegauge/experiments/fields/offset_sdf_field.h"
 
+#include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/experiments/fields/field_registry.h"
 
 namespace shapegauge {
 
 Field offset_sdf_field(const nlohmann::json& settings) {
-  OffsetSdfOptions options;
-  options.offset = settings.at("offset");
-  const SampleSite site = site_of(settings);
-  return {.settings = {{"type", "offset_sdf"}, {"offset", options.offset}, {"at", name_of(site)}},
-          .site = site,
-          .compute = [options](const Shape& shape, const Samples& samples, bool parallel) {
-            OffsetSdfOptions now = options;
-            now.parallel = parallel;
+  const nlohmann::json& offset = settings.at("offset");
+  const bool automatic = offset.is_string();  // "auto", as the schema says
+  const double given = automatic ? 0 : offset.get<double>();
+  const SamplePlan samples_wanted = sample_plan_of(settings);
+  return {.settings = {{"type", "offset_sdf"}, {"offset", offset}, {"at", to_json(samples_wanted)}},
+          .samples = samples_wanted,
+          .compute = [automatic, given](const Shape& shape, const Samples& samples, bool parallel) {
+            const double r = automatic ? automatic_offset(shape).offset : given;
+            const OffsetSdfOptions now{.offset = r, .parallel = parallel};
             OffsetSdfResult result = offset_sdf(shape, samples, now);
             const OffsetSdfOutcomes& outcomes = result.outcomes;
             return FieldValues{.values = std::move(result.values),
@@ -21,7 +22,9 @@ Field offset_sdf_field(const nlohmann::json& settings) {
                                .outcomes = {{"total", outcomes.total},
                                             {"direct", outcomes.direct},
                                             {"searched", outcomes.searched},
-                                            {"undecided", outcomes.undecided}},
+                                            {"undecided", outcomes.undecided},
+                                            {"missing", outcomes.missing}},
+                               .offset = automatic ? std::optional(r) : std::nullopt,
                                .build_seconds = result.build_seconds,
                                .query_seconds = result.query_seconds};
           }};

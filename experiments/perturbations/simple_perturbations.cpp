@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 Perturbation vertex_noise_step(const Json& settings) {
   VertexNoiseOptions options;
   options.amplitude = settings.at("amplitude");
-  const bool uniform = settings.value("distribution", "gaussian") == "uniform";
+  const bool uniform = settings.value("distribution", "uniform") == "uniform";
   options.distribution = uniform ? NoiseDistribution::uniform : NoiseDistribution::gaussian;
   return {.settings = {{"type", "vertex_noise"},
                        {"amplitude", options.amplitude},

@@ -64,9 +64,17 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 }
 
 ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.diagnostics = model.diagnostics, .chosen = model.chosen, .outcomes = {}, .seconds = {}};
+  ShapeReport report{.diagnostics = model.diagnostics,
+                     .chosen = model.chosen,
+                     .area = model.area,
+                     .noise = model.noise,
+                     .pass_band = model.pass_band,
+                     .outcomes = {},
+                     .offsets = {},
+                     .seconds = {}};
   for (const FieldDescription& field : model.fields) {
     report.outcomes.push_back(field.outcomes);
+    report.offsets.push_back(field.offset);
     report.seconds.push_back(field.seconds);
   }
   return report;

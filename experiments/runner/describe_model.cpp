@@ -1,8 +1,8 @@
 #include "shapegauge/experiments/runner/describe_model.h"
 
-#include <array>
 #include <chrono>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 #include "shapegauge/core/error.h"
@@ -14,21 +14,22 @@ namespace shapegauge {
 
 namespace {
 
-/// The samples of a shape at each site, made when first asked for.
-class SamplesBySite {
+/// The samples of a shape by plan, taken when first asked for.
+class SamplesByPlan {
  public:
-  explicit SamplesBySite(const Shape& shape) : shape_(&shape) {}
+  explicit SamplesByPlan(const Shape& shape) : shape_(&shape) {}
 
-  const Samples& at(SampleSite site) {
-    const bool at_faces = site == SampleSite::faces && !is_cloud(*shape_);  // a cloud has one kind of samples
-    std::optional<Samples>& samples = samples_[at_faces ? 0 : 1];
-    if (!samples) samples = sample_shape(*shape_, site);
-    return *samples;
+  const Samples& at(SamplePlan plan) {
+    // A cloud has its points, whether faces or vertices are asked for.
+    if (is_cloud(*shape_) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
+    const auto [place, is_new] = samples_.try_emplace(plan);
+    if (is_new) place->second = take_samples(*shape_, plan);
+    return place->second;
   }
 
  private:
   const Shape* shape_;
-  std::array<std::optional<Samples>, 2> samples_;
+  std::map<SamplePlan, Samples> samples_;
 };
 
 /// The values' range, which also says whether there are any.
@@ -56,23 +57,28 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
 
 }  // namespace
 
-ModelDescription describe_shape(PerturbedShape perturbed, const std::vector<SignatureConfiguration>& signatures,
+ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+                                const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   ModelDescription description;
   description.diagnostics = diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
   description.histograms.resize(signatures.size());
-  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape));
-  SamplesBySite samples(prepared.shape);
+  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
+  description.area = prepared.area;
+  description.noise = prepared.noise.relative();
+  description.pass_band = prepared.pass_band;
+  SamplesByPlan samples(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Samples& sites = samples.at(plan[i].field.site);
+    const Samples& sites = samples.at(plan[i].field.samples);
     FieldValues computed = plan[i].field.compute(prepared.shape, sites, parallel);
     const auto end = std::chrono::steady_clock::now();
     if (observe) observe(i, prepared, sites, computed);
 
     FieldDescription& kept = description.fields.emplace_back();
     kept.outcomes = std::move(computed.outcomes);
+    kept.offset = computed.offset;
     kept.seconds = std::chrono::duration<double>(end - start).count();
     const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
     describe_field(field, plan[i], signatures, kept, description.histograms);
@@ -85,7 +91,7 @@ ModelDescription describe_model(const Dataset& dataset, std::size_t model, const
   const Model& source = dataset.models[model];
   return describe_shape(
       perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model),
-      configuration.signatures, plan, parallel);
+      configuration.preparation, configuration.signatures, plan, parallel);
 }
 
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/experiments/runner/field_plan.h"
-#include "shapegauge/experiments/runner/prepare_shape.h"
 
 namespace shapegauge {
 
@@ -21,6 +21,7 @@ struct FieldDescription {
   Eigen::VectorXf values;   ///< kept where the plan says so, else empty; single precision, as there is one a sample and
   Eigen::VectorXf weights;  ///< a data set has millions
   FieldOutcomes outcomes;
+  std::optional<double> offset;  ///< where the field chose one
   double seconds = 0;
 };
 
@@ -30,6 +31,9 @@ struct ModelDescription {
   std::vector<FieldDescription> fields;     ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
   std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
+  double area = 0;                          ///< that was scaled to 1, in the file's units, squared
+  double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
+  double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
 };
 
 /// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and
@@ -39,7 +43,8 @@ using FieldObserver =
 
 /// Prepares a shape and computes the planned fields and their histograms. parallel: spread the samples over threads.
 /// Throws InputError or std::invalid_argument where the shape is of no use, and what the observer throws.
-ModelDescription describe_shape(PerturbedShape perturbed, const std::vector<SignatureConfiguration>& signatures,
+ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+                                const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
 /// The same for a model of the data set, which is read and perturbed.

@@ -12,7 +12,7 @@ std::vector<ModelFailure> validate_models(const Dataset& dataset, const RunContr
   std::vector<std::size_t> all(dataset.models.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   return for_each_model(all, "models", false, control,
-                        [&](std::size_t model) { scaled_to_unit_area(read_shape(dataset.models[model].file)); });
+                        [&](std::size_t model) { positive_area(read_shape(dataset.models[model].file)); });
 }
 
 }  // namespace shapegauge

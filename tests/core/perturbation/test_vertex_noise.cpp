@@ -16,7 +16,8 @@ Shape noisy(const Shape& shape, const VertexNoiseOptions& options, std::uint64_t
 TEST(VertexNoise, GaussianCoordinatesHaveTheAmplitudeAsStandardDeviation) {
   const Shape sphere = test_shapes::sphere(3, 6);
   const double amplitude = 0.02 * bounding_box_diagonal(sphere);
-  const Points moves = noisy(sphere, {.amplitude = 0.02}, 1).vertices - sphere.vertices;
+  const Points moves =
+      noisy(sphere, {.amplitude = 0.02, .distribution = NoiseDistribution::gaussian}, 1).vertices - sphere.vertices;
   const auto n = static_cast<double>(moves.size());
   // Five standard deviations of the mean and of the variance.
   EXPECT_NEAR(moves.mean(), 0, 5 * amplitude / std::sqrt(n));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/shape/point_normals.h"
 #include "shapegauge/core/shape/point_weights.h"
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/test_shapes.h"
@@ -148,11 +150,44 @@ TEST_P(SampleSites, OfACloudAreItsPoints) {
   const Samples without_normals = sample_shape(cloud, GetParam());
   EXPECT_EQ(without_normals.site, SampleSite::vertices);
   EXPECT_EQ(without_normals.points, cloud.vertices);
-  EXPECT_EQ(without_normals.normals, Points::Zero(cloud.vertices.rows(), 3));
+  EXPECT_EQ(without_normals.normals, unsigned_point_normals(cloud.vertices));
   EXPECT_EQ(without_normals.weights, point_weights(cloud.vertices));
   cloud.normals = cloud.vertices.rowwise().normalized();
   cloud.normals.row(1).setZero();
   EXPECT_EQ(sample_shape(cloud, GetParam()).normals, cloud.normals);
+}
+
+TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
+  // Two squares, one of nine times the other's area.
+  Shape sheet;
+  sheet.vertices.resize(8, 3);
+  sheet.vertices << 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 5, 0, 0, 8, 0, 0, 8, 3, 0, 5, 3, 0;
+  sheet.triangles.resize(4, 3);
+  sheet.triangles << 0, 1, 2, 0, 2, 3, 4, 6, 5, 4, 7, 6;
+  const Samples samples = sample_surface_of(sheet, 1000);
+  EXPECT_EQ(samples.site, SampleSite::surface);
+  EXPECT_NEAR(samples.weights.sum(), 10, 1e-9);
+  EXPECT_EQ(samples.weights.minCoeff(), samples.weights.maxCoeff());
+  EXPECT_EQ((samples.points.col(0).array() < 2).count(), 100);  // every tenth of the area has its own points
+  for (Eigen::Index i = 0; i < 1000; ++i) {
+    const bool of_small = samples.points(i, 0) < 2;
+    EXPECT_EQ(samples.triangles[static_cast<std::size_t>(i)] < 2, of_small) << i;
+    EXPECT_EQ(samples.normals(i, 2), of_small ? 1 : -1) << i;
+  }
+  EXPECT_EQ(samples.points, sample_surface_of(sheet, 1000).points);
+  EXPECT_NE(samples.points, sample_surface_of(sheet, 1000, 2).points);
+  EXPECT_THROW(sample_surface_of(sheet, 0), InputError);
+  EXPECT_THROW(sample_shape(sheet, SampleSite::surface), InputError);
+}
+
+TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
+  const Shape cloud{test_shapes::box({1, 1, 1}, 6).vertices, {}, {}};
+  const Samples all = sample_shape(cloud, SampleSite::vertices);
+  const Samples some = sample_surface_of(cloud, 50);
+  EXPECT_EQ(some.site, SampleSite::vertices);
+  EXPECT_EQ(some.points.rows(), 50);
+  EXPECT_NEAR(some.weights.sum(), all.weights.sum(), 1e-9);
+  EXPECT_EQ(sample_surface_of(cloud, 100000).points, all.points);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ using testing::HasSubstr;
 
 TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
-  EXPECT_EQ(field.site, SampleSite::vertices);
+  EXPECT_EQ(field.samples.site, SampleSite::vertices);
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
   const Shape shape = test_shapes::sphere(1, 1);
-  const Samples samples = sample_shape(shape, field.site);
+  const Samples samples = take_samples(shape, field.samples);
   const FieldValues computed = field.compute(shape, samples, false);
   EXPECT_EQ(computed.values, offset_sdf(shape, samples, {.offset = 0.03, .parallel = false}).values);
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
@@ -24,9 +24,9 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
 
 TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "cone_sdf"}, {"rays", 9}, {"opening_angle_degrees", 40}});
-  EXPECT_EQ(field.site, SampleSite::faces);
+  EXPECT_EQ(field.samples.site, SampleSite::faces);
   const Shape shape = test_shapes::sphere(1, 1);
-  const Samples samples = sample_shape(shape, field.site);
+  const Samples samples = take_samples(shape, field.samples);
   const ConeSdfOptions options{.opening_angle_degrees = 40, .rays = 9, .parallel = false};
   const FieldValues computed = field.compute(shape, samples, true);
   EXPECT_EQ(computed.values, cone_sdf(shape, samples, options).values);
@@ -39,7 +39,7 @@ TEST(MakeField, AMissingValueIsCounted) {
   shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   shape.triangles = Triangles{{0, 1, 2}};
   const Field field = make_field({{"type", "cone_sdf"}});
-  EXPECT_EQ(field.compute(shape, sample_shape(shape, field.site), false).outcomes.at("missing"), 1U);
+  EXPECT_EQ(field.compute(shape, take_samples(shape, field.samples), false).outcomes.at("missing"), 1U);
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {

@@ -16,9 +16,13 @@ ExperimentResults two_models() {
   results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
                        .chosen = {2, 0},
                        .outcomes = {{{"total", 4}}},
+                       .offsets = {std::nullopt},
                        .seconds = {0.25}};
-  results.shapes[1] = {
-      .diagnostics = {.triangles = 5}, .chosen = {}, .outcomes = {{{"total", 5}, {"undecided", 1}}}, .seconds = {1.5}};
+  results.shapes[1] = {.diagnostics = {.triangles = 5},
+                       .chosen = {},
+                       .outcomes = {{{"total", 5}, {"undecided", 1}}},
+                       .offsets = {std::nullopt},
+                       .seconds = {1.5}};
   return results;
 }
 

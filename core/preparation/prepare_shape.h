@@ -1,0 +1,32 @@
+#pragma once
+
+#include "shapegauge/core/preparation/noise_level.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// What a shape is scaled by before it is compared with others.
+enum class ScaleEstimate {
+  area,       ///< unit positive_area(): exact on clean meshes, meaningless under noise and holes
+  tube_area,  ///< unit tube_area(): holds under noise, cracks and sampling
+};
+
+/// What happens to a shape before it is measured.
+struct PreparationOptions {
+  bool denoise = false;  ///< see denoised()
+  ScaleEstimate scale = ScaleEstimate::area;
+};
+
+/// A shape that is ready to be measured, and what was found on the way.
+struct PreparedShape {
+  Shape shape;
+  NoiseLevel noise;      ///< of the shape given; with denoise only
+  double pass_band = 0;  ///< of the smoothing; 0: none
+  double area = 0;       ///< what was scaled to 1, in units of the shape given, squared
+};
+
+/// The shape without its noise, if so wanted, and scaled about the origin to a unit of area. Throws InputError as
+/// positive_area() and tube_area() do, and where the shape is unusable (validity.h).
+PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
+
+}  // namespace shapegauge
