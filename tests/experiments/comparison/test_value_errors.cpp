@@ -42,7 +42,9 @@ TEST(ValueErrors, OfAValueOfZeroAreInfiniteOrNone) {
 }
 
 TEST(PlacedValues, AreThoseThatAreThereInTheirOwnUnits) {
-  Samples samples{.points = line().points, .normals = {}, .weights = Eigen::VectorXd::Ones(10)};
+  Samples samples;
+  samples.points = line().points;
+  samples.weights = Eigen::VectorXd::Ones(10);
   samples.weights[2] = 0;
   Eigen::VectorXd values = line().values;
   values[4] = std::nan("");
