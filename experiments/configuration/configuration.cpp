@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "shapegauge/experiments/configuration/preparation_settings.h"
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
@@ -45,21 +46,6 @@ Json histogram_to_json(const HistogramConfiguration& histogram) {
   return json;
 }
 
-Json signatures_to_json(const std::vector<SignatureConfiguration>& signatures) {
-  Json list = Json::array();
-  for (const SignatureConfiguration& signature : signatures) {
-    Json json{{"name", signature.name}};
-    if (signature.field) {
-      json["field"] = signature.field->settings;
-      json["histogram"] = histogram_to_json(signature.histogram);
-    } else {
-      for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
-    }
-    list.push_back(std::move(json));
-  }
-  return list;
-}
-
 }  // namespace
 
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
@@ -78,6 +64,21 @@ std::vector<std::size_t> computation_order(const std::vector<SignatureConfigurat
   return order;
 }
 
+Json to_json(const std::vector<SignatureConfiguration>& signatures) {
+  Json list = Json::array();
+  for (const SignatureConfiguration& signature : signatures) {
+    Json json{{"name", signature.name}};
+    if (signature.field) {
+      json["field"] = signature.field->settings;
+      json["histogram"] = histogram_to_json(signature.histogram);
+    } else {
+      for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
 Json to_json(const GeneratorOptions& generator) {
   return {{"classes", generator.classes},
           {"models_per_class", generator.models_per_class},
@@ -90,12 +91,10 @@ Json to_json(const Configuration& configuration) {
             {"dataset", dataset_to_json(configuration)},
             {"perturbations", to_json(configuration.perturbations)},
             {"seed", configuration.seed},
-            {"preparation",
-             {{"denoise", configuration.preparation.denoise},
-              {"scale", configuration.preparation.scale == ScaleEstimate::area ? "area" : "tube_area"}}},
+            {"preparation", to_json(configuration.preparation)},
             {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
-            {"signatures", signatures_to_json(configuration.signatures)},
+            {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance}};
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));

@@ -1,19 +1,18 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
-#include <optional>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/printable.h"
 #include "shapegauge/experiments/configuration/apply_override.h"
-#include "shapegauge/experiments/configuration/expand_variables.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/misplaced_value.h"
 #include "shapegauge/experiments/configuration/parse_json.h"
+#include "shapegauge/experiments/configuration/path_value.h"
+#include "shapegauge/experiments/configuration/preparation_settings.h"
+#include "shapegauge/experiments/configuration/read_signatures.h"
 #include "shapegauge/experiments/configuration/schema_check.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
-#include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
@@ -22,30 +21,6 @@ namespace {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-/// An error at a place within the part of the document that is being looked at.
-struct MisplacedValue {
-  std::string path;
-  std::string message;
-};
-
-/// Runs a step on the part of the document at a key (or index, or dotted path), and completes the place where it fails.
-template <typename Step>
-auto at(const std::string& key, Step step) {
-  try {
-    return step();
-  } catch (const MisplacedValue& error) {
-    throw MisplacedValue{fmt::format("{}.{}", key, error.path), error.message};
-  } catch (const InputError& error) {
-    throw MisplacedValue{key, error.what()};
-  }
-}
-
-/// The path of a key, variables expanded, relative to the folder.
-fs::path path_value(const Json& object, const std::string& key, const fs::path& folder) {
-  const std::string expanded = at(key, [&] { return expand_variables(object.at(key).get<std::string>()); });
-  return (folder / expanded).lexically_normal();
-}
 
 DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
   DatasetLocation location;
@@ -84,94 +59,6 @@ GeneratorOptions generator_of(const Json& dataset) {
   return options;
 }
 
-PreparationOptions preparation_of(const Json& settings) {
-  PreparationOptions preparation;
-  preparation.denoise = settings.value("denoise", preparation.denoise);
-  if (settings.value("scale", "area") == "tube_area") preparation.scale = ScaleEstimate::tube_area;
-  return preparation;
-}
-
-HistogramConfiguration histogram_of(const Json& settings) {
-  HistogramConfiguration histogram;
-  histogram.options.bins = settings.value("bins", histogram.options.bins);
-  histogram.options.smoothing_bins = settings.value("smoothing_bins", histogram.options.smoothing_bins);
-  if (histogram.options.smoothing_bins > histogram.options.bins) {
-    throw MisplacedValue{"smoothing_bins", fmt::format("the smoothing must be at most the number of bins ({}), not {}",
-                                                       histogram.options.bins, histogram.options.smoothing_bins)};
-  }
-  const Json& range = settings.at("range");
-  if (range.is_object()) {
-    histogram.range = HistogramRange::fixed;
-    histogram.fixed = {.low = range.at("fixed").at(0), .high = range.at("fixed").at(1)};
-    if (!(histogram.fixed.low < histogram.fixed.high)) {
-      throw MisplacedValue{
-          "range.fixed", fmt::format("the first value must be less than the second, not {}", range.at("fixed").dump())};
-    }
-    if (!std::isfinite(histogram.fixed.high - histogram.fixed.low)) {
-      throw MisplacedValue{"range.fixed", fmt::format("the values are too far apart: {}", range.at("fixed").dump())};
-    }
-  } else {
-    histogram.range = range == "dataset" ? HistogramRange::dataset : HistogramRange::per_shape;
-  }
-  return histogram;
-}
-
-std::vector<std::string> unique_names(const Json& signatures) {
-  std::vector<std::string> names;
-  for (const Json& signature : signatures) {
-    const std::string name = signature.at("name");
-    const auto earlier = std::ranges::find(names, name);
-    if (earlier != names.end()) {
-      throw MisplacedValue{fmt::format("{}.name", names.size()),
-                           fmt::format("\"{}\" is the name of signatures.{} already", name, earlier - names.begin())};
-    }
-    names.push_back(name);
-  }
-  return names;
-}
-
-std::vector<std::size_t> parts_of(const Json& concatenate, const std::vector<std::string>& names) {
-  std::vector<std::size_t> parts;
-  for (std::size_t i = 0; i < concatenate.size(); ++i) {
-    const std::string name = concatenate[i];
-    const auto found = std::ranges::find(names, name);
-    if (found == names.end()) {
-      throw MisplacedValue{fmt::format("concatenate.{}", i),
-                           fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
-    }
-    parts.push_back(static_cast<std::size_t>(found - names.begin()));
-  }
-  return parts;
-}
-
-SignatureConfiguration signature_of(const Json& settings, const std::vector<std::string>& names) {
-  SignatureConfiguration signature;
-  signature.name = settings.at("name");
-  if (settings.contains("concatenate")) {
-    for (const char* key : {"field", "histogram"}) {
-      if (settings.contains(key)) throw MisplacedValue{key, "does not go with \"concatenate\"; remove one of the two"};
-    }
-    signature.parts = parts_of(settings.at("concatenate"), names);
-    return signature;
-  }
-  signature.field = at("field", [&] { return make_field(settings.at("field")); });
-  signature.histogram = at("histogram", [&] { return histogram_of(settings.at("histogram")); });
-  return signature;
-}
-
-std::vector<SignatureConfiguration> signatures_of(const Json& settings) {
-  const std::vector<std::string> names = unique_names(settings);
-  std::vector<SignatureConfiguration> signatures;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
-  }
-  if (const auto cyclic = part_of_itself(signatures)) {
-    throw MisplacedValue{fmt::format("{}.concatenate", *cyclic),
-                         fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
-  }
-  return signatures;
-}
-
 std::vector<Protocol> protocols_of(const Json& setting) {
   std::vector<Protocol> protocols;
   const auto add = [&](const Json& name) { protocols.push_back(protocol_of(name.get<std::string>()).value()); };
@@ -194,7 +81,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
   configuration.seed = document.value("seed", configuration.seed);
-  if (document.contains("preparation")) configuration.preparation = preparation_of(document["preparation"]);
+  if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   if (document.contains("evaluation")) {
@@ -203,7 +90,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   }
   configuration.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
   configuration.distance = document.value("distance", configuration.distance);
-  configuration.signatures = at("signatures", [&] { return signatures_of(document.at("signatures")); });
+  configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
   return configuration;
 }
 
@@ -211,6 +98,9 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
 
 Configuration configuration_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);
+  if (is_comparison(document)) {
+    throw InputError(fmt::format("{}: compares \"shapes\": it is not a retrieval experiment", source));
+  }
   try {
     return checked_configuration(document, folder);
   } catch (const MisplacedValue& error) {
@@ -218,10 +108,16 @@ Configuration configuration_from_json(const Json& document, const std::string& s
   }
 }
 
-Configuration read_configuration(const fs::path& path, std::span<const std::string> overrides) {
+Json read_configuration_document(const fs::path& path, std::span<const std::string> overrides) {
   Json document = read_json(path);
   for (const std::string& assignment : overrides) apply_override(document, assignment);
-  return configuration_from_json(document, path.string(), path.parent_path());
+  return document;
+}
+
+bool is_comparison(const Json& document) { return document.is_object() && document.contains("shapes"); }
+
+Configuration read_configuration(const fs::path& path, std::span<const std::string> overrides) {
+  return configuration_from_json(read_configuration_document(path, overrides), path.string(), path.parent_path());
 }
 
 }  // namespace shapegauge

@@ -9,11 +9,19 @@
 
 namespace shapegauge {
 
-/// Reads a configuration file, applies the overrides (see apply_override), and checks everything that can be checked
-/// without looking at the data: the schema, unique names, `concatenate` that points somewhere and not to itself,
-/// settings that contradict each other. Paths are relative to the file's folder, `${VARIABLE}` in them is expanded.
-/// Throws InputError with the file, the path to the value, what is wrong and the nearest valid word.
+/// Reads the configuration file of a retrieval experiment, applies the overrides (see apply_override), and checks
+/// everything that can be checked without looking at the data: the schema, unique names, `concatenate` that points
+/// somewhere and not to itself, settings that contradict each other. Paths are relative to the file's folder,
+/// `${VARIABLE}` in them is expanded. Throws InputError with the file, the path to the value, what is wrong and the
+/// nearest valid word.
 Configuration read_configuration(const std::filesystem::path& path, std::span<const std::string> overrides = {});
+
+/// The document that read_configuration checks: the file's, with the overrides applied.
+nlohmann::json read_configuration_document(const std::filesystem::path& path,
+                                           std::span<const std::string> overrides = {});
+
+/// Whether the document is one of a comparison of shapes (experiments/comparison) and not of a retrieval experiment.
+bool is_comparison(const nlohmann::json& document);
 
 /// The same for a document that was read already. `source` is what messages call it; relative paths are relative to
 /// `folder`.

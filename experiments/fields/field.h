@@ -21,6 +21,7 @@ using FieldOutcomes = std::map<std::string, std::size_t>;
 /// The values of a field on one shape.
 struct FieldValues {
   Eigen::VectorXd values;  ///< one a sample; NaN where there is none
+  Points normals = {};     ///< of fields that estimate them: outward unit normals, one a sample; else empty
   FieldOutcomes outcomes;
   std::optional<double> offset;  ///< r as a fraction of the diagonal, where the field chose it for the shape
   double build_seconds = 0;      ///< spatial structures

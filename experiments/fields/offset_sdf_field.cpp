@@ -18,6 +18,7 @@ Field offset_sdf_field(const nlohmann::json& settings) {
             OffsetSdfResult result = offset_sdf(shape, samples, now);
             const OffsetSdfOutcomes& outcomes = result.outcomes;
             return FieldValues{.values = std::move(result.values),
+                               .normals = std::move(result.normals),
                                .outcomes = {{"total", outcomes.total},
                                             {"direct", outcomes.direct},
                                             {"searched", outcomes.searched},

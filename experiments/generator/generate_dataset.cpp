@@ -17,6 +17,7 @@
 #include "shapegauge/experiments/datasets/classification_file.h"
 #include "shapegauge/experiments/generator/articulated_body.h"
 #include "shapegauge/experiments/generator/classes/class_skeletons.h"
+#include "shapegauge/experiments/generator/generate_model.h"
 
 namespace shapegauge {
 
@@ -103,9 +104,8 @@ void write_class(std::size_t class_index, const Models& models, const GeneratorO
   const std::string segmentation = segmentation_text(body.labels);
   const auto count = static_cast<std::size_t>(options.models_per_class);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t model) {
-    RandomNumbers random(options.seed, (class_index << 32U) + model);
     const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
-    write_off(models.folder / (name + ".off"), draw_model(body, random));
+    write_off(models.folder / (name + ".off"), draw_numbered_model(body, class_index, model, options.seed));
     write_file_atomically(models.folder / (name + ".seg"), segmentation);
     counter.count_one();
   });

@@ -16,6 +16,7 @@ std::span<const PerturbationType> perturbation_types() {
       PerturbationType{"holes", holes_step},
       PerturbationType{"decimate", decimate_step},
       PerturbationType{"sample_points", sample_points_step},
+      PerturbationType{"vertex_cloud", vertex_cloud_step},
       PerturbationType{"flip_orientation", flip_orientation_step},
       PerturbationType{"motion", motion_step},
       PerturbationType{"one_of", one_of_step},

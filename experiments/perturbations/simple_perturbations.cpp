@@ -8,6 +8,7 @@
 #include "shapegauge/core/perturbation/random_motion.h"
 #include "shapegauge/core/perturbation/remove_faces.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/vertex_cloud.h"
 #include "shapegauge/core/perturbation/vertex_noise.h"
 
 namespace shapegauge {
@@ -59,6 +60,11 @@ Perturbation sample_points_step(const Json& settings) {
           .apply = [options](const Shape& shape, PerturbationContext& context) {
             return sample_surface(shape, options, context.random);
           }};
+}
+
+Perturbation vertex_cloud_step(const Json& /*settings*/) {
+  return {.settings = {{"type", "vertex_cloud"}},
+          .apply = [](const Shape& shape, PerturbationContext& /*context*/) { return vertex_cloud(shape); }};
 }
 
 Perturbation flip_orientation_step(const Json& settings) {

@@ -17,6 +17,8 @@ Perturbation holes_step(const nlohmann::json& settings);
 Perturbation decimate_step(const nlohmann::json& settings);
 /// "sample_points": `points` and `with_normals` of sample_surface;
 Perturbation sample_points_step(const nlohmann::json& settings);
+/// "vertex_cloud": vertex_cloud, without settings;
+Perturbation vertex_cloud_step(const nlohmann::json& settings);
 /// "flip_orientation": `fraction` of flip_orientation;
 Perturbation flip_orientation_step(const nlohmann::json& settings);
 /// "motion": `scale` of random_motion.

@@ -2,8 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/core/version.h"
-#include "shapegauge/experiments/results/build_information.h"
+#include "shapegauge/experiments/results/manifest_parts.h"
 #include "shapegauge/experiments/results/sha256.h"
 
 namespace shapegauge {
@@ -24,13 +23,6 @@ Json inputs(const ExperimentResults& results) {
   return json;
 }
 
-Json fields(const ExperimentResults& results) {
-  Json list = Json::array();
-  for (const FieldReport& field : results.fields)
-    list.push_back({{"field", field.settings}, {"samples", field.outcomes}});
-  return list;
-}
-
 Json failures(const ExperimentResults& results) {
   Json list = Json::array();
   for (const FailedModel& failure : results.failures) {
@@ -44,33 +36,20 @@ Json left_out(const ExperimentResults& results) {
   return none ? Json(0) : Json(results.methods.front().evaluations.front().models_left_out);
 }
 
-Json execution(const ExperimentResults& results) {
-  Json seconds = Json::object();
-  for (const auto& [stage, time] : results.timings) seconds[stage] = time;
-  Json by_field = Json::array();
-  for (const FieldReport& field : results.fields) {
-    by_field.push_back({{"field", field.settings}, {"seconds", field.seconds}});
-  }
-  return {{"threads", results.threads}, {"seconds", std::move(seconds)}, {"field_seconds", std::move(by_field)}};
-}
-
 }  // namespace
 
 Json manifest(const ExperimentResults& results, const std::vector<std::string>& files) {
-  return {{"shapegauge", version()},
-          {"commit", commit()},
-          {"compiler", compiler()},
-          {"build_type", build_type()},
-          {"libraries", Json::parse(library_versions())},
-          {"configuration", to_json(results.configuration)},
-          {"seed", results.configuration.seed},
-          {"inputs", inputs(results)},
-          {"models", results.models.size()},
-          {"models_never_queries", left_out(results)},
-          {"failed_models", failures(results)},
-          {"fields", fields(results)},
-          {"files", files},
-          {"execution", execution(results)}};
+  Json json = program_json();
+  json.update({{"configuration", to_json(results.configuration)},
+               {"seed", results.configuration.seed},
+               {"inputs", inputs(results)},
+               {"models", results.models.size()},
+               {"models_never_queries", left_out(results)},
+               {"failed_models", failures(results)},
+               {"fields", fields_json(results.fields)},
+               {"files", files},
+               {"execution", execution_json(results.threads, results.timings, results.fields)}});
+  return json;
 }
 
 }  // namespace shapegauge

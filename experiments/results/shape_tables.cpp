@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/experiments/results/diagnostics_json.h"
@@ -22,47 +23,56 @@ std::string name_of(const FieldReport& field) {
 
 bool chooses_offset(const FieldReport& field) { return field.settings.value("offset", nlohmann::json()).is_string(); }
 
-std::vector<std::string> shapes_header(const ExperimentResults& results) {
-  std::vector<std::string> header{"id", "class", "choices"};
+void append_header(std::vector<std::string>& header, const PreparationOptions& preparation,
+                   std::span<const FieldReport> fields) {
   const nlohmann::ordered_json diagnostics = diagnostics_json({});
   for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
   header.emplace_back("area scaled to 1");
-  if (results.configuration.preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
-  for (const FieldReport& field : results.fields) {
+  if (preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
+  for (const FieldReport& field : fields) {
     if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
     for (const auto& [outcome, count] : field.outcomes) {
       header.push_back(fmt::format("{}: {}", name_of(field), outcome));
     }
   }
-  return header;
+}
+
+void append_report(std::vector<std::string>& row, const ShapeReport& shape, const PreparationOptions& preparation,
+                   std::span<const FieldReport> fields) {
+  row.push_back(fmt::format("{}", fmt::join(shape.chosen, " ")));
+  const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
+  for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
+  row.push_back(fmt::format("{}", shape.area));
+  if (preparation.denoise) {
+    row.push_back(fmt::format("{:.4g}", shape.noise));
+    row.push_back(fmt::format("{:.4g}", shape.pass_band));
+  }
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
+    for (const auto& [outcome, sum] : fields[field].outcomes) {
+      const auto count = shape.outcomes[field].find(outcome);
+      row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
+    }
+  }
 }
 
 }  // namespace
 
-Table shapes_table(const ExperimentResults& results) {
-  Table table{.header = shapes_header(results), .rows = {}, .text_columns = 3};
-  for (std::size_t i = 0; i < results.models.size(); ++i) {
-    const Model& model = results.models[i];
-    const ShapeReport& shape = results.shapes[i];
-    auto& row = table.rows.emplace_back();
-    row = {model.id, results.classes[static_cast<std::size_t>(model.label)],
-           fmt::format("{}", fmt::join(shape.chosen, " "))};
-    const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
-    for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
-    row.push_back(fmt::format("{}", shape.area));
-    if (results.configuration.preparation.denoise) {
-      row.push_back(fmt::format("{:.4g}", shape.noise));
-      row.push_back(fmt::format("{:.4g}", shape.pass_band));
-    }
-    for (std::size_t field = 0; field < results.fields.size(); ++field) {
-      if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
-      for (const auto& [outcome, sum] : results.fields[field].outcomes) {
-        const auto count = shape.outcomes[field].find(outcome);
-        row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
-      }
-    }
-  }
+Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                         std::span<const FieldReport> fields) {
+  table.text_columns = table.header.size() + 1;
+  table.header.emplace_back("choices");
+  append_header(table.header, preparation, fields);
+  for (std::size_t i = 0; i < shapes.size(); ++i) append_report(table.rows[i], shapes[i], preparation, fields);
   return table;
+}
+
+Table shapes_table(const ExperimentResults& results) {
+  Table table{.header = {"id", "class"}, .rows = {}};
+  for (const Model& model : results.models) {
+    table.rows.push_back({model.id, results.classes[static_cast<std::size_t>(model.label)]});
+  }
+  return with_shape_reports(std::move(table), results.shapes, results.configuration.preparation, results.fields);
 }
 
 Table shape_seconds_table(const ExperimentResults& results) {

@@ -1,18 +1,14 @@
 #include "shapegauge/experiments/results/write_results.h"
 
-#include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <string>
-#include <string_view>
 
-#include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/experiments/configuration/parse_json.h"
 #include "shapegauge/experiments/matrices/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/file_names.h"
 #include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 
 namespace shapegauge {
@@ -22,8 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using OrderedJson = nlohmann::ordered_json;
-
-constexpr std::string_view manifest_name = "manifest.json";
 
 std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   std::vector<NamedEvaluation> all;
@@ -72,27 +66,6 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
           {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
 }
 
-/// The distance matrices that an earlier manifest in the folder lists.
-std::vector<std::string> earlier_matrices(const fs::path& folder) {
-  std::vector<std::string> matrices;
-  try {
-    if (!fs::exists(folder / manifest_name)) return {};
-    for (const auto& file : read_json(folder / manifest_name).value("files", std::vector<std::string>())) {
-      const fs::path path = file;
-      if (path.parent_path() == "distances" && path.extension() == ".npy") matrices.push_back(file);
-    }
-  } catch (const std::exception&) {
-    matrices.clear();  // not a manifest of ours: nothing to clear away
-  }
-  return matrices;
-}
-
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) throw InputError(fmt::format("cannot make the folder {}: {}", folder.string(), failure.message()));
-}
-
 std::vector<std::string> matrix_files(const ExperimentResults& results) {
   std::vector<std::string> names;
   for (const MethodResults& method : results.methods) names.push_back(method.name);
@@ -103,16 +76,9 @@ std::vector<std::string> matrix_files(const ExperimentResults& results) {
 
 }  // namespace
 
-bool has_results(const fs::path& folder) {
-  static constexpr std::array<std::string_view, 11> names{
-      "summary.csv",   "summary.json", "summary.md",        "summary.tex", "per_class.csv", "per_query.csv",
-      "pr_curves.csv", "shapes.csv",   "shape_seconds.csv", "distances",   manifest_name};
-  return std::ranges::any_of(names, [&](std::string_view name) { return fs::exists(folder / name); });
-}
-
 void write_results(const fs::path& folder, const ExperimentResults& results) {
   make_folder(folder / "distances");
-  const std::vector<std::string> earlier = earlier_matrices(folder);
+  const std::vector<std::string> earlier = earlier_results(folder);
   const std::vector<std::string> matrices = matrix_files(results);
   std::vector<std::string> files;
   for (const auto& [name, text] : text_files(results)) {
@@ -124,10 +90,7 @@ void write_results(const fs::path& folder, const ExperimentResults& results) {
     files.push_back(matrices[i]);
   }
   write_file_atomically(folder / manifest_name, manifest(results, files).dump(2) + "\n");
-  std::error_code ignored;  // a file that is gone already
-  for (const std::string& matrix : earlier) {
-    if (std::ranges::find(matrices, matrix) == matrices.end()) fs::remove(folder / matrix, ignored);
-  }
+  remove_superseded(folder, earlier, files);
 }
 
 std::string summary_text(const ExperimentResults& results) {

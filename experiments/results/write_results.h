@@ -7,12 +7,9 @@
 namespace shapegauge {
 
 /// Writes all result files (the design, section 5) into the folder, made where absent, each whole or not at all, the
-/// manifest last; then removes distance matrices that the manifest of an earlier run lists and this run has not
-/// written. Throws InputError where a file cannot be written.
+/// manifest last; then removes what an earlier run wrote and this one has not. Throws InputError where a file cannot be
+/// written.
 void write_results(const std::filesystem::path& folder, const ExperimentResults& results);
-
-/// Whether a file that write_results would write is in the folder.
-bool has_results(const std::filesystem::path& folder);
 
 /// The results' summary for a terminal.
 std::string summary_text(const ExperimentResults& results);

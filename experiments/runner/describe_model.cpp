@@ -7,7 +7,6 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/samples.h"
 
@@ -39,47 +38,60 @@ Interval range_of(const ScalarField& field, const Field& what) {
   throw InputError(fmt::format("no sample has a value of the field {}", what.settings.dump()));
 }
 
+/// The histograms of a field that need no other shape, and what is kept of its values.
+void describe_field(const ScalarField& field, const PlannedField& planned,
+                    const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
+                    std::vector<Eigen::VectorXf>& histograms) {
+  kept.range = range_of(field, planned.field);
+  for (const std::size_t i : planned.signatures) {
+    const HistogramConfiguration& wanted = signatures[i].histogram;
+    if (wanted.range == HistogramRange::dataset) continue;
+    const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : kept.range;
+    histograms[i] = histogram(field, range, wanted.options);
+  }
+  if (planned.keep_values) {
+    kept.values = field.values.cast<float>();
+    kept.weights = field.weights.cast<float>();
+  }
+}
+
 }  // namespace
 
-ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                std::span<const PlannedField> plan, bool parallel) {
-  const std::vector<SignatureConfiguration>& signatures = configuration.signatures;
-  const Model& source = dataset.models[model];
-  PerturbedShape perturbed =
-      perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model);
+ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+                                const std::vector<SignatureConfiguration>& signatures,
+                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   ModelDescription description;
   description.diagnostics = diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
   description.histograms.resize(signatures.size());
-  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), configuration.preparation);
+  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
   description.area = prepared.area;
   description.noise = prepared.noise.relative();
   description.pass_band = prepared.pass_band;
-  const Shape& shape = prepared.shape;
-  SamplesByPlan samples(shape);
-  for (const PlannedField& planned : plan) {
+  SamplesByPlan samples(prepared.shape);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Samples& sites = samples.at(planned.field.samples);
-    FieldValues computed = planned.field.compute(shape, sites, parallel);
-    const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
+    const Samples& sites = samples.at(plan[i].field.samples);
+    FieldValues computed = plan[i].field.compute(prepared.shape, sites, parallel);
+    const auto end = std::chrono::steady_clock::now();
+    if (observe) observe(i, prepared, sites, computed);
 
     FieldDescription& kept = description.fields.emplace_back();
     kept.outcomes = std::move(computed.outcomes);
     kept.offset = computed.offset;
-    kept.range = range_of(field, planned.field);
-    for (const std::size_t i : planned.signatures) {
-      const HistogramConfiguration& wanted = signatures[i].histogram;
-      if (wanted.range == HistogramRange::dataset) continue;
-      const Interval& range = wanted.range == HistogramRange::fixed ? wanted.fixed : kept.range;
-      description.histograms[i] = histogram(field, range, wanted.options);
-    }
-    if (planned.keep_values) {
-      kept.values = field.values.cast<float>();
-      kept.weights = field.weights.cast<float>();
-    }
-    kept.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    kept.seconds = std::chrono::duration<double>(end - start).count();
+    const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
+    describe_field(field, plan[i], signatures, kept, description.histograms);
   }
   return description;
+}
+
+ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                std::span<const PlannedField> plan, bool parallel) {
+  const Model& source = dataset.models[model];
+  return describe_shape(
+      perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model),
+      configuration.preparation, configuration.signatures, plan, parallel);
 }
 
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/experiments/runner/field_plan.h"
 
 namespace shapegauge {
@@ -33,9 +36,18 @@ struct ModelDescription {
   double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
 };
 
-/// Reads a model of the data set, perturbs it, prepares it and computes the planned fields and their
-/// histograms. parallel: spread the samples over threads. Throws InputError or std::invalid_argument where the shape is
-/// of no use.
+/// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and
+/// what was computed.
+using FieldObserver =
+    std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
+
+/// Prepares a shape and computes the planned fields and their histograms. parallel: spread the samples over threads.
+/// Throws InputError or std::invalid_argument where the shape is of no use, and what the observer throws.
+ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+                                const std::vector<SignatureConfiguration>& signatures,
+                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
+
+/// The same for a model of the data set, which is read and perturbed.
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const PlannedField> plan, bool parallel);
 

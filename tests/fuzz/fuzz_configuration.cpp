@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "shapegauge/experiments/comparison/read_comparison.h"
 #include "shapegauge/experiments/configuration/apply_override.h"
 #include "shapegauge/experiments/configuration/parse_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -21,6 +22,16 @@ std::string_view next_part(std::string_view& text) {
   return part;
 }
 
+/// Whether the document is a configuration, by the function that reads it.
+template <typename Read>
+bool complete(const nlohmann::json& document, const Read& from_json) {
+  decltype(from_json(document, "", "")) read;
+  if (!is_accepted("run.json: ", [&] { read = from_json(document, "run.json", "folder"); })) return false;
+  const auto read_again = [&] { from_json(to_json(read), "complete", ""); };
+  promise(is_accepted("complete: ", read_again), "a configuration with all defaults filled in is a configuration");
+  return true;
+}
+
 }  // namespace
 
 bool configuration(std::string_view bytes) {
@@ -30,11 +41,8 @@ bool configuration(std::string_view bytes) {
     const std::string_view assignment = next_part(bytes);
     if (!is_accepted("--set ", [&] { apply_override(document, assignment); })) return false;
   }
-  Configuration read;
-  if (!is_accepted("run.json: ", [&] { read = configuration_from_json(document, "run.json", "folder"); })) return false;
-  const auto read_again = [&] { configuration_from_json(to_json(read), "complete", ""); };
-  promise(is_accepted("complete: ", read_again), "a configuration with all defaults filled in is a configuration");
-  return true;
+  if (is_comparison(document)) return complete(document, comparison_from_json);
+  return complete(document, configuration_from_json);
 }
 
 }  // namespace shapegauge::fuzz

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/generator/generate_model.h"
+#include "shapegauge/experiments/perturbations/perturbation.h"
+
+namespace shapegauge {
+
+/// A shape of a comparison.
+struct ComparedShape {
+  std::string name;
+  std::filesystem::path file;               ///< where it is, or else
+  std::optional<GeneratedModel> generated;  ///< how the program makes it
+  std::vector<Perturbation> perturbations;  ///< applied to it after reading
+};
+
+/// An experiment that compares shapes with one of them, checked, with all defaults filled in.
+struct Comparison {
+  std::string name;
+  std::string description;
+  std::vector<ComparedShape> shapes;
+  std::optional<std::size_t> reference;  ///< index of the shape that the others are compared with, if any
+  bool registered =
+      true;  ///< whether the shapes lie where the reference lies: only then are values and normals compared
+  std::uint64_t seed = 1;          ///< of the perturbations
+  PreparationOptions preparation;  ///< of every shape, after them
+  OnError on_error = OnError::stop;
+  std::vector<SignatureConfiguration> signatures;  ///< histograms of a field, all of them
+  std::string distance = "l1";
+};
+
+/// The comparison as JSON with all defaults filled in, in the form that configurations are read from.
+nlohmann::json to_json(const Comparison& comparison);
+
+}  // namespace shapegauge

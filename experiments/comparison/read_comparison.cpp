@@ -1,0 +1,109 @@
+#include "shapegauge/experiments/comparison/read_comparison.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/printable.h"
+#include "shapegauge/experiments/configuration/misplaced_value.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/path_value.h"
+#include "shapegauge/experiments/configuration/preparation_settings.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/read_signatures.h"
+#include "shapegauge/experiments/configuration/schema_check.h"
+#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/experiments/perturbations/perturbation_registry.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+GeneratedModel generated_of(const Json& settings) {
+  GeneratedModel generated;
+  generated.model_class = settings.at("class");
+  generated.model = settings.value("model", generated.model);
+  generated.faces = settings.value("faces", generated.faces);
+  generated.seed = settings.value("seed", generated.seed);
+  const std::vector<std::string> classes = generated_class_names();
+  if (std::ranges::find(classes, generated.model_class) == classes.end()) {
+    throw MisplacedValue{"class", fmt::format("there is no class \"{}\"{}", generated.model_class,
+                                              suggestion(generated.model_class, classes))};
+  }
+  return generated;
+}
+
+ComparedShape shape_of(const Json& settings, const fs::path& folder) {
+  ComparedShape shape;
+  shape.name = settings.at("name");
+  if (settings.contains("generate")) {
+    if (settings.contains("file")) throw MisplacedValue{"file", "does not go with \"generate\"; remove one of the two"};
+    shape.generated = at("generate", [&] { return generated_of(settings.at("generate")); });
+  } else {
+    shape.file = path_value(settings, "file", folder);
+  }
+  if (settings.contains("perturbations")) shape.perturbations = make_perturbations(settings.at("perturbations"));
+  return shape;
+}
+
+std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folder) {
+  std::vector<ComparedShape> shapes;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    ComparedShape shape = at(std::to_string(i), [&] { return shape_of(settings[i], folder); });
+    const auto earlier = std::ranges::find(shapes, shape.name, &ComparedShape::name);
+    if (earlier != shapes.end()) {
+      throw MisplacedValue{fmt::format("{}.name", i), fmt::format("\"{}\" is the name of shapes.{} already", shape.name,
+                                                                  earlier - shapes.begin())};
+    }
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+std::size_t reference_of(const std::string& name, const std::vector<ComparedShape>& shapes) {
+  std::vector<std::string> names;
+  for (const ComparedShape& shape : shapes) names.push_back(shape.name);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    throw MisplacedValue{"reference", fmt::format("there is no shape \"{}\"{}", name, suggestion(name, names))};
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Comparison checked_comparison(const Json& document, const fs::path& folder) {
+  Comparison comparison;
+  comparison.name = document.at("name");
+  comparison.description = document.value("description", "");
+  comparison.shapes = at("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
+  if (document.contains("reference")) {
+    comparison.reference = reference_of(document.at("reference"), comparison.shapes);
+  } else if (document.contains("registered")) {
+    throw MisplacedValue{"registered", "needs a \"reference\" that the shapes are compared with"};
+  }
+  comparison.registered = document.value("registered", comparison.reference.has_value());
+  comparison.seed = document.value("seed", comparison.seed);
+  if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
+  comparison.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
+  comparison.distance = document.value("distance", comparison.distance);
+  comparison.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
+  return comparison;
+}
+
+}  // namespace
+
+Comparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
+  check_against_schema(document, source);
+  if (!is_comparison(document)) {
+    throw InputError(fmt::format("{}: has a \"dataset\", not \"shapes\": it is a retrieval experiment", source));
+  }
+  try {
+    return checked_comparison(document, folder);
+  } catch (const MisplacedValue& error) {
+    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
+  }
+}
+
+}  // namespace shapegauge
