@@ -138,7 +138,7 @@ TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
   EXPECT_EQ(words_at("/definitions/field/properties/type/enum"), names_of(field_types()));
   EXPECT_EQ(words_at("/definitions/dataset/properties/layout/enum"), names_of(dataset_layouts()));
   EXPECT_EQ(words_at("/definitions/protocol/enum"), protocol_names());
-  EXPECT_EQ(words_at("/properties/distance/enum"), distance_names());
+  EXPECT_EQ(words_at("/definitions/retrieval_experiment/properties/distance/enum"), distance_names());
 }
 
 }  // namespace
