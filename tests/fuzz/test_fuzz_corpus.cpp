@@ -70,7 +70,7 @@ TEST_P(FuzzCorpus, SeedsAreOfUse) {
   for (const fs::path& file : seeds) EXPECT_TRUE(run(file)) << file;
 }
 
-TEST_P(FuzzCorpus, WhatFuzzersFoundKeepsItsPromises) {
+TEST_P(FuzzCorpus, RegressionsKeepTheirPromises) {
   for (const fs::path& file : files("regressions")) run(file);
 }
 
