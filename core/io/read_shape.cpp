@@ -4,9 +4,9 @@
 #include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <ranges>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -62,7 +62,8 @@ const Format& format_of(const fs::path& path, std::string_view bytes) {
   const auto* format = find(lower_case(path.extension().string()));
   if (format == formats.end()) format = find(extension_by_content(bytes));
   if (format == formats.end()) {
-    const auto extensions = formats | std::views::transform(&Format::extension);
+    std::vector<std::string_view> extensions;
+    for (const Format& known : formats) extensions.push_back(known.extension);
     throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
                                  path.extension().string(), fmt::join(extensions, ", ")));
   }

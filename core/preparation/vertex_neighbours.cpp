@@ -26,8 +26,7 @@ std::vector<Pair> neighbouring_places(const Triangles& triangles, const std::vec
     }
   }
   std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
 }
 
@@ -51,8 +50,9 @@ VertexNeighbours vertex_neighbours(const Shape& shape) {
   for (std::size_t v = 0; v < merged.size(); ++v) {
     result.first.push_back(result.neighbours.size());
     if (!used[v]) continue;
-    for (const Pair& pair : std::ranges::equal_range(pairs, merged[v], {}, &Pair::first)) {
-      result.neighbours.push_back(pair.second);
+    for (auto pair = std::ranges::lower_bound(pairs, merged[v], {}, &Pair::first);
+         pair != pairs.end() && pair->first == merged[v]; ++pair) {
+      result.neighbours.push_back(pair->second);
     }
   }
   result.first.push_back(result.neighbours.size());

@@ -60,7 +60,7 @@ std::size_t count_degenerate(const Shape& shape) {
 std::size_t count_duplicates(std::vector<Corners> corners) {
   for (Corners& triangle : corners) std::ranges::sort(triangle);
   std::ranges::sort(corners);
-  return static_cast<std::size_t>(std::ranges::unique(corners).size());
+  return static_cast<std::size_t>(corners.end() - std::unique(corners.begin(), corners.end()));
 }
 
 /// Parts connected through vertices: sets of vertices that are united triangle by triangle.
