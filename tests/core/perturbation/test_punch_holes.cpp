@@ -31,7 +31,9 @@ TEST(PunchHoles, HolesAddUpAndDependOnTheSeed) {
   EXPECT_LT(one, sphere.triangles.rows());
   EXPECT_LT(five, one);
   EXPECT_EQ(punched(sphere, {}, 1).triangles, punched(sphere, {}, 1).triangles);
-  EXPECT_NE(punched(sphere, {}, 1).triangles, punched(sphere, {}, 2).triangles);
+  const Triangles first = punched(sphere, {}, 1).triangles;
+  const Triangles second = punched(sphere, {}, 2).triangles;
+  EXPECT_TRUE(first.rows() != second.rows() || first != second);
 }
 
 TEST(PunchHoles, RemovesPointsOfACloudAboutSomeOfThem) {
