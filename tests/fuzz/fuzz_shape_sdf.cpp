@@ -14,7 +14,7 @@ namespace shapegauge::fuzz {
 namespace {
 
 bool offset_sdf_is_measured(const Measurement& of, const Samples& samples) {
-  return is_accepted("the ", [&] {
+  return is_accepted("", [&] {
     const OffsetSdfResult result = offset_sdf(of.shape, samples, {.offset = of.offset, .parallel = false});
     promise(result.values.size() == samples.points.rows(), "every sample has an offset SDF");
     promise(result.normals.allFinite(), "normals are finite");
@@ -28,7 +28,7 @@ bool offset_sdf_is_measured(const Measurement& of, const Samples& samples) {
 }
 
 bool cone_sdf_is_measured(const Measurement& of, const Samples& samples) {
-  return is_accepted("the ", [&] {
+  return is_accepted("", [&] {
     const ConeSdfResult result = cone_sdf(of.shape, samples, {.rays = 7, .parallel = false});
     for (const double value : result.values) {
       promise(std::isnan(value) || (std::isfinite(value) && value >= 0), "a conventional SDF is NaN or from 0 up");
@@ -41,14 +41,14 @@ bool cone_sdf_is_measured(const Measurement& of, const Samples& samples) {
 bool shape_sdf(std::string_view bytes) {
   const Measurement measurement = measurement_from_bytes(bytes);
   Samples samples;
-  const bool usable = is_accepted("the shape", [&] {
+  const bool usable = is_accepted("", [&] {
     is_closed(measurement.shape);
     samples = sample_shape(measurement.shape, measurement.site);
   });
   if (!usable) return false;
   promise(samples.points.allFinite() && samples.normals.allFinite(), "samples are finite");
   promise((samples.weights.array() >= 0).all(), "areas are not negative");
-  is_accepted("the shape", [&] {
+  is_accepted("", [&] {
     const Shape scaled = scaled_to_unit_area(measurement.shape);
     const double area = is_cloud(scaled) ? point_weights(scaled.vertices).sum() : surface_area(scaled);
     promise(std::abs(area - 1) < 1e-9, "a unit area is 1");
