@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <queue>
 
 namespace shapegauge {
 
@@ -26,30 +27,36 @@ double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen:
   return inside ? std::sqrt(squared) : -std::sqrt(squared);
 }
 
+/// A square in which the centre may lie.
+struct Square {
+  Eigen::Vector2d centre;
+  double half;   ///< of its edge
+  double bound;  ///< no circle about a point of the square is larger
+};
+
 }  // namespace
 
 double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
   if (polygon.size() < 3) return 0;
-  constexpr int steps = 12;  // of the grid along each axis
-  constexpr int rounds = 10;
   Eigen::AlignedBox2d box;
   for (const Eigen::Vector2d& corner : polygon) box.extend(corner);
-  Eigen::Vector2d centre = box.center();
-  Eigen::Vector2d half = box.sizes() / 2;
+  const double negligible = 1e-3 * box.diagonal().norm();
   double best = 0;
-  for (int round = 0; round < rounds; ++round) {
-    Eigen::Vector2d next = centre;
-    for (int i = 0; i <= steps; ++i) {
-      for (int j = 0; j <= steps; ++j) {
-        const Eigen::Vector2d x = centre + half.cwiseProduct(Eigen::Vector2d(2.0 * i / steps - 1, 2.0 * j / steps - 1));
-        const double distance = signed_distance(polygon, x);
-        if (distance <= best) continue;
-        best = distance;
-        next = x;
-      }
+  const auto smaller_bound = [](const Square& a, const Square& b) { return a.bound < b.bound; };
+  std::priority_queue<Square, std::vector<Square>, decltype(smaller_bound)> waiting(smaller_bound);
+  const auto look_at = [&](const Eigen::Vector2d& centre, double half) {
+    const double distance = signed_distance(polygon, centre);
+    best = std::max(best, distance);
+    // Distances change by no more than the way from the centre.
+    waiting.push({centre, half, distance + std::sqrt(2.0) * half});
+  };
+  look_at(box.center(), box.sizes().maxCoeff() / 2);
+  while (waiting.top().bound > 1.01 * best + negligible) {
+    const Square square = waiting.top();
+    waiting.pop();
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) look_at(square.centre + square.half * Eigen::Vector2d(x, y), square.half / 2);
     }
-    centre = next;
-    half /= 2;
   }
   return best;
 }
