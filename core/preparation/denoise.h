@@ -14,8 +14,8 @@ struct DenoisedShape {
 
 /// Takes the noise out of a mesh whose vertices are noisy beyond doubt (is_noisy), and leaves any other shape as it is.
 ///
-/// The vertices are smoothed with a pass band of 0.025 / noise.relative(), between 0.02 and 0.3: about what leaves them
-/// closest to the true surface (docs/robustness.md). Clouds have no neighbours to smooth with and stay.
+/// The vertices are smoothed with a pass band of 0.025 / noise.relative(), between 0.02 and 0.3; what comes of it is
+/// in docs/figures.md, Fig 6. Clouds have no neighbours to smooth with and stay.
 DenoisedShape denoised(Shape shape);
 
 }  // namespace shapegauge

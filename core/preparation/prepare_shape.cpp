@@ -8,7 +8,6 @@
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/normalise.h"
-#include "shapegauge/core/shape/validity.h"
 
 namespace shapegauge {
 
@@ -23,7 +22,6 @@ double positive_tube_area(const Shape& shape) {
 }  // namespace
 
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options) {
-  require_usable(shape);
   PreparedShape result;
   if (options.denoise) {
     DenoisedShape clean = denoised(std::move(shape));

@@ -56,7 +56,7 @@ TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
     EXPECT_GT(result.values.minCoeff(), 1.5) << points;
     EXPECT_NEAR(result.values.mean(), 2, 0.04) << points;
     EXPECT_EQ(result.outcomes.undecided, 0U);
-    // Half of it leaks.
+    // A third of it leaks.
     const OffsetSdfResult leaking =
         offset_sdf(cloud, sample_shape(cloud, SampleSite::vertices), {.offset = chosen.offset / 3});
     EXPECT_LT(leaking.values.minCoeff(), 1) << points;

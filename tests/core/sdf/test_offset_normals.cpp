@@ -54,9 +54,9 @@ TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
   }
 }
 
-TEST(OffsetNormals, OfANoisySphereAreFarBetterThanAveragedFaceNormals) {
-  // Noise well below an edge's length, 0.011 of the diagonal, tilts faces more than it does the offset surface, too; at
-  // vertices, whose faces' normals average, that holds for stronger noise.
+TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdges) {
+  // Edges are 0.011 of the diagonal long. At vertices, where the faces' normals average, it takes stronger noise; below
+  // that the offset surface is no better (docs/figures.md, Fig 5).
   for (const auto& [noise, site] :
        {std::pair(0.005, SampleSite::faces), {0.02, SampleSite::faces}, {0.02, SampleSite::vertices}}) {
     RandomNumbers random(1);

@@ -274,9 +274,10 @@ TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
       EXPECT_EQ(result.outcomes.undecided, 0U);
       EXPECT_GE(result.values.minCoeff(), 0);
       // r is 0.17, and the largest hole among the points has a radius h of about 0.1. The offset surface dents there by
-      // r - sqrt(r^2 - h^2) = 0.03, and p's closest point may be off the normal by an angle whose sine is h/r.
+      // r - sqrt(r^2 - h^2) = 0.03, and the middle of what p's ball exposes may be off the normal by about half of
+      // the angle whose sine is h/r: 2 cos 18 degrees, less a dent or two, is 1.84.
       EXPECT_NEAR(result.values.mean() / scale, 2, 0.03);
-      EXPECT_GT(result.values.minCoeff() / scale, 1.6);
+      EXPECT_GT(result.values.minCoeff() / scale, 1.8);
       EXPECT_LT(result.values.maxCoeff() / scale, 2.05);
     }
   }

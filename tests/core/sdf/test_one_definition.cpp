@@ -65,6 +65,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(10, 60) / 1000.0;
   const double share = share_in_dispute(test_shapes::joined(parts), offset);
+  // The worst of 200 cases had 1.25 %; so few samples have to be in so narrow a passage.
   RC_ASSERT(share <= 0.03);
 }
 
