@@ -65,7 +65,7 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool o
 }
 
 Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                 SearchMemory& memory) {
+                 NearestExteriorSearch& search) {
   const double r = exterior.r();
   const double on_surface = std::max(1e-3 * r, 1e-6);  // what rounding may have moved a sample by
   if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface)) {
@@ -76,7 +76,7 @@ Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vec
   auto q = direct_point(exterior, of_cloud, p, normal);
   if (!q) {
     outcome = Outcome::searched;
-    q = nearest_exterior_point(exterior, p, normal, memory);
+    q = search.find(p, normal);
     distance = (q->point - p).norm();
   }
   Eigen::Vector3d outward = (q->point - p).normalized();
@@ -120,14 +120,14 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
   const std::vector<std::int32_t> order = order_along_curve(samples.points);
   // What a search remembers of the ones before it ends with the block, so that threads do not change the answers.
-  constexpr Eigen::Index block_size = 256;
+  constexpr Eigen::Index block_size = 1024;
   const auto answer_block = [&](Eigen::Index block) {
-    SearchMemory memory;
+    NearestExteriorSearch search(exterior);
     const Eigen::Index end = std::min(n, (block + 1) * block_size);
     for (Eigen::Index k = block * block_size; k < end; ++k) {
       const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Answer answer = answer_at(exterior, is_cloud(shape), frame.to_unit(samples.points.row(i).transpose()),
-                                      samples.normals.row(i).transpose(), memory);
+                                      samples.normals.row(i).transpose(), search);
       result.values[i] = answer.value * frame.diagonal;
       result.normals.row(i) = answer.normal;
       outcomes[static_cast<std::size_t>(i)] = answer.outcome;

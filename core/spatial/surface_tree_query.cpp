@@ -3,6 +3,8 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/spatial/surface_tree_query.cpp"
 #include <array>
+#include <bit>
+#include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 #include <limits>
@@ -53,9 +55,10 @@ HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge
 }
 
 /// Squared distances from x to the leaf's triangles: the plane's where x projects into the triangle, else the nearest
-/// edge's.
-HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+/// edge's. Returns the smallest.
+HWY_INLINE float squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
   const hn::CappedTag<float, triangles_per_leaf> d;
+  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
   const Eigen::Vector3f local = (x - leaf.origin).cast<float>();
   const VectorOf<decltype(d)> point = {hn::Set(d, local[0]), hn::Set(d, local[1]), hn::Set(d, local[2])};
   for (std::size_t lane = 0; lane < triangles_per_leaf; lane += hn::Lanes(d)) {
@@ -72,14 +75,29 @@ HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vect
     const auto c = dot<decltype(d)>(from_a, load(d, leaf.dual_c, lane));
     const auto zero = hn::Zero(d);
     const auto inside = hn::And(hn::And(hn::Ge(b, zero), hn::Ge(c, zero)), hn::Le(hn::Add(b, c), hn::Set(d, 1.0F)));
-    hn::Store(hn::IfThenElse(inside, hn::Mul(height, height), nearest), d, result.data() + lane);
+    const auto squared = hn::IfThenElse(inside, hn::Mul(height, height), nearest);
+    hn::Store(squared, d, result.data() + lane);
+    smallest = hn::Min(smallest, squared);
+  }
+  return hn::GetLane(hn::MinOfLanes(d, smallest));
+}
+
+/// The triangle of the leaf closest to x where its squared distance is below the limit, which it becomes; else -1.
+HWY_INLINE std::int32_t closest_in_leaf(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, float& limit) {
+  alignas(64) LeafLane distances;
+  const float smallest = squared_distances(leaf, x, distances);
+  if (!(smallest < limit)) return -1;
+  limit = smallest;
+  for (std::size_t lane = 0;; ++lane) {
+    if (distances[lane] == smallest) return leaf.triangle[lane];
   }
 }
 
-/// Squared distances from x to the boxes of the node's children.
-HWY_INLINE void squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x,
-                                  std::array<float, children_per_node>& result) {
+/// Squared distances from x to the boxes of the node's children. Returns which are below the limit, a bit each.
+HWY_INLINE std::uint32_t squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float limit,
+                                           std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;
+  std::uint32_t below_limit = 0;
   for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
     auto sum = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -90,17 +108,20 @@ HWY_INLINE void squared_distances(const SurfaceTreeNode& node, const Eigen::Vect
       sum = hn::MulAdd(outside, outside, sum);
     }
     hn::Store(sum, d, result.data() + lane);
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
+    below_limit |= static_cast<std::uint32_t>(bits[0]) << lane;
   }
+  return below_limit;
 }
 
 /// Puts the children nearer than the limit on the stack, the nearest on top.
 HWY_INLINE int push_children(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float squared_limit,
                              std::array<Waiting, stack_size>& stack, int top) {
   alignas(64) std::array<float, children_per_node> distances;
-  squared_distances(node, x, distances);
   const int bottom = top;
-  for (std::size_t i = 0; i < children_per_node; ++i) {
-    if (!(distances[i] < squared_limit)) continue;
+  for (std::uint32_t left = squared_distances(node, x, squared_limit, distances); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
     int place = top++;
     for (; place > bottom && stack[static_cast<std::size_t>(place - 1)].squared_distance < distances[i]; --place) {
       stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
@@ -132,13 +153,8 @@ std::int32_t closest(const std::vector<SurfaceTreeNode>& nodes, const std::vecto
                      const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   std::int32_t best = otherwise;
   visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
-    alignas(64) LeafLane distances;
-    squared_distances(leaf, x, distances);
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      if (!(distances[lane] < limit)) continue;
-      limit = distances[lane];
-      best = leaf.triangle[lane];
-    }
+    const std::int32_t found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) best = found;
   });
   return best;
 }
@@ -147,14 +163,8 @@ std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::ve
                         const Eigen::Vector3d& x, float squared_limit) {
   std::int32_t found = -1;
   visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
-    alignas(64) LeafLane distances;
-    squared_distances(leaf, x, distances);
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      if (!(distances[lane] < limit)) continue;
-      found = leaf.triangle[lane];
-      limit = -1;
-      return;
-    }
+    found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) limit = -1;
   });
   return found;
 }
