@@ -2,8 +2,10 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/spatial/surface_tree_query.cpp"
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
@@ -159,6 +161,80 @@ std::int32_t closest(const std::vector<SurfaceTreeNode>& nodes, const std::vecto
   return best;
 }
 
+/// The leaves that a search for several points found within reach, with their boxes.
+struct Reached {
+  static constexpr std::size_t most = 64;
+  std::size_t count = 0;
+  alignas(64) std::array<std::array<float, most>, 3> low, high;
+  std::array<std::int32_t, most> leaf;
+};
+
+/// Looks into the leaves, for each point into those whose boxes are within its limit.
+HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeLeaf>& leaves,
+                          std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                          std::span<std::int32_t> triangles) {
+  const hn::CappedTag<float, triangles_per_leaf> d;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f x = points[i].cast<float>();
+    for (std::size_t first = 0; first < reached.count; first += hn::Lanes(d)) {
+      auto sum = hn::Zero(d);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+        const auto below = hn::Sub(hn::Load(d, reached.low[k].data() + first), coordinate);
+        const auto above = hn::Sub(coordinate, hn::Load(d, reached.high[k].data() + first));
+        const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+        sum = hn::MulAdd(outside, outside, sum);
+      }
+      alignas(64) std::array<float, triangles_per_leaf> distances;
+      hn::Store(sum, d, distances.data());
+      const std::size_t lanes = std::min(hn::Lanes(d), reached.count - first);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (!(distances[lane] < limits[i])) continue;
+        const std::int32_t found =
+            closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
+        if (found >= 0) triangles[i] = found;
+      }
+    }
+  }
+}
+
+void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                     std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                     std::span<std::int32_t> triangles) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
+  double reach = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    reach = std::max(reach, std::sqrt(static_cast<double>(limits[i])) + (points[i] - centre).norm());
+  }
+  const auto squared_reach = static_cast<float>(reach * reach * (1 + 1e-6));
+  Reached reached;
+  std::array<std::int32_t, stack_size> stack;
+  const Eigen::Vector3f x = centre.cast<float>();
+  int top = 0;
+  stack[static_cast<std::size_t>(top++)] = 0;
+  while (top > 0) {
+    const SurfaceTreeNode& node = nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
+    alignas(64) std::array<float, children_per_node> distances;
+    for (std::uint32_t left = squared_distances(node, x, squared_reach, distances); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      if (node.child[i] >= 0) {
+        stack[static_cast<std::size_t>(top++)] = node.child[i];
+        continue;
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        reached.low[k][reached.count] = node.low[k][i];
+        reached.high[k][reached.count] = node.high[k][i];
+      }
+      reached.leaf[reached.count++] = node.child[i];
+      if (reached.count < Reached::most) continue;
+      look_into(reached, leaves, points, limits, triangles);
+      reached.count = 0;
+    }
+  }
+  look_into(reached, leaves, points, limits, triangles);
+}
+
 std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
                         const Eigen::Vector3d& x, float squared_limit) {
   std::int32_t found = -1;
@@ -177,11 +253,18 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(closest);
+HWY_EXPORT(closest_to_each);
 HWY_EXPORT(any_within);
 
 std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+void closest_triangles(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                       std::span<const Eigen::Vector3d> points, std::span<float> squared_limits,
+                       std::span<std::int32_t> triangles) {
+  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, squared_limits, triangles);
 }
 
 std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
