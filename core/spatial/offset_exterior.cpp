@@ -143,14 +143,22 @@ bool OffsetExterior::is_among_enclosed(const Eigen::Vector3d& x) const {
 }
 
 std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {
-  ExteriorCell cell = root();
-  if (!((x - cell.centre).cwiseAbs().maxCoeff() <= cell.half)) return std::nullopt;
-  while (nodes_[static_cast<std::size_t>(cell.node)].kind == CellKind::divided) {
-    int i = 0;
-    for (int k = 0; k < 3; ++k) i |= x[k] > cell.centre[k] ? 1 << k : 0;
-    cell = octant(cell, i, nodes_[static_cast<std::size_t>(cell.node)].first_child + i);
+  // The bits of the coordinates, in cubes of the 2^30th part of the root's edge, say which child to take at each level.
+  constexpr int bits = 30;
+  const Eigen::Array3d place = (x - root_centre_).array() / (2 * root_half_) + 0.5;
+  if (!((place >= 0).all() && (place < 1).all())) return std::nullopt;
+  const Eigen::Array3i coordinates = (place * (1 << bits)).cast<int>();
+  std::int32_t node = 0;
+  int level = 0;
+  while (nodes_[static_cast<std::size_t>(node)].kind == CellKind::divided) {
+    const int shift = bits - ++level;
+    const int i = ((coordinates[0] >> shift) & 1) | ((coordinates[1] >> shift) & 1) << 1 |
+                  ((coordinates[2] >> shift) & 1) << 2;
+    node = nodes_[static_cast<std::size_t>(node)].first_child + i;
   }
-  return cell;
+  const double edge = std::ldexp(2 * root_half_, -level);
+  const Eigen::Array3d corner = (coordinates / (1 << (bits - level))).cast<double>() * edge;
+  return ExteriorCell{root_centre_ + (corner + (edge / 2 - root_half_)).matrix(), edge / 2, node};
 }
 
 std::optional<bool> OffsetExterior::contains(const Eigen::Vector3d& x) const {
