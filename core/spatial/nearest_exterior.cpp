@@ -25,7 +25,7 @@ constexpr double smallest_cube = 1.0 / 128;
 /// The cubes around one point serve for others within this distance.
 constexpr double shared_distance = 0.7;
 /// A half-space must cut off at least this much, in parts of what it might miss, or the cube is divided instead.
-constexpr double smallest_cut = 0.5;
+constexpr double smallest_cut = 1;
 const double root_of_three = std::sqrt(3.0);
 
 /// Distance from p to the intersection of two half-spaces; negative, to the nearer plane, inside of it.
@@ -59,6 +59,18 @@ ExteriorPoint NearestExteriorSearch::find(const Eigen::Vector3d& p, const Eigen:
   if (best_distance_ > far * r_) descend_from(nearest_known_exterior());
   prove();
   return {best_, decided_};
+}
+
+std::span<const HalfSpace> NearestExteriorSearch::with_faces(const Cube& cube,
+                                                             std::span<HalfSpace, most_bounds + 6> room) {
+  std::copy_n(cube.half_spaces.begin(), cube.bounds, room.begin());
+  std::size_t count = cube.bounds;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+    room[count++] = {axis, cube.cell.centre[k] - cube.cell.half};
+    room[count++] = {-axis, -cube.cell.centre[k] - cube.cell.half};
+  }
+  return room.first(count);
 }
 
 /// Exterior points that are not nearer than this are of no interest. None is closer to the surface, hence to p, than r.
@@ -206,24 +218,27 @@ void NearestExteriorSearch::gather(const ExteriorCell& cell, double reach) {
     for (int i = 0; i < 8; ++i) gather(OffsetExterior::octant(cell, i, node.first_child + i), reach);
     return;
   }
-  Cube cube{cell, 0, {}};
+  Cube cube{.cell = cell, .half_spaces = {}, .triangles = {}};
   if (node.kind != CellKind::divided && node.triangle >= 0) add_bound(cube, node.triangle);
   add(cube);
 }
 
 void NearestExteriorSearch::add(const Cube& cube) {
   frontier_.add(cube.cell.centre, cube.cell.half);
-  if (cube.bounds > 0) frontier_.bound(frontier_.size() - 1, cube.bound[0].free, cube.bound[cube.bounds - 1].free);
+  if (cube.bounds > 0) {
+    frontier_.bound(frontier_.size() - 1, cube.half_spaces[0], cube.half_spaces[cube.bounds - 1]);
+  }
   cubes_.push_back(cube);
 }
 
 /// Tells the frontier the two half-spaces of a cube whose intersection p is farthest from, among those whose planes x,
-/// the point of the cube nearest to p, lies on.
-void NearestExteriorSearch::show_bounds(std::int32_t index, std::span<const HalfSpace> half_spaces,
-                                        const Eigen::Vector3d& x) {
+/// the point of all of them nearest to p, lies on.
+void NearestExteriorSearch::show_bounds(std::int32_t index, const Eigen::Vector3d& x) {
+  const Cube& cube = cubes_[static_cast<std::size_t>(index)];
+  std::array<HalfSpace, most_bounds + 6> near;
   std::array<const HalfSpace*, 3> active{};
   std::size_t count = 0;
-  for (const HalfSpace& half_space : half_spaces) {
+  for (const HalfSpace& half_space : with_faces(cube, near)) {
     if (half_space.normal.dot(x) > half_space.bound + 1e-6 * r_) continue;
     active[count++] = &half_space;
     if (count == active.size()) break;
@@ -246,14 +261,12 @@ void NearestExteriorSearch::show_bounds(std::int32_t index, std::span<const Half
 void NearestExteriorSearch::look_into(std::int32_t index) {
   while (true) {
     Cube& cube = cubes_[static_cast<std::size_t>(index)];
-    const std::span<const HalfSpace> half_spaces = half_spaces_of(cube);
-    auto x = closest_point_in(half_spaces.first(cube.bounds), p_);
-    if (x && (*x - p_).norm() < limit()) x = closest_point_in(half_spaces, p_);
+    const auto x = nearest_in(cube);
     if (!x) return frontier_.remove(index);
-    if ((*x - p_).norm() >= limit()) return show_bounds(index, half_spaces, *x);
+    if ((*x - p_).norm() >= limit()) return show_bounds(index, *x);
     const ExteriorNode& node = exterior_.nodes()[static_cast<std::size_t>(cube.cell.node)];
     if (node.kind == CellKind::divided) return divide(index);
-    const std::int32_t hint = cube.bounds > 0 ? cube.bound[cube.bounds - 1].triangle : -1;
+    const std::int32_t hint = cube.bounds > 0 ? cube.triangles[cube.bounds - 1] : -1;
     const SurfaceHit hit = closest(*x, hint);
     const bool divisible = 2 * cube.cell.half > smallest_cube * r_;
     if (hit.distance >= r_) {
@@ -264,7 +277,7 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
     }
     const std::size_t bounds = cube.bounds;
     if (bounds < most_bounds && add_bound(cube, hit.triangle)) {
-      const HalfSpace& added = cube.bound[bounds].free;
+      const HalfSpace& added = cube.half_spaces[bounds];
       const double sagitta = 3 * cube.cell.half * cube.cell.half / (2 * r_);
       if (added.bound - added.normal.dot(*x) > smallest_cut * sagitta) {
         continue;
@@ -284,16 +297,13 @@ bool NearestExteriorSearch::push_out(const Eigen::Vector3d& x, const SurfaceHit&
   return true;
 }
 
-/// The half-spaces that the cube's exterior points lie in: those of its bounds, then those of its faces.
-std::span<const HalfSpace> NearestExteriorSearch::half_spaces_of(const Cube& cube) {
-  std::size_t count = 0;
-  for (; count < cube.bounds; ++count) half_spaces_[count] = cube.bound[count].free;
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    half_spaces_[count++] = {axis, cube.cell.centre[k] - cube.cell.half};
-    half_spaces_[count++] = {-axis, -cube.cell.centre[k] - cube.cell.half};
-  }
-  return std::span(half_spaces_).first(count);
+/// The point nearest to p in a cube and its half-spaces, or in these alone where that is far enough; nothing where they
+/// have no point in common.
+std::optional<Eigen::Vector3d> NearestExteriorSearch::nearest_in(const Cube& cube) const {
+  const auto x = closest_point_in(std::span(cube.half_spaces).first(cube.bounds), p_);
+  if (!x || (*x - p_).norm() >= limit()) return x;
+  std::array<HalfSpace, most_bounds + 6> half_spaces;
+  return closest_point_in(with_faces(cube, half_spaces), p_);
 }
 
 /// Notes that the cube's exterior points are at least r away from a point of the triangle, in the direction of the
@@ -306,7 +316,8 @@ bool NearestExteriorSearch::add_bound(Cube& cube, std::int32_t triangle) const {
   if (distance <= radius || radius >= r_) return false;
   const Eigen::Vector3d normal = to_centre / distance;
   const double height = std::sqrt(r_ * r_ - radius * radius);
-  cube.bound[cube.bounds++] = {triangle, {normal, normal.dot(point) + height}};
+  cube.triangles[cube.bounds] = triangle;
+  cube.half_spaces[cube.bounds++] = {normal, normal.dot(point) + height};
   return true;
 }
 
@@ -317,13 +328,14 @@ void NearestExteriorSearch::divide(std::int32_t index) {
   const ExteriorNode& node = exterior_.nodes()[static_cast<std::size_t>(cube.cell.node)];
   for (int i = 0; i < 8; ++i) {
     const bool in_octree = node.kind == CellKind::divided;
-    Cube child{OffsetExterior::octant(cube.cell, i, in_octree ? node.first_child + i : cube.cell.node), 0, {}};
+    const std::int32_t child_index = in_octree ? node.first_child + i : cube.cell.node;
+    Cube child{.cell = OffsetExterior::octant(cube.cell, i, child_index), .half_spaces = {}, .triangles = {}};
     const ExteriorNode& child_node = exterior_.nodes()[static_cast<std::size_t>(child.cell.node)];
     if (!child_node.may_hold_exterior) continue;
     if (in_octree && child_node.kind != CellKind::divided && child_node.triangle >= 0) {
       add_bound(child, child_node.triangle);
     }
-    for (std::size_t k = 0; k < cube.bounds; ++k) add_bound(child, cube.bound[k].triangle);
+    for (std::size_t k = 0; k < cube.bounds; ++k) add_bound(child, cube.triangles[k]);
     add(child);
   }
   const std::size_t before = waiting_.size();

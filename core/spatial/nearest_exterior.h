@@ -35,7 +35,7 @@ class NearestExteriorSearch {
 
  private:
   static constexpr std::size_t most_contacts = 7;
-  static constexpr std::size_t most_bounds = 4;
+  static constexpr std::size_t most_bounds = 5;
 
   /// A triangle that keeps a point at its distance, and the half-space that it leaves free.
   struct Contact {
@@ -47,9 +47,12 @@ class NearestExteriorSearch {
   struct Cube {
     ExteriorCell cell;  ///< its node is that of the octree's leaf for a part of one
     std::size_t bounds = 0;
-    std::array<Contact, most_bounds> bound;
+    std::array<HalfSpace, most_bounds> half_spaces;
+    std::array<std::int32_t, most_bounds> triangles;  ///< that the half-spaces are from
   };
 
+  /// A cube's half-spaces and those of its faces, put into the given room.
+  static std::span<const HalfSpace> with_faces(const Cube& cube, std::span<HalfSpace, most_bounds + 6> room);
   [[nodiscard]] double limit() const;
   [[nodiscard]] Contact contact_at(std::int32_t triangle, const Eigen::Vector3d& surface_point,
                                    const Eigen::Vector3d& x) const;
@@ -64,10 +67,10 @@ class NearestExteriorSearch {
   void cover_surroundings();
   void gather(const ExteriorCell& cell, double reach);
   void add(const Cube& cube);
-  void show_bounds(std::int32_t index, std::span<const HalfSpace> half_spaces, const Eigen::Vector3d& x);
+  void show_bounds(std::int32_t index, const Eigen::Vector3d& x);
   void prove();
   void look_into(std::int32_t index);
-  std::span<const HalfSpace> half_spaces_of(const Cube& cube);
+  [[nodiscard]] std::optional<Eigen::Vector3d> nearest_in(const Cube& cube) const;
   bool add_bound(Cube& cube, std::int32_t triangle) const;
   void divide(std::int32_t index);
   bool push_out(const Eigen::Vector3d& x, const SurfaceHit& hit);
@@ -82,7 +85,6 @@ class NearestExteriorSearch {
   double best_distance_ = std::numeric_limits<double>::infinity();
   bool decided_ = true;
   std::vector<NearbyCube> waiting_;  ///< a heap, the nearest first
-  std::array<HalfSpace, most_bounds + 6> half_spaces_;  ///< of the cube in question
 
   // Kept from point to point.
   std::vector<Contact> contacts_;  ///< that hold the last point found
