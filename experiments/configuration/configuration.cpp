@@ -36,16 +36,6 @@ Json dataset_to_json(const Configuration& configuration) {
   return json;
 }
 
-Json histogram_to_json(const HistogramConfiguration& histogram) {
-  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
-  if (histogram.range == HistogramRange::fixed) {
-    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
-  } else {
-    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
-  }
-  return json;
-}
-
 }  // namespace
 
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
@@ -64,13 +54,23 @@ std::vector<std::size_t> computation_order(const std::vector<SignatureConfigurat
   return order;
 }
 
+Json to_json(const HistogramConfiguration& histogram) {
+  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
+  if (histogram.range == HistogramRange::fixed) {
+    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
+  } else {
+    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
+  }
+  return json;
+}
+
 Json to_json(const std::vector<SignatureConfiguration>& signatures) {
   Json list = Json::array();
   for (const SignatureConfiguration& signature : signatures) {
     Json json{{"name", signature.name}};
     if (signature.field) {
       json["field"] = signature.field->settings;
-      json["histogram"] = histogram_to_json(signature.histogram);
+      json["histogram"] = to_json(signature.histogram);
     } else {
       for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
     }
