@@ -27,11 +27,16 @@ std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& sign
   return std::nullopt;
 }
 
+/// A path that names the same from any folder: a run may be repeated from elsewhere.
+std::string absolute_text(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
 Json dataset_to_json(const Configuration& configuration) {
   if (configuration.generator) return {{"generate", to_json(*configuration.generator)}};
   const DatasetLocation& location = configuration.location.value();
-  Json json{{"layout", location.layout}, {"root", location.root.string()}};
-  if (!location.classification.empty()) json["classification"] = location.classification.string();
+  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
+  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
   if (location.layout == "folders") json["split"] = location.split;
   return json;
 }

@@ -69,7 +69,8 @@ nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 /// The generator's settings as JSON, in the form of a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
 
-/// The configuration as JSON with all defaults filled in, in the form that configurations are read from.
+/// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
+/// absolute.
 nlohmann::json to_json(const Configuration& configuration);
 
 }  // namespace shapegauge
