@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// What a run found of one model, as it was measured: after the perturbations, in the file's units.
 struct ShapeReport {
-  std::string sha256;  ///< of the file; empty where there is none
+  std::string sha256 = {};  ///< of the file; empty where there is none
   ShapeDiagnostics diagnostics;
   std::vector<std::size_t> chosen;             ///< what perturbations that choose have chosen, in order
   double area = 0;                             ///< that was scaled to 1, in the file's units, squared
