@@ -10,8 +10,8 @@ enum class Flush { no, yes };
 
 /// Writes the bytes to the file at `path`, whole or not at all: into a new file beside it, which takes its place by a
 /// rename once it is complete. A file that was there before stays as it was until then, and after any failure; a
-/// program that is interrupted leaves no half-written file under that name. After a power cut that holds with Flush::yes
-/// only.
+/// program that is interrupted leaves no half-written file under that name. After a power cut that holds with
+/// Flush::yes only.
 ///
 /// A symbolic link is followed. What is not a regular file (/dev/stdout, a pipe) is written to directly. The folder
 /// must exist. Throws InputError "cannot write <path>: <reason>" where the folder or the disk does not let it be

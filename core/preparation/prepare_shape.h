@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of what prepare_shape() makes of a shape: what a cache holds of earlier versions is then
-/// computed anew.
+/// To be raised with every change of what prepare_shape() makes of a shape: what a cache holds of earlier versions is
+/// then computed anew.
 inline constexpr int preparation_version = 1;
 
 /// What a shape is scaled by before it is compared with others.

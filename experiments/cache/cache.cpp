@@ -28,7 +28,7 @@ std::optional<nlohmann::json> Cache::find_value(EntryKind kind, const std::strin
       fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // trim_cache() goes by that
       return value;
     }
-  } catch (const InputError&) {  // empty, or not to be read
+  } catch (const InputError&) {                           // empty, or not to be read
     if (!fs::exists(path, ignored)) return std::nullopt;  // another run has removed it just now
   } catch (const nlohmann::json::exception&) {
   }
@@ -46,7 +46,9 @@ void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& 
     fs::create_directories(path.parent_path(), failure);
     if (failure) throw InputError(fmt::format("cannot make {}: {}", path.parent_path().string(), failure.message()));
     write_cache_tag(folder_);
-    write_file_atomically(path, encode_entry(kind, key, content), Flush::yes);
+    // Only what takes long to compute is worth waiting for the disk; all else is soon made of it again.
+    const Flush flush = kind == EntryKind::field || kind == EntryKind::samples ? Flush::yes : Flush::no;
+    write_file_atomically(path, encode_entry(kind, key, content), flush);
   } catch (const InputError& error) {
     writable_ = false;
     const std::scoped_lock lock(mutex_);
@@ -78,8 +80,8 @@ std::vector<std::string> Cache::warnings() const {
     warnings.push_back(fmt::format("damaged in the cache and computed anew: {}{}", first_damaged_.string(), others));
   }
   if (!writing_error_.empty()) {
-    warnings.push_back(fmt::format("the cache is not written to any more: {}; the results are complete without it",
-                                   writing_error_));
+    warnings.push_back(
+        fmt::format("the cache is not written to any more: {}; the results are complete without it", writing_error_));
   }
   return warnings;
 }

@@ -27,8 +27,8 @@ bool is_entry_folder(const fs::directory_entry& entry) {
   return name.size() == digits_of_folder && is_hexadecimal(name) && entry.is_directory() && !entry.is_symlink();
 }
 
-/// The file, where its name is one that caches give: <62 digits>.<kind>, or that with an ending ".<number>-<number>.part"
-/// while it is written.
+/// The file, where its name is one that caches give: <62 digits>.<kind>, or that with an ending
+/// ".<number>-<number>.part" while it is written.
 std::optional<CacheFile> cache_file(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   constexpr std::size_t digits = digits_of_key - digits_of_folder;

@@ -7,8 +7,8 @@
 namespace shapegauge {
 
 /// The folder of the cache where none is named: the environment variable SHAPEGAUGE_CACHE, or `shapegauge` in the cache
-/// folder of the XDG Base Directory Specification (XDG_CACHE_HOME, or ~/.cache). Empty, which stands for no cache, where
-/// SHAPEGAUGE_CACHE is set to nothing or there is no home.
+/// folder of the XDG Base Directory Specification (XDG_CACHE_HOME, or ~/.cache). Empty, which stands for no cache,
+/// where SHAPEGAUGE_CACHE is set to nothing or there is no home.
 std::filesystem::path default_cache_folder();
 
 /// How many bytes the cache may hold after a run: the environment variable SHAPEGAUGE_CACHE_LIMIT, or 10 GB. Throws

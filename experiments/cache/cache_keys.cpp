@@ -27,7 +27,7 @@ constexpr int entry_version = 1;
 
 /// The program that computes.
 const Json& program() {
-  static const Json program{{"shapegauge", version()},   {"compiler", compiler()},
+  static const Json program{{"shapegauge", version()},    {"compiler", compiler()},
                             {"build_type", build_type()}, {"libraries", Json::parse(library_versions())},
                             {"processor", processor()},   {"entry_version", entry_version}};
   return program;
@@ -64,9 +64,9 @@ std::string samples_key(const std::string& shape, const SamplePlan& plan) {
 }
 
 std::string field_key(const std::string& shape, const Field& field) {
-  return key_of(EntryKind::field, {{"samples", samples_key(shape, field.samples)},
-                                   {"settings", field.settings},
-                                   {"versions", field.versions}});
+  return key_of(
+      EntryKind::field,
+      {{"samples", samples_key(shape, field.samples)}, {"settings", field.settings}, {"versions", field.versions}});
 }
 
 std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram) {

@@ -11,9 +11,9 @@
 #include "shapegauge/experiments/fields/sample_plan.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// Keys of the cache: SHA-256 of all that a result depends on, which is the keys of what it is made of, the parameters of
-/// the step, the version of its algorithm, and the program that computes it: its release, compiler, libraries and kind
-/// of processor, with another of which the last bits may differ.
+/// Keys of the cache: SHA-256 of all that a result depends on, which is the keys of what it is made of, the parameters
+/// of the step, the version of its algorithm, and the program that computes it: its release, compiler, libraries and
+/// kind of processor, with another of which the last bits may differ.
 namespace shapegauge {
 
 /// What the prepared shape of a model depends on besides the configuration.

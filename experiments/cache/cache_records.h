@@ -6,8 +6,8 @@
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// What the entries of the cache hold, as JSON with the numbers of arrays as binary values. Read back, everything is the
-/// same bit by bit. The functions that read throw nlohmann::json::exception where a record is not of that form.
+/// What the entries of the cache hold, as JSON with the numbers of arrays as binary values. Read back, everything is
+/// the same bit by bit. The functions that read throw nlohmann::json::exception where a record is not of that form.
 namespace shapegauge {
 
 /// The numbers of an array.

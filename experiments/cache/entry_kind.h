@@ -19,7 +19,7 @@ inline constexpr std::size_t number_of_entry_kinds = 5;
 
 /// The kinds' names, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{"shape", "samples", "field",
-                                                                                     "histogram", "distances"};
+                                                                                      "histogram", "distances"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

@@ -64,7 +64,8 @@ void add_cache_command(CLI::App& app, int& status) {
   CLI::App* cache = app.add_subcommand("cache", "Look at or remove what earlier runs have computed");
   cache->require_subcommand(1);
   cache->footer(
-      "`shapegauge run` keeps in the cache what it computes of each shape, and takes it from there when it needs the same\n"
+      "`shapegauge run` keeps in the cache what it computes of each shape, and takes it from there when it needs the "
+      "same\n"
       "again. It can be removed at any time: later runs take longer, their results are the same.\n"
       "Example: shapegauge cache info");
   add_action(*cache, "info", "Say where the cache is and what it holds", info, status);

@@ -233,7 +233,8 @@ void add_run_command(CLI::App& app, int& status) {
       "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
       "A folder that holds the results of the same configuration is written anew; one with the results of another\n"
       "configuration only with --replace or --force.\n"
-      "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that was\n"
+      "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that "
+      "was\n"
       "interrupted goes on from there, and other bins need no new field. See shapegauge cache --help.\n"
       "With --replay results/NAME/manifest.json the run that wrote the manifest is repeated, without the cache, into\n"
       "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");

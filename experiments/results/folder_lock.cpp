@@ -30,15 +30,15 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / ".s
   while (true) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
-      throw InputError(fmt::format("cannot write to the folder {}: {}", folder.string(),
-                                   std::generic_category().message(errno)));
+      throw InputError(
+          fmt::format("cannot write to the folder {}: {}", folder.string(), std::generic_category().message(errno)));
     }
     const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == EWOULDBLOCK) {
       ::close(descriptor_);
-      throw InputError(fmt::format(
-          "another run is under way in {}; wait until it has ended, or give another folder with --output",
-          folder.string()));
+      throw InputError(
+          fmt::format("another run is under way in {}; wait until it has ended, or give another folder with --output",
+                      folder.string()));
     }
     // Whoever had it before removes the file at last: a lock on a file that is gone keeps nobody out.
     if (error != 0 || is_file_of(descriptor_, path_)) return;

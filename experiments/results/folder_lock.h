@@ -9,8 +9,8 @@ namespace shapegauge {
 /// locks, nothing is locked.
 class FolderLock {
  public:
-  /// Makes the folder where it is absent. Throws InputError where it cannot be made or written to, and where another run
-  /// has it.
+  /// Makes the folder where it is absent. Throws InputError where it cannot be made or written to, and where another
+  /// run has it.
   explicit FolderLock(const std::filesystem::path& folder);
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

@@ -74,9 +74,10 @@ Json read_manifest(const fs::path& path) {
   Json manifest = read_json(path);
   for (const char* key : {"configuration", "inputs", "outputs"}) {
     if (!manifest.is_object() || !manifest.contains(key) || !manifest.at(key).is_object()) {
-      throw InputError(fmt::format("{}: has no \"{}\": it is not the manifest of a run of this version; name the {} among "
-                                   "the results of a run",
-                                   path.string(), key, manifest_name));
+      throw InputError(
+          fmt::format("{}: has no \"{}\": it is not the manifest of a run of this version; name the {} among "
+                      "the results of a run",
+                      path.string(), key, manifest_name));
     }
   }
   return manifest;
@@ -117,7 +118,8 @@ std::vector<std::string> changed_program(const Json& manifest) {
   const Json here = program_json();
   for (const auto& [key, value] : here.items()) {
     const Json recorded = manifest.value(key, Json("unknown"));
-    if (recorded != value) changes.push_back(fmt::format("{}: {}, recorded was {}", key, value.dump(), recorded.dump()));
+    if (recorded != value)
+      changes.push_back(fmt::format("{}: {}, recorded was {}", key, value.dump(), recorded.dump()));
   }
   return changes;
 }

@@ -84,9 +84,10 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
   fs::remove(probe, ignored);
 
   if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
-  throw InputError(fmt::format(
-      "{} holds the results of another configuration; give another folder with --output, or replace them with --replace",
-      folder.string()));
+  throw InputError(
+      fmt::format("{} holds the results of another configuration; give another folder with --output, or replace them "
+                  "with --replace",
+                  folder.string()));
 }
 
 }  // namespace shapegauge

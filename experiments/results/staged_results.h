@@ -6,9 +6,9 @@
 
 namespace shapegauge {
 
-/// New results on their way into a folder that may hold earlier ones. They are written into a folder of their own inside
-/// it first; only when all are there do they take the place of the earlier ones. A disk that fills up on the way thus
-/// leaves the earlier results as they were.
+/// New results on their way into a folder that may hold earlier ones. They are written into a folder of their own
+/// inside it first; only when all are there do they take the place of the earlier ones. A disk that fills up on the way
+/// thus leaves the earlier results as they were.
 class StagedResults {
  public:
   /// Makes the folder and, empty, the one inside it. Throws InputError where that is not possible. Nobody else may do

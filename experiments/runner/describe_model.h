@@ -49,8 +49,8 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
-/// Adds to what is kept of a field its range, those of its histograms that need no other shape, and its values where the
-/// plan keeps them. Throws InputError where no sample has a value.
+/// Adds to what is kept of a field its range, those of its histograms that need no other shape, and its values where
+/// the plan keeps them. Throws InputError where no sample has a value.
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms);

@@ -107,8 +107,8 @@ class DescribedModel {
     std::optional<FieldDescription> facts;
     std::erase_if(field.rest.signatures, [&](std::size_t signature) {
       if (wanted(signature).range == HistogramRange::dataset) return false;  // depends on the other shapes
-      auto histogram = cache_->find(EntryKind::histogram, histogram_key(field.key, wanted(signature)),
-                                    read_histogram_record);
+      auto histogram =
+          cache_->find(EntryKind::histogram, histogram_key(field.key, wanted(signature)), read_histogram_record);
       if (!histogram) return false;
       cache_->count(EntryKind::histogram, true);
       histograms_[signature] = std::move(histogram->bins);
@@ -129,8 +129,8 @@ class DescribedModel {
     if (!cached || cached->values.size() != weights->size()) return std::nullopt;
     std::vector<Eigen::VectorXf> histograms(histograms_.size());
     try {
-      describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest,
-                     configuration_->signatures, cached->facts, histograms);
+      describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
+                     cached->facts, histograms);
     } catch (const std::invalid_argument&) {
       return std::nullopt;  // no histogram of these values: whoever computes the field will say so
     } catch (const InputError&) {
@@ -174,12 +174,12 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   DescribedModel described(configuration, plan, shape_key(depends_on, configuration), cache);
   described.take();
   if (!described.is_complete()) {
-    described.complete(describe_shape(
-        perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed, source.id, model),
-        configuration.preparation, configuration.signatures, described.missing(), parallel,
-        [&](std::size_t field, const PreparedShape& /*shape*/, const Samples& samples, const FieldValues& computed) {
-          described.keep_values(field, samples, computed);
-        }));
+    described.complete(
+        describe_shape(perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed,
+                                     source.id, model),
+                       configuration.preparation, configuration.signatures, described.missing(), parallel,
+                       [&](std::size_t field, const PreparedShape& /*shape*/, const Samples& samples,
+                           const FieldValues& computed) { described.keep_values(field, samples, computed); }));
   }
   ModelDescription description = std::move(described).description();
   description.sha256 = hash;

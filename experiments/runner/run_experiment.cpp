@@ -63,10 +63,10 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
     if (control.interrupted()) throw Interrupted();
     control.progress("distances", i, configuration.signatures.size());
-    results.methods.push_back({.name = configuration.signatures[i].name,
-                               .distances =
-                                   distances_through_cache(computed.signatures[i], configuration.distance, cache),
-                               .evaluations = {}});
+    results.methods.push_back(
+        {.name = configuration.signatures[i].name,
+         .distances = distances_through_cache(computed.signatures[i], configuration.distance, cache),
+         .evaluations = {}});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 

@@ -82,8 +82,8 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
     Cache cache(folder());
     EXPECT_EQ(cache.find(EntryKind::field, key, same), std::nullopt);
     EXPECT_EQ(cache.find(EntryKind::field, key, same), std::nullopt);
-    EXPECT_THAT(cache.warnings(), ElementsAre("damaged in the cache and computed anew: " + entry().string() +
-                                              " and 1 others"));
+    EXPECT_THAT(cache.warnings(),
+                ElementsAre("damaged in the cache and computed anew: " + entry().string() + " and 1 others"));
     cache.store(EntryKind::field, key, "value");
     EXPECT_EQ(Cache(folder()).find(EntryKind::field, key, same), "value");
   }

@@ -21,8 +21,7 @@ class CacheContentsTest : public testing::Test {
   void keep(EntryKind kind, char digit, std::size_t size, int hours = 0) const {
     const std::string key(64, digit);
     Cache(folder()).store(kind, key, std::string(size, 'x'));
-    fs::last_write_time(entry_path(folder(), kind, key),
-                        fs::file_time_type::clock::now() - std::chrono::hours(hours));
+    fs::last_write_time(entry_path(folder(), kind, key), fs::file_time_type::clock::now() - std::chrono::hours(hours));
   }
 
  private:
@@ -53,8 +52,12 @@ TEST_F(CacheContentsTest, ClearingRemovesTheFolder) {
 TEST_F(CacheContentsTest, ClearingLeavesWhatIsNotOfTheCache) {
   keep(EntryKind::shape, '1', 10);
   const std::string digits(62, '1');
-  const std::vector<std::string> others{"notes.txt",         "11/notes.txt",           "11/" + digits + ".off",
-                                        "aa/" + digits,      "abc/" + digits + ".shape", "11/x" + digits + ".shape",
+  const std::vector<std::string> others{"notes.txt",
+                                        "11/notes.txt",
+                                        "11/" + digits + ".off",
+                                        "aa/" + digits,
+                                        "abc/" + digits + ".shape",
+                                        "11/x" + digits + ".shape",
                                         "11/" + digits + ".shape.bak"};
   for (const std::string& other : others) write_text(folder() / other, "mine");
   EXPECT_EQ(clear_cache(folder()).total().entries, 1U);

@@ -63,7 +63,8 @@ TEST(CacheFolder, SizesHaveUnits) {
   EXPECT_EQ(parse_size("20M", "x"), 20'000'000U);
   EXPECT_EQ(parse_size("3G", "x"), 3'000'000'000U);
   EXPECT_EQ(parse_size("2T", "x"), 2'000'000'000'000U);
-  for (const char* wrong : {"", "G", "-1", "1.5G", "10 G", "10GB", "10g", "18446744073709551615K", "99999999999999999999"}) {
+  for (const char* wrong :
+       {"", "G", "-1", "1.5G", "10 G", "10GB", "10g", "18446744073709551615K", "99999999999999999999"}) {
     EXPECT_THAT(input_error_of([&] { parse_size(wrong, "LIMIT"); }), HasSubstr("LIMIT must be a size")) << wrong;
   }
 }

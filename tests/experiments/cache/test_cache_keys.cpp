@@ -54,10 +54,11 @@ TEST(CacheKeys, APerturbedShapeDependsOnTheSeedAndTheModelToo) {
 TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
   std::set<std::string> keys;
   for (const nlohmann::json& settings :
-       {nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}}, nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.02}},
+       {nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}},
+        nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.02}},
         nlohmann::json{{"type", "offset_sdf"}, {"offset", "auto"}},
-        nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}, {"at", "vertices"}}, nlohmann::json{{"type", "cone_sdf"}},
-        nlohmann::json{{"type", "cone_sdf"}, {"rays", 9}}}) {
+        nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}, {"at", "vertices"}},
+        nlohmann::json{{"type", "cone_sdf"}}, nlohmann::json{{"type", "cone_sdf"}, {"rays", 9}}}) {
     Field field = make_field(settings);
     EXPECT_FALSE(field.versions.empty()) << settings;
     keys.insert(field_key("shape", field));

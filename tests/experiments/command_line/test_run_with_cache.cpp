@@ -55,8 +55,8 @@ class RunWithCache : public testing::Test {
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
   [[nodiscard]] std::vector<std::string> arguments(const std::string& output) const {
-    return {"run",   at("small.json").string(), "--output", at(output).string(), "--threads", "1", "--cache",
-            at("cache").string()};
+    return {"run",     at("small.json").string(), "--output", at(output).string(), "--threads", "1",
+            "--cache", at("cache").string()};
   }
   [[nodiscard]] Outcome run(const std::string& output, const std::string& more = "") const {
     return run_executable("run " + quoted("small.json") + " --output " + quoted(output) + " --threads 1 " + more);
@@ -83,8 +83,9 @@ TEST_F(RunWithCache, ASecondRunSaysWhatCameFromTheCache) {
   const auto fresh = results_in(at("out"));
   const Outcome warm = run_with_cache("out");
   EXPECT_EQ(warm.errors, "");
-  EXPECT_THAT(warm.output, HasSubstr("From the cache: 9 of 9 shapes, 9 of 9 fields, 18 of 18 histograms, 4 of 4 distance "
-                                     "matrices\nResults in "));
+  EXPECT_THAT(warm.output,
+              HasSubstr("From the cache: 9 of 9 shapes, 9 of 9 fields, 18 of 18 histograms, 4 of 4 distance "
+                        "matrices\nResults in "));
   EXPECT_EQ(results_in(at("out")), fresh);
   EXPECT_EQ(cache_use("out")["field"], (json{{"from_cache", 9}, {"computed", 0}}));
   ASSERT_EQ(run("fresh", "--no-cache").status, 0);
@@ -138,8 +139,9 @@ TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
     interrupted.send(SIGINT);
     EXPECT_EQ(interrupted.wait(), 130);
   }
-  EXPECT_THAT(text_of(at("errors")), MatchesRegex("shapegauge: error: interrupted; no results were written\\. The shapes "
-                                                  "that were done are in the cache[^\n]*\n"));
+  EXPECT_THAT(text_of(at("errors")),
+              MatchesRegex("shapegauge: error: interrupted; no results were written\\. The shapes "
+                           "that were done are in the cache[^\n]*\n"));
   EXPECT_TRUE(fs::is_empty(at("out")));
   const std::size_t kept = fields_kept();
   ASSERT_EQ(run_with_cache("out").status, 0);

@@ -29,8 +29,9 @@ TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
 }
 
 TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
-  Json manifest{{"configuration",
-                 {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
+  Json manifest{
+      {"configuration",
+       {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
   EXPECT_EQ(recorded_configuration(manifest, ""), manifest["configuration"]);
   Json moved = recorded_configuration(manifest, "/new/place")["dataset"];
   EXPECT_EQ(moved["root"], "/new/place");
@@ -60,9 +61,8 @@ TEST(Replay, WhatIsGeneratedHasNoFolder) {
 }
 
 TEST(Replay, ChangedInputsAreNamed) {
-  const Json recorded{{"algorithm", "SHA-256"},
-                      {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}},
-                      {"classification", "dd"}};
+  const Json recorded{
+      {"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}};
   EXPECT_THAT(changed_inputs(recorded, recorded), IsEmpty());
   const Json now{{"models", {{"1", "aa"}, {"2", "xx"}, {"4", "ee"}}}, {"classification", "yy"}};
   EXPECT_THAT(changed_inputs(recorded, now),

@@ -33,9 +33,9 @@ Uses uses_of(const ExperimentResults& results) {
   return uses;
 }
 
-/// Runs over the small data set with two more fields: one field of the offset surface that chooses its offset, at
-/// vertices, and one at faces. In all: 9 shapes, 3 fields each, 4 histograms each (and one over the data set's range),
-/// 6 distance matrices.
+/// Runs over the small data set with two more fields: one of the offset surface that chooses its offset, at places of
+/// the surface, and a conventional one at vertices. In all: 9 shapes, 3 fields each, 4 histograms each (and one over
+/// the data set's range), 6 distance matrices.
 class DescribeThroughCache : public testing::Test {
  protected:
   void SetUp() override { test_experiments::write_small_dataset(data()); }
@@ -46,11 +46,12 @@ class DescribeThroughCache : public testing::Test {
 
   [[nodiscard]] Json document() const {
     Json document = test_experiments::small_configuration(data());
-    document["signatures"].push_back({{"name", "auto"},
-                                      {"field", {{"type", "offset_sdf"}, {"offset", "auto"}, {"at", "vertices"}}},
-                                      {"histogram", {{"range", "per-shape"}}}});
-    document["signatures"].push_back({{"name", "offset"},
-                                      {"field", {{"type", "offset_sdf"}, {"offset", 0.05}}},
+    document["signatures"].push_back(
+        {{"name", "auto"},
+         {"field", {{"type", "offset_sdf"}, {"offset", "auto"}, {"at", {{"surface", 100}}}}},
+         {"histogram", {{"range", "per-shape"}}}});
+    document["signatures"].push_back({{"name", "nine rays"},
+                                      {"field", {{"type", "cone_sdf"}, {"rays", 9}, {"at", "vertices"}}},
                                       {"histogram", {{"range", {{"fixed", {0, 0.6}}}}, {"bins", 30}}}});
     return document;
   }
@@ -108,8 +109,8 @@ TEST_F(DescribeThroughCache, ASecondRunComputesNothingAndWritesTheSameBytes) {
 TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
   const auto fresh = fresh_files(document());
   run(document());
-  for (const EntryKind kind : {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::histogram,
-                               EntryKind::distances}) {
+  for (const EntryKind kind :
+       {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::histogram, EntryKind::distances}) {
     for (const CacheFile& file : cache_files(cache())) {
       if (file.kind == kind) fs::remove(file.path);
     }
