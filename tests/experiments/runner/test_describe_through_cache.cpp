@@ -46,10 +46,9 @@ class DescribeThroughCache : public testing::Test {
 
   [[nodiscard]] Json document() const {
     Json document = test_experiments::small_configuration(data());
-    document["signatures"].push_back(
-        {{"name", "auto"},
-         {"field", {{"type", "offset_sdf"}, {"offset", "auto"}, {"at", {{"surface", 100}}}}},
-         {"histogram", {{"range", "per-shape"}}}});
+    document["signatures"].push_back({{"name", "offset"},
+                                      {"field", {{"type", "offset_sdf"}, {"offset", 0.1}, {"at", {{"surface", 100}}}}},
+                                      {"histogram", {{"range", "per-shape"}}}});
     document["signatures"].push_back({{"name", "nine rays"},
                                       {"field", {{"type", "cone_sdf"}, {"rays", 9}, {"at", "vertices"}}},
                                       {"histogram", {{"range", {{"fixed", {0, 0.6}}}}, {"bins", 30}}}});
@@ -123,6 +122,16 @@ TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
     if (i++ % 3 == 0) fs::remove(file.path);
   }
   EXPECT_EQ(files_of(run(document())), fresh);
+}
+
+TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {
+  Json chosen = document();
+  chosen["signatures"][4]["field"]["offset"] = "auto";
+  run(chosen);
+  const ExperimentResults warm = run(chosen);
+  EXPECT_EQ(uses_of(warm), all_taken);
+  EXPECT_TRUE(warm.shapes[0].offsets[1].has_value());
+  EXPECT_EQ(files_of(warm), fresh_files(chosen));
 }
 
 TEST_F(DescribeThroughCache, OtherBinsNeedNoField) {
