@@ -112,7 +112,12 @@ CacheContents clear_cache(const fs::path& cache) {
 }
 
 void trim_cache(const fs::path& cache, std::uintmax_t limit) {
-  std::vector<CacheFile> files = cache_files(cache);
+  std::vector<CacheFile> files;
+  try {
+    files = cache_files(cache);
+  } catch (const InputError&) {
+    return;  // whoever reads or writes it has said so
+  }
   std::ranges::sort(files, {}, &CacheFile::last_used);
   std::uintmax_t bytes = contents_of(files).total().bytes;
   // No entry takes that long to write: its run is no more.

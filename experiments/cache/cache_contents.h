@@ -47,7 +47,7 @@ CacheContents cache_contents(const std::filesystem::path& cache);
 CacheContents clear_cache(const std::filesystem::path& cache);
 
 /// Removes what a killed run has left unfinished, and, of the entries, those that were not used for longest, until the
-/// others are within the limit. What cannot be removed stays.
+/// others are within the limit. What cannot be read or removed stays.
 void trim_cache(const std::filesystem::path& cache, std::uintmax_t limit);
 
 }  // namespace shapegauge

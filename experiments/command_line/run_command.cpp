@@ -2,26 +2,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <memory>
-#include <utility>
 
-#include "shapegauge/core/error.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_contents.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/command_line/cache_option.h"
+#include "shapegauge/experiments/command_line/cache_report.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/interruption.h"
 #include "shapegauge/experiments/command_line/progress_line.h"
 #include "shapegauge/experiments/command_line/replay_report.h"
+#include "shapegauge/experiments/command_line/requested_run.h"
 #include "shapegauge/experiments/comparison/read_comparison.h"
 #include "shapegauge/experiments/comparison/run_comparison.h"
 #include "shapegauge/experiments/comparison/write_comparison.h"
-#include "shapegauge/experiments/configuration/apply_override.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/results/file_names.h"
@@ -40,23 +37,12 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunArguments {
-  fs::path configuration;
+  RunSource source;
   fs::path output;
   int threads = 0;
-  std::vector<std::string> overrides;
   bool force = false;
   bool replace = false;
   CacheOption cache;
-  fs::path replay;        ///< the manifest of the run to repeat, instead of a configuration
-  fs::path dataset_root;  ///< with replay: where the data set is here; empty: where it was then
-};
-
-/// An experiment to be run: what its configuration says, and whence.
-struct RequestedRun {
-  nlohmann::json document;
-  std::string source;       ///< what messages call it
-  fs::path folder;          ///< that paths are relative to
-  nlohmann::json recorded;  ///< the manifest of the run that this one repeats; null for a new one
 };
 
 /// Something that a run went on without.
@@ -88,44 +74,12 @@ int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftO
 /// The folder for the results of the experiment of that name. That of a repeated run is another than the run's own.
 fs::path result_folder(const RunArguments& arguments, const std::string& name) {
   if (!arguments.output.empty()) return arguments.output;
-  return fs::path("results") / (file_safe_name(name) + (arguments.replay.empty() ? "" : "-replay"));
+  return fs::path("results") / (file_safe_name(name) + (arguments.source.replay.empty() ? "" : "-replay"));
 }
 
 /// The cache that is asked for. A run that repeats another one must not take from it what the other one has computed.
 std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
-  return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.replay.empty());
-}
-
-/// Says what the cache could not do, however a run ends.
-class CacheWarnings {
- public:
-  explicit CacheWarnings(const Cache& cache) : cache_(&cache) {}
-  CacheWarnings(const CacheWarnings&) = delete;
-  CacheWarnings& operator=(const CacheWarnings&) = delete;
-  CacheWarnings(CacheWarnings&&) = delete;
-  CacheWarnings& operator=(CacheWarnings&&) = delete;
-  ~CacheWarnings() {
-    for (const std::string& warning : cache_->warnings()) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
-  }
-
- private:
-  const Cache* cache_;
-};
-
-/// "From the cache: 600 of 600 fields, ..."; empty where nothing is.
-std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 4> shown{{{EntryKind::shape, "shapes"},
-                                                                         {EntryKind::field, "fields"},
-                                                                         {EntryKind::histogram, "histograms"},
-                                                                         {EntryKind::distances, "distance matrices"}}};
-  std::vector<std::string> parts;
-  bool any = false;
-  for (const auto& [kind, name] : shown) {
-    const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
-    parts.push_back(fmt::format("{} of {} {}", use.taken, use.taken + use.computed, name));
-    any = any || use.taken > 0;
-  }
-  return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
+  return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
 }
 
 RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
@@ -151,7 +105,7 @@ void warn_of_inputs(const RequestedRun& request, const Configuration& configurat
 ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,
                                  const fs::path& folder, ProgressLine& progress) {
   const std::unique_ptr<Cache> cache = cache_for(arguments);
-  const CacheWarnings warnings(*cache);
+  const CacheWarnings warnings(*cache, progress);
   try {
     return run_experiment(configuration, folder / "dataset", run_control(arguments, progress), *cache);
   } catch (const Interrupted&) {
@@ -200,28 +154,8 @@ int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
   return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes"));
 }
 
-/// What the arguments ask for: a configuration, or a recorded run.
-RequestedRun requested_run(const RunArguments& arguments) {
-  RequestedRun request;
-  if (arguments.replay.empty()) {
-    if (arguments.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
-    if (!arguments.dataset_root.empty()) {
-      throw InputError("--dataset-root goes with --replay; of a configuration, change it by --set dataset.root=FOLDER");
-    }
-    request.document = read_configuration_document(arguments.configuration, arguments.overrides);
-    request.source = arguments.configuration.string();
-    request.folder = arguments.configuration.parent_path();
-    return request;
-  }
-  request.recorded = read_manifest(arguments.replay);
-  request.document = recorded_configuration(request.recorded, arguments.dataset_root);
-  for (const std::string& assignment : arguments.overrides) apply_override(request.document, assignment);
-  request.source = arguments.replay.string() + ": configuration";
-  return request;
-}
-
 int run(const RunArguments& arguments) {
-  const RequestedRun request = requested_run(arguments);
+  const RequestedRun request = requested_run(arguments.source);
   return is_comparison(request.document) ? run_shapes(arguments, request) : run_retrieval(arguments, request);
 }
 
@@ -240,17 +174,19 @@ void add_run_command(CLI::App& app, int& status) {
       "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");
   const auto arguments = std::make_shared<RunArguments>();
   CLI::Option* configuration =
-      command->add_option("configuration", arguments->configuration, "Configuration file (JSON)");
+      command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
-  command->add_option("--set", arguments->overrides, "Change a value of the configuration: dotted.key=value")
+  command->add_option("--set", arguments->source.overrides, "Change a value of the configuration: dotted.key=value")
       ->allow_extra_args(false);
   command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");
   command->add_flag("--force", arguments->force, "So too, and compute everything anew");
   add_cache_option(*command, arguments->cache);
   command->add_flag("--no-cache", arguments->cache.none, "Neither use nor fill the cache")->excludes("--cache");
-  command->add_option("--replay", arguments->replay, "Repeat the run of this manifest.json")->excludes(configuration);
-  command->add_option("--dataset-root", arguments->dataset_root, "With --replay: the folder of the data set here");
+  command->add_option("--replay", arguments->source.replay, "Repeat the run of this manifest.json")
+      ->excludes(configuration);
+  command->add_option("--dataset-root", arguments->source.dataset_root,
+                      "With --replay: the folder of the data set here");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -41,14 +41,18 @@ std::map<std::string, std::string> results_in(const fs::path& folder) {
   return files;
 }
 
-/// A run of some hundred milliseconds and more, on one thread: the small data set with very many rays.
+/// Runs over the small data set, on one thread.
 class RunWithCache : public testing::Test {
  protected:
   void SetUp() override {
     test_experiments::write_small_dataset(at("data"));
+    write_configuration(25);
+  }
+  /// The more rays, the longer it takes.
+  void write_configuration(int rays) const {
     json configuration = test_experiments::small_configuration("data");
     for (json& signature : configuration["signatures"]) {
-      if (signature.contains("field")) signature["field"]["rays"] = 700;
+      if (signature.contains("field")) signature["field"]["rays"] = rays;
     }
     write_text(at("small.json"), configuration.dump());
   }
@@ -102,6 +106,7 @@ TEST_F(RunWithCache, OtherBinsTakeAllFieldsFromTheCache) {
 }
 
 TEST_F(RunWithCache, AKilledRunLosesTheShapeUnderWayAtMost) {
+  write_configuration(2000);
   std::size_t kept = 0;
   {
     BackgroundRun killed(arguments("out"), at("errors"));
@@ -121,6 +126,7 @@ TEST_F(RunWithCache, AKilledRunLosesTheShapeUnderWayAtMost) {
 }
 
 TEST_F(RunWithCache, RunsKilledAtAnyMomentLeaveNothingWrong) {
+  write_configuration(2000);
   for (std::size_t fields = 1; fields < 9; fields += 2) {
     BackgroundRun killed(arguments("out"), at("errors"));
     killed.wait_until([&] { return fields_kept() >= fields; });
@@ -133,6 +139,7 @@ TEST_F(RunWithCache, RunsKilledAtAnyMomentLeaveNothingWrong) {
 }
 
 TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
+  write_configuration(2000);
   {
     BackgroundRun interrupted(arguments("out"), at("errors"));
     ASSERT_TRUE(interrupted.wait_until([&] { return fields_kept() >= 2; })) << text_of(at("errors"));
@@ -149,9 +156,12 @@ TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
 }
 
 TEST_F(RunWithCache, ASecondRunIntoTheSameFolderIsRefused) {
+  write_configuration(1000);
   BackgroundRun first(arguments("out"), at("errors"));
   ASSERT_TRUE(first.wait_until([&] { return fields_kept() >= 1; })) << text_of(at("errors"));
+  first.send(SIGSTOP);
   const Outcome second = run("out", "--force --no-cache");
+  first.send(SIGCONT);
   EXPECT_EQ(second.status, 2);
   EXPECT_THAT(second.errors, MatchesRegex("shapegauge: error: another run is under way in [^\n]*--output\n"));
   EXPECT_EQ(first.wait(), 0) << "and does the first no harm";
@@ -166,6 +176,14 @@ TEST_F(RunWithCache, TwoRunsMayShareACache) {
   EXPECT_EQ(second.errors + text_of(at("errors")), "");
   EXPECT_EQ(results_in(at("out")), results_in(at("out2")));
   EXPECT_EQ(fields_kept(), 9U);
+}
+
+TEST_F(RunWithCache, AFileInPlaceOfTheCacheIsOneWarning) {
+  write_text(at("cache"), "a file");
+  const Outcome outcome = run_with_cache("out");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: the cache is not written to any more: [^\n]*\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("Results in "));
 }
 
 TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {
