@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/runner/describe_through_cache.h"
 
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -57,8 +58,10 @@ class DescribedModel {
     facts.outcomes = computed.outcomes;
     facts.offset = computed.offset;
     facts.seconds = computed.build_seconds + computed.query_seconds;
-    cache_->store(EntryKind::samples, samples_key(shape_key_, field.rest.field.samples),
-                  numbers_record(samples.weights));
+    const std::string weights = samples_key(shape_key_, field.rest.field.samples);
+    if (weights_kept_.insert(weights).second) {
+      cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
+    }
     cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
   }
 
@@ -161,6 +164,7 @@ class DescribedModel {
   std::optional<ModelDescription> shape_;  ///< without fields and histograms
   std::vector<PartlyKnownField> fields_;
   std::vector<Eigen::VectorXf> histograms_;  ///< by signature
+  std::set<std::string> weights_kept_;       ///< by key
 };
 
 }  // namespace
