@@ -11,6 +11,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
+/// earlier versions is then computed anew.
+inline constexpr int offset_sdf_version = 1;
+
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
   double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal; 1e-6 to 1e6
