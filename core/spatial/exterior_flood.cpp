@@ -24,11 +24,12 @@ class LeafGraph {
  public:
   LeafGraph(const OffsetExterior& exterior)
       : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
-    pairs_.reserve(3 * nodes_.size());
+    for (auto& pairs : pairs_) pairs.reserve(nodes_.size());
     visit(exterior.root());
   }
 
-  [[nodiscard]] const std::vector<FacePair>& pairs() const { return pairs_; }
+  /// Those that share a face across the axis.
+  [[nodiscard]] const std::vector<FacePair>& pairs(int axis) const { return pairs_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const {
     return centres_[static_cast<std::size_t>(leaf)];
   }
@@ -55,7 +56,7 @@ class LeafGraph {
     const bool low_divided = node(low).kind == CellKind::divided;
     const bool high_divided = node(high).kind == CellKind::divided;
     if (!low_divided && !high_divided) {
-      pairs_.push_back({low, high, axis});
+      pairs_[static_cast<std::size_t>(axis)].push_back({low, high, axis});
       return;
     }
     for (int i = 0; i < 8; ++i) {
@@ -68,7 +69,7 @@ class LeafGraph {
   const std::vector<ExteriorNode>& nodes_;
   std::vector<Eigen::Vector3d> centres_;
   std::vector<double> halves_;
-  std::vector<FacePair> pairs_;
+  std::array<std::vector<FacePair>, 3> pairs_;
 };
 
 /// Disjoint sets of leaves.
@@ -157,10 +158,10 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts&
 void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& parts) {
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
   std::vector<FacePair> uncertain;
-  for (const FacePair& pair : graph.pairs()) {
+  const auto join_or_keep = [&](const FacePair& pair) {
     const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
     const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
-    if (!is_open(low) || !is_open(high)) continue;
+    if (!is_open(low) || !is_open(high)) return;
     const double way = (low.kind == CellKind::free ? 0 : graph.half(pair.low)) +
                        (high.kind == CellKind::free ? 0 : graph.half(pair.high));
     const double clearance = (low.kind == CellKind::free ? 0 : static_cast<double>(low.clearance)) +
@@ -170,7 +171,8 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& 
     } else {
       uncertain.push_back(pair);
     }
-  }
+  };
+  for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
@@ -228,8 +230,7 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
       if (node.kind == CellKind::free || 2 * graph.half(to) > 1.5 * resolution) return;
       node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
     };
-    for (const FacePair& pair : graph.pairs()) {
-      if (pair.axis != axis) continue;
+    for (const FacePair& pair : graph.pairs(axis)) {
       spread(pair.low, pair.high);
       spread(pair.high, pair.low);
     }

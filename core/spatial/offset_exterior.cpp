@@ -71,7 +71,7 @@ bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
     std::array<Eigen::Vector3d, 8> centres;
     for (int i = 0; i < 8; ++i) centres[static_cast<std::size_t>(i)] = octant(cell, i, first + i).centre;
     const double radius = root_of_three * cell.half / 2;
-    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius);
+    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius, std::max(0.0, r_ - radius));
     for (int i = 0; i < 8; ++i) {
       const ExteriorCell child = octant(cell, i, first + i);
       classify(child, nearest[static_cast<std::size_t>(i)]);

@@ -167,11 +167,38 @@ struct Reached {
   std::size_t count = 0;
   alignas(64) std::array<std::array<float, most>, 3> low, high;
   std::array<std::int32_t, most> leaf;
+  float nearest = std::numeric_limits<float>::infinity();
+
+  /// The nearest comes first: what is found in it rules out most of the others.
+  void add(const SurfaceTreeNode& node, std::size_t child, float distance) {
+    const bool first = count > 0 && distance < nearest;
+    nearest = std::min(nearest, distance);
+    if (first) move(0, count);
+    put(node, child, first ? 0 : count);
+    ++count;
+  }
+
+ private:
+  void move(std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][to] = low[k][from];
+      high[k][to] = high[k][from];
+    }
+    leaf[to] = leaf[from];
+  }
+
+  void put(const SurfaceTreeNode& node, std::size_t child, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][place] = node.low[k][child];
+      high[k][place] = node.high[k][child];
+    }
+    leaf[place] = node.child[child];
+  }
 };
 
 /// Looks into the leaves, for each point into those whose boxes are within its limit.
 HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeLeaf>& leaves,
-                          std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                          std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
                           std::span<std::int32_t> triangles) {
   const hn::CappedTag<float, triangles_per_leaf> d;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -189,7 +216,7 @@ HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeL
       hn::Store(sum, d, distances.data());
       const std::size_t lanes = std::min(hn::Lanes(d), reached.count - first);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (!(distances[lane] < limits[i])) continue;
+        if (!(distances[lane] < limits[i]) || limits[i] < enough) continue;
         const std::int32_t found =
             closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
         if (found >= 0) triangles[i] = found;
@@ -199,7 +226,7 @@ HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeL
 }
 
 void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
-                     std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                     std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
                      std::span<std::int32_t> triangles) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
@@ -222,17 +249,13 @@ void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vecto
         stack[static_cast<std::size_t>(top++)] = node.child[i];
         continue;
       }
-      for (std::size_t k = 0; k < 3; ++k) {
-        reached.low[k][reached.count] = node.low[k][i];
-        reached.high[k][reached.count] = node.high[k][i];
-      }
-      reached.leaf[reached.count++] = node.child[i];
+      reached.add(node, i, distances[i]);
       if (reached.count < Reached::most) continue;
-      look_into(reached, leaves, points, limits, triangles);
+      look_into(reached, leaves, points, enough, limits, triangles);
       reached.count = 0;
     }
   }
-  look_into(reached, leaves, points, limits, triangles);
+  look_into(reached, leaves, points, enough, limits, triangles);
 }
 
 std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
@@ -262,9 +285,9 @@ std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const s
 }
 
 void closest_triangles(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
-                       std::span<const Eigen::Vector3d> points, std::span<float> squared_limits,
+                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
                        std::span<std::int32_t> triangles) {
-  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, squared_limits, triangles);
+  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, enough, squared_limits, triangles);
 }
 
 std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
