@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <span>
 
 namespace shapegauge {
@@ -72,27 +71,6 @@ class LeafGraph {
   std::array<std::vector<FacePair>, 3> pairs_;
 };
 
-/// Disjoint sets of leaves.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::int32_t find(std::int32_t i) {
-    while (parent(i) != i) i = parent(i) = parent(parent(i));
-    return i;
-  }
-
-  void join(std::int32_t i, std::int32_t j) {
-    i = find(i);
-    j = find(j);
-    if (i != j) parent(std::max(i, j)) = std::min(i, j);
-  }
-
- private:
-  std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<std::int32_t> parent_;
-};
-
 bool is_open(const ExteriorNode& node) {
   return node.kind == CellKind::free || (node.kind == CellKind::mixed && node.clearance > 0);
 }
@@ -131,7 +109,7 @@ Way way_between(const LeafGraph& graph, const std::vector<ExteriorNode>& nodes, 
 
 /// Joins the leaves of those ways that are proven free. Takes a few neighbouring ones, whose middles are looked at
 /// together.
-void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts& parts) {
+void join_over(const OffsetExterior& exterior, std::span<const Way> ways, DisjointSets& parts) {
   constexpr int most_halvings = 2;
   std::array<Eigen::Vector3d, SurfaceTree::most_points_at_once> middles;
   double longest = 0;
@@ -155,7 +133,8 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts&
 
 /// Joins the open leaves across faces where the way is proven free: the proofs that cost nothing first, the others only
 /// where they would join different parts.
-void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& parts) {
+/// Ways between two of the first `tried` nodes were tried before.
+void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::int32_t tried, DisjointSets& parts) {
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
   std::vector<FacePair> uncertain;
   const auto join_or_keep = [&](const FacePair& pair) {
@@ -168,7 +147,7 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& 
                              (high.kind == CellKind::free ? 0 : static_cast<double>(high.clearance));
     if (clearance >= way) {
       parts.join(pair.low, pair.high);
-    } else {
+    } else if (pair.low >= tried || pair.high >= tried) {
       uncertain.push_back(pair);
     }
   };
@@ -191,7 +170,7 @@ struct PartSummary {
   bool holds_free_cube = false;
 };
 
-std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, Parts& parts) {
+std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, DisjointSets& parts) {
   std::vector<PartSummary> summaries(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!is_open(nodes[i])) continue;
@@ -259,14 +238,15 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
 
 }  // namespace
 
-void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
+void ExteriorFlood::run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
   const LeafGraph graph(exterior);
-  Parts parts(nodes.size());
-  join_leaves(exterior, graph, parts);
-  const std::vector<PartSummary> summaries = summarise(nodes, parts);
+  const auto tried = static_cast<std::int32_t>(parts_.size());
+  parts_.grow_to(nodes.size());
+  join_leaves(exterior, graph, tried, parts_);
+  const std::vector<PartSummary> summaries = summarise(nodes, parts_);
   const ExteriorCell root = exterior.root();
   const auto corner = exterior.leaf_at(root.centre - 0.999 * Eigen::Vector3d::Constant(root.half));
-  const std::int32_t outside = parts.find(corner->node);
+  const std::int32_t outside = parts_.find(corner->node);
   std::vector<FreeSpace> spaces(nodes.size(), FreeSpace::none);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (summaries[i].representative < 0) continue;
@@ -275,7 +255,7 @@ void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& n
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes[i].centre_space = is_open(nodes[i])
-                                ? spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))]
+                                ? spaces[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))]
                                 : FreeSpace::none;
   }
   spread_to_mixed(graph, exterior.resolution(), nodes);

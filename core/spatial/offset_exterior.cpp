@@ -36,8 +36,9 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   while (mixed.front().half > smallest / 2 * 1.5 && divide(mixed)) {
   }
   resolution_ = 2 * mixed.front().half;
-  flood_exterior(*this, nodes_);
-  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal));
+  ExteriorFlood flood;
+  flood.run(*this, nodes_);
+  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal), flood);
   mark_exterior(0);
 }
 
@@ -92,12 +93,12 @@ void OffsetExterior::find_unsettled(const ExteriorCell& cell, double smallest, s
   if (node.kind == CellKind::mixed && unsettled && 2 * cell.half > smallest) found.push_back(cell);
 }
 
-void OffsetExterior::settle_pockets(double smallest) {
+void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
   while (true) {
     std::vector<ExteriorCell> unsettled;
     find_unsettled(root(), smallest, unsettled);
     if (!divide(unsettled)) break;
-    flood_exterior(*this, nodes_);
+    flood.run(*this, nodes_);
   }
   for (ExteriorNode& node : nodes_) {
     if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;
