@@ -13,11 +13,16 @@ namespace shapegauge {
 inline constexpr int children_per_node = 8;
 inline constexpr int triangles_per_leaf = 16;
 
-/// The boxes of eight children, coordinate by coordinate. Unused places hold an empty box, infinitely far from
-/// anything.
+/// The boxes of eight children, coordinate by coordinate, and for each a disk: a flat cylinder about the mean normal of
+/// its triangles. On a smooth surface it is much thinner than the box, the more so the finer the triangles. Unused
+/// places hold an empty box, infinitely far from anything.
 struct alignas(64) SurfaceTreeNode {
   std::array<std::array<float, children_per_node>, 3> low;
   std::array<std::array<float, children_per_node>, 3> high;
+  std::array<std::array<float, children_per_node>, 3> centre;  ///< of the disk
+  std::array<std::array<float, children_per_node>, 3> normal;  ///< zero where there is none; then the disk is a ball
+  std::array<float, children_per_node> half_height;
+  std::array<float, children_per_node> radius;
   std::array<std::int32_t, children_per_node> child;  ///< a node's index, or ~index of a leaf
 };
 

@@ -95,20 +95,29 @@ HWY_INLINE std::int32_t closest_in_leaf(const SurfaceTreeLeaf& leaf, const Eigen
   }
 }
 
-/// Squared distances from x to the boxes of the node's children. Returns which are below the limit, a bit each.
+/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which are below the limit, a bit each.
 HWY_INLINE std::uint32_t squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float limit,
                                            std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;
   std::uint32_t below_limit = 0;
   for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
     auto sum = hn::Zero(d);
+    auto height = hn::Zero(d);
+    auto from_centre2 = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+      const auto from_centre = hn::Sub(coordinate, hn::Load(d, node.centre[k].data() + lane));
+      height = hn::MulAdd(from_centre, hn::Load(d, node.normal[k].data() + lane), height);
+      from_centre2 = hn::MulAdd(from_centre, from_centre, from_centre2);
       const auto below = hn::Sub(hn::Load(d, node.low[k].data() + lane), coordinate);
       const auto above = hn::Sub(coordinate, hn::Load(d, node.high[k].data() + lane));
       const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
       sum = hn::MulAdd(outside, outside, sum);
     }
+    const auto off_axis = hn::Sqrt(hn::Max(hn::NegMulAdd(height, height, from_centre2), hn::Zero(d)));
+    const auto above = hn::Max(hn::Sub(hn::Abs(height), hn::Load(d, node.half_height.data() + lane)), hn::Zero(d));
+    const auto beside = hn::Max(hn::Sub(off_axis, hn::Load(d, node.radius.data() + lane)), hn::Zero(d));
+    sum = hn::Max(sum, hn::MulAdd(above, above, hn::Mul(beside, beside)));
     hn::Store(sum, d, result.data() + lane);
     std::array<std::uint8_t, 8> bits{};
     hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
