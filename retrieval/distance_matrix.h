@@ -23,4 +23,9 @@ std::vector<std::string> distance_names();
 /// that is not finite.
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
+/// Some of the matrix's rows, `count` from `first` on, bit by bit: for sets of signatures too large for all of it. In
+/// parallel; throws as distance_matrix does, and where there are no such rows.
+DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
+                             const std::string& distance = "l1");
+
 }  // namespace shapegauge
