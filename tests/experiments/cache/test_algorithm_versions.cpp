@@ -9,6 +9,7 @@
 #include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/experiments/results/build_information.h"
 #include "shapegauge/experiments/results/sha256.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/core/test_shapes.h"
 
@@ -79,6 +80,16 @@ TEST(AlgorithmVersions, WithOtherHistogramsComesAnotherVersion) {
   EXPECT_EQ(hash_of(plain) + hash_of(smooth), "b2a42a1950c87390707f4b17b301a33e")
       << "raise histogram_version and correct what is recorded here";
   EXPECT_EQ(histogram_version, 1);
+}
+
+TEST(AlgorithmVersions, WithOtherDistancesComesAnotherVersion) {
+  if (!is_as_recorded()) GTEST_SKIP() << "the hash was taken with another processor, compiler or build type";
+  Signatures signatures(5, 37);
+  for (Eigen::Index i = 0; i < signatures.size(); ++i) signatures.data()[i] = 1.0F / static_cast<float>(i + 3);
+  const DistanceMatrix distances = distance_matrix(signatures, "l1");
+  EXPECT_EQ(hash_of(distances.reshaped()), "b64ff96411d0b11a")
+      << "raise distances_version and correct what is recorded here";
+  EXPECT_EQ(distances_version, 2);
 }
 
 }  // namespace
