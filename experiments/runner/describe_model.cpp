@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/runner/describe_model.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <map>
@@ -9,6 +10,7 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/samples.h"
+#include "shapegauge/experiments/report/model_picture.h"
 
 namespace shapegauge {
 
@@ -55,6 +57,11 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
   }
 }
 
+bool is_pictured(const PlannedField& planned, const ReportConfiguration& report) {
+  return report.wanted && report.pictures &&
+         std::ranges::find(planned.signatures, report.pictured_signature) != planned.signatures.end();
+}
+
 }  // namespace
 
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
@@ -89,9 +96,17 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
 ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                 std::span<const PlannedField> plan, bool parallel) {
   const Model& source = dataset.models[model];
-  return describe_shape(
+  std::string picture;
+  const auto draw = [&](std::size_t field, const PreparedShape& prepared, const Samples& samples,
+                        const FieldValues& computed) {
+    if (!is_pictured(plan[field], configuration.report)) return;
+    picture = model_picture(prepared.shape, samples, computed.values, configuration.report.picture_options);
+  };
+  ModelDescription description = describe_shape(
       perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model),
-      configuration.preparation, configuration.signatures, plan, parallel);
+      configuration.preparation, configuration.signatures, plan, parallel, draw);
+  description.picture = std::move(picture);
+  return description;
 }
 
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
@@ -34,6 +35,7 @@ struct ModelDescription {
   double area = 0;                          ///< that was scaled to 1, in the file's units, squared
   double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
   double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
+  std::string picture;                      ///< model_picture(), where the configuration wants one
 };
 
 /// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and

@@ -57,6 +57,7 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   }
   results.fields = std::move(computed.fields);
   results.shapes = std::move(computed.shapes);
+  results.pictures = std::move(computed.pictures);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
@@ -64,7 +65,9 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
     control.progress("distances", i, configuration.signatures.size());
     results.methods.push_back({.name = configuration.signatures[i].name,
                                .distances = distance_matrix(computed.signatures[i], configuration.distance),
-                               .evaluations = {}});
+                               .evaluations = {},
+                               .signatures = std::move(computed.signatures[i]),
+                               .histogram_ranges = std::move(computed.histogram_ranges[i])});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 
