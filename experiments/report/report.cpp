@@ -41,9 +41,11 @@ std::string describe(const SignatureConfiguration& signature, const std::vector<
 std::vector<std::pair<std::string, std::string>> facts_of(const Configuration& configuration) {
   std::vector<std::pair<std::string, std::string>> facts{{"Distance", configuration.distance}};
   if (configuration.generator) {
-    facts.emplace_back("Data set", "generated: " + to_json(*configuration.generator).dump());
+    const GeneratorOptions& made = *configuration.generator;
+    facts.emplace_back("Data set", fmt::format("generated, {} classes of {} models, {} faces, seed {}", made.classes,
+                                               made.models_per_class, made.faces, made.seed));
   } else {
-    facts.emplace_back("Data set", fmt::format("layout {}", configuration.location.value().layout));
+    facts.emplace_back("Data set", configuration.location.value().layout + " layout");
   }
   if (!configuration.perturbations.empty()) {
     facts.emplace_back("Perturbations", to_json(configuration.perturbations).dump());

@@ -13,8 +13,8 @@ function drawClasses() {
   }
   drawLegend(byId('classes-legend'));
   const order = classOrders[drawClasses.order];
-  stamp('classes', `${measure} of each class`, protocolWords(), 'mean over the queries of a class, in percent',
-    drawClasses.order > 0 ? `${order} by ${method().name}` : order);
+  stamp('classes', [`${measure} of each class`, protocolWords(), 'mean over the queries of a class', 'in percent'],
+    drawClasses.order > 0 ? `Classes ${order} by ${method().name}` : `Classes ${order}`);
   const rows = classes.map((_, position) => position);
   const own = (position) => evaluation().per_class[position][state.measure];
   if (drawClasses.order > 0) rows.sort((a, b) => (drawClasses.order === 1 ? 1 : -1) * (own(a) - own(b)));

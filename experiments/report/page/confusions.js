@@ -4,7 +4,7 @@ const mostClassesInGrid = 120;
 
 function drawConfusions() {
   const { confusion, name } = method();
-  stamp('confusions', name, 'queries of the class of a row whose nearest neighbour is of the class of a column');
+  stamp('confusions', [name, 'number of queries of the class of a row whose nearest neighbour is of the class of a column']);
   const totals = confusion.map((row) => row.reduce((sum, [, count]) => sum + count, 0));
   const place = byId('confusions-chart');
   if (report.classes.length > mostClassesInGrid) place.replaceChildren(make('p', {}, `The grid is left out for more than ${mostClassesInGrid} classes.`));

@@ -4,11 +4,11 @@ const signs = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDia
 
 function drawCurves() {
   drawLegend(byId('curves-legend'));
-  stamp('curves', protocolWords(), averageWords(), 'fractions; point at the chart or use the arrow keys in it to read values');
+  stamp('curves', [protocolWords(), averageWords(), 'fractions'], 'Point at the chart, or use the arrow keys in it, to read values');
   const place = byId('curves-chart');
   const { recall } = evaluation();
   const { svg, area, width, height } = drawing(place, {
-    width: 860, height: 440, left: 52, right: 16, top: 10, bottom: 44,
+    width: 980, height: 470, left: 52, right: 16, top: 10, bottom: 44,
     label: `Precision-recall curves, ${protocolWords()}, ${averageWords()}`,
   });
   const x = d3.scaleLinear([0, 1], [0, width]);
@@ -35,7 +35,7 @@ function drawCurve(area, x, y, index) {
   group.append('path').attr('class', 'curve').attr('d', d3.line()(points))
     .style('stroke', colourOf(index)).style('stroke-dasharray', dashesOf(index));
   group.selectAll('.sign').data(points).enter().append('path').attr('class', 'sign')
-    .attr('transform', (point) => `translate(${point})`).attr('d', d3.symbol(signs[index % 7], 26)()).style('fill', colourOf(index));
+    .attr('transform', (point) => `translate(${point})`).attr('d', d3.symbol().type(signs[index % 7]).size(34)()).style('fill', colourOf(index));
 }
 
 // A rule at the level of recall nearest to the pointer, or moved by the arrow keys, with the values there.

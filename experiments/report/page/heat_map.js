@@ -33,8 +33,8 @@ function drawHeatMap() {
   const cells = cellsOf(map);
   const finite = Float64Array.from(cells.filter(Number.isFinite)).sort();
   const largest = finite[Math.floor(0.99 * (finite.length - 1))] || 1;
-  stamp('distances', name, 'rows are queries, rows and columns in the order of the classes',
-    map.block > 1 ? `each cell the mean over ${map.block} by ${map.block} models` : 'point at a cell, or move with the arrow keys, to see the pair; click for the query');
+  stamp('distances', [name, 'rows are queries', 'rows and columns in the order of the classes',
+    ...(map.block > 1 ? [`each cell the mean over ${map.block} by ${map.block} models`] : [])], 'Point at a cell, or move with the arrow keys, to see the pair; click for the query');
   const canvas = make('canvas', { role: 'img', tabindex: 0, 'aria-label': `Distance matrix of ${name}, ordered by class` });
   paint(canvas, cells, map.side, largest);
   readCells(canvas, cells, map);

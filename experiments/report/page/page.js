@@ -30,7 +30,9 @@ function drawChoices() {
   const protocols = report.methods[0].evaluations.map(({ protocol }) => protocol);
   if (protocols.length > 1) parts.push(choice('Protocol', protocols, state.protocol, (index) => change({ protocol: index })));
   parts.push(choice('Mean over', ['queries', 'classes'], state.average === 'micro' ? 0 : 1, (index) => change({ average: index === 0 ? 'micro' : 'macro' })));
+  const focused = [...choices.querySelectorAll('select')].indexOf(document.activeElement);
   choices.replaceChildren(...parts);
+  if (focused >= 0) choices.querySelectorAll('select')[focused].focus();
 }
 
 function drawNotes() {

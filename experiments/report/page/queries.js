@@ -8,7 +8,7 @@ const queryValues = (position) => evaluation().measures.map((measure, index) => 
 function drawQueries() {
   const { worst, queries, measures } = evaluation();
   const by = measures.includes('mAP') ? 'average precision' : measures[0];
-  stamp('queries', method().name, protocolWords(), `lowest ${by} first`, 'the ten nearest from left to right; \u2713 of the query\u2019s class, \u2717 of another');
+  stamp('queries', [method().name, protocolWords(), `lowest ${by} first`, 'measures in percent'], 'The ten nearest from left to right: \u2713 of the query\u2019s class, \u2717 of another');
   byId('queries-list').replaceChildren(...worst.slice(0, drawQueries.shown).map((position) => queryItem(queries[position], position)));
   const more = byId('queries-more');
   more.hidden = drawQueries.shown >= worst.length;

@@ -23,8 +23,9 @@ function drawGallery() {
     tools.append(make('label', {}, 'Find', search), choice('Class', ['all', ...report.classes], 0, (index) => { filter.label = index - 1; drawGallery(); }));
     byId('shapes-scale').append(...(report.pictures ? [pictureScale()] : []));
   }
-  stamp('shapes', `${report.ids.length} models of ${report.classes.length} classes`,
-    report.pictures ? `colours are values of the field of \u201c${report.pictures.field}\u201d, the same scale for all` : 'without pictures', 'click a shape to see what is nearest to it');
+  stamp('shapes', [`${report.ids.length} models of ${report.classes.length} classes`],
+    ...(report.pictures ? [`Colours are values of the field of \u201c${report.pictures.field}\u201d, on the same scale for all`] : []),
+    'Click a shape to see its histograms and what is nearest to it');
   const groups = report.classes.map((name, label) => {
     if (filter.label >= 0 && filter.label !== label) return null;
     const wanted = (model) => report.labels[model] === label && `${report.ids[model]} ${name}`.toLowerCase().includes(filter.text);
@@ -56,7 +57,8 @@ function openShape(model) {
   dialog.scrollTop = 0;
 }
 
-function drawShape(dialog, model) {
+// Puts the model into the dialog; focus: the part of it that has the keyboard then.
+function drawShape(dialog, model, focus = '.close') {
   const back = () => { visited.pop(); drawShape(dialog, visited[visited.length - 1]); };
   const head = make('div', { class: 'dialog-head' }, make('h2', { id: 'shape-title' }, `${report.ids[model]}, ${className(model)}`),
     visited.length > 1 ? make('button', { type: 'button', click: back }, 'Back') : null,
@@ -69,11 +71,12 @@ function drawShape(dialog, model) {
     make('div', {}, make('div', { class: 'tools' }, chosen), make('p', { class: 'stamp' }, `As a query: ${protocolWords()}, in percent.`), values));
   const body = make('div', { class: 'dialog-body' }, portrait, make('h3', {}, 'Nearest ten'), nearestStrip(model), ...histogramParts(model));
   dialog.replaceChildren(head, body);
+  if (dialog.open) dialog.querySelector(focus).focus({ preventScroll: true });
 }
 
 function redrawShape() {
   const dialog = byId('shape');
-  if (dialog.open) drawShape(dialog, visited[visited.length - 1]);
+  if (dialog.open) drawShape(dialog, visited[visited.length - 1], 'select');
 }
 
 // The histograms of the method: its own, or those that it has side by side.

@@ -4,7 +4,8 @@
 const report = JSON.parse(document.getElementById('report-data').textContent);
 
 // What is shown. Positions: of the method, of the protocol; hidden: methods that charts leave out.
-const state = { method: 0, protocol: 0, average: 'micro', measure: 0, hidden: new Set() };
+const measureNames = report.methods[0].evaluations[0].measures;
+const state = { method: 0, protocol: 0, average: 'micro', measure: Math.max(0, measureNames.indexOf('FT')), hidden: new Set() };
 
 const views = [];
 
@@ -46,8 +47,10 @@ const number = (value) => (value === null ? '\u221e' : String(Number(value.toPre
 const averageWords = () => (state.average === 'micro' ? 'mean over queries (micro)' : 'mean over classes (macro)');
 const protocolWords = () => `protocol ${evaluation().protocol}`;
 
-function stamp(section, ...words) {
-  byId(section).querySelector('.stamp').textContent = words.join(', ') + '.';
+// Says under a section's title what it shows.
+function stamp(section, words, ...hints) {
+  const sentences = [words.join(', '), ...hints].map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`);
+  byId(section).querySelector('.stamp').textContent = sentences.join(' ');
 }
 
 // A method's colour, dashes and sign: alike in all charts.
