@@ -1,6 +1,5 @@
 #include "shapegauge/experiments/runner/describe_model.h"
 
-#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <map>
@@ -55,11 +54,6 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
     kept.values = field.values.cast<float>();
     kept.weights = field.weights.cast<float>();
   }
-}
-
-bool is_pictured(const PlannedField& planned, const ReportConfiguration& report) {
-  return report.wanted && report.pictures &&
-         std::ranges::find(planned.signatures, report.pictured_signature) != planned.signatures.end();
 }
 
 }  // namespace

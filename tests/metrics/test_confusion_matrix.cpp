@@ -1,7 +1,8 @@
-#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
+#include <iterator>
 #include <rapidcheck/gtest.h>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -38,10 +39,15 @@ TEST(ConfusionMatrix, OnlyQueriesCountAndEveryModelAnswers) {
 }
 
 RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, ()) {
-  const auto [distances, labels, protocol] = *cases_with_ties();
-  const Evaluation evaluation = evaluate(distances, labels, {.protocol = protocol});
-  const int classes = *std::ranges::max_element(labels) + 1;
-  const Eigen::MatrixXi confusion = confusion_matrix(distances, labels, evaluation.queries, classes);
+  const EvaluationCase random = *cases_with_ties();
+  const std::set<int> names(random.labels.begin(), random.labels.end());
+  std::vector<int> labels;
+  for (const int name : random.labels) {
+    labels.push_back(static_cast<int>(std::distance(names.begin(), names.find(name))));
+  }
+  const Evaluation evaluation = evaluate(random.distances, labels, {.protocol = random.protocol});
+  const Eigen::MatrixXi confusion =
+      confusion_matrix(random.distances, labels, evaluation.queries, static_cast<int>(names.size()));
   RC_ASSERT(confusion.sum() == static_cast<int>(evaluation.queries.size()));
   for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
     const int label = evaluation.classes[i];

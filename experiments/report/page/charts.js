@@ -1,5 +1,8 @@
 // What the charts share: a drawing area, legends that toggle methods, and files to keep.
 
+// The width of a drawing: what there is room for, up to a limit.
+const widthIn = (place, largest) => Math.max(420, Math.min(largest, place.clientWidth || largest));
+
 function drawing(place, { width, height, left, right, top, bottom, label }) {
   const svg = d3.create('svg').attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height)
     .attr('role', 'img').attr('aria-label', label);

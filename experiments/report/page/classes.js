@@ -29,7 +29,7 @@ function drawBars(place, rows, measure) {
   const bar = shown.length > 3 ? 6 : 9;
   const step = Math.max(16, bar * shown.length + 8);
   const { svg, area, width, height } = drawing(place, {
-    width: 1000, height: rows.length * step + 46, left: 170, right: 20, top: 6, bottom: 40, label: `${measure} by class, ${protocolWords()}`,
+    width: widthIn(place, 1000), height: rows.length * step + 46, left: 170, right: 20, top: 6, bottom: 40, label: `${measure} by class, ${protocolWords()}`,
   });
   const x = d3.scaleLinear([0, 100], [0, width]);
   area.append('g').attr('class', 'grid').attr('transform', `translate(0,${height})`).call(d3.axisBottom(x).ticks(10).tickSize(-height).tickFormat(''));

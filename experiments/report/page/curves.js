@@ -8,7 +8,7 @@ function drawCurves() {
   const place = byId('curves-chart');
   const { recall } = evaluation();
   const { svg, area, width, height } = drawing(place, {
-    width: 980, height: 470, left: 52, right: 16, top: 10, bottom: 44,
+    width: widthIn(place, 980), height: 470, left: 52, right: 16, top: 10, bottom: 44,
     label: `Precision-recall curves, ${protocolWords()}, ${averageWords()}`,
   });
   const x = d3.scaleLinear([0, 1], [0, width]);

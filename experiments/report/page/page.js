@@ -53,6 +53,18 @@ function drawNotes() {
   place.append(make('h3', {}, 'Methods'), make('ul', { class: 'notes' }, ...described.map(({ name, description }) => make('li', {}, make('b', {}, name), `: ${description}`))));
 }
 
+// Charts are as wide as the window lets them be.
+function followResizing() {
+  let width = window.innerWidth;
+  window.addEventListener('resize', () => {
+    if (window.innerWidth === width) return;
+    width = window.innerWidth;
+    drawCurves();
+    drawClasses();
+    redrawShape();
+  });
+}
+
 // Marks the section under way in the contents.
 function followScrolling() {
   const links = new Map([...byId('contents').children].map((link) => [link.hash.slice(1), link]));
@@ -80,3 +92,4 @@ show([], drawGallery);
 show(['method', 'protocol'], redrawShape);
 drawNotes();
 followScrolling();
+followResizing();

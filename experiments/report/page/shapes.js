@@ -97,7 +97,7 @@ function histogramChart(model, index) {
   const bins = histograms.numbers.subarray(model * histograms.bins, (model + 1) * histograms.bins);
   const [low, high] = histograms.ranges[model];
   const place = make('div', { class: 'chart histogram' });
-  const { svg, area, width, height } = drawing(place, { width: 880, height: 190, left: 50, right: 14, top: 22, bottom: 38, label: `Histogram of ${report.ids[model]}, ${name}` });
+  const { svg, area, width, height } = drawing(place, { width: Math.max(420, Math.min(880, window.innerWidth - 90)), height: 190, left: 50, right: 14, top: 22, bottom: 38, label: `Histogram of ${report.ids[model]}, ${name}` });
   const x = d3.scaleLinear([low, high], [0, width]);
   const y = d3.scaleLinear([0, Math.max(...bins)], [height, 0]).nice(4);
   area.append('g').attr('class', 'grid').call(d3.axisLeft(y).ticks(4).tickSize(-width).tickFormat(''));
