@@ -164,9 +164,9 @@ TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
   EXPECT_EQ(other.picture_options.range.high, 0.2);
 }
 
-TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNearestWord) {
+TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
   EXPECT_THAT(message_with("/report/pictures/of", "bb"),
-              HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; did you mean \"b\"?"));
+              HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; known here: \"a\", \"b\""));
   EXPECT_THAT(message_with("/report/pictures/of", "c"),
               HasSubstr("report.pictures.of: the signature \"c\" concatenates"));
   EXPECT_THAT(message_with("/report/pictures/range", {0.2, 0.2}), HasSubstr("report.pictures.range: the first value"));
