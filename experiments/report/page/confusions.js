@@ -16,7 +16,7 @@ function drawConfusions() {
     { title: 'Queries', numeric: true, value: (row) => row.count, text: (row) => String(row.count) },
     { title: 'Percent of class', numeric: true, value: (row) => row.part, text: (row) => percent(row.part) }];
   if (wrong.length === 0) byId('confusions-table').replaceChildren(make('p', {}, 'Every query\u2019s nearest neighbour is of its own class.'));
-  else sortableTable(byId('confusions-table'), { caption: `The ${Math.min(15, wrong.length)} most frequent of ${wrong.length} confusions`, columns, rows: wrong.slice(0, 15) });
+  else sortableTable(byId('confusions-table'), { caption: wrong.length > 15 ? `The 15 most frequent of ${wrong.length} confusions` : counted(wrong.length, 'confusion'), columns, rows: wrong.slice(0, 15) });
 }
 
 function drawGrid(place, confusion, totals, name) {
@@ -39,7 +39,7 @@ function drawGrid(place, confusion, totals, name) {
         .on('pointerleave', tooltip.hide);
       if (cell >= 16) {
         area.append('text').attr('x', (other + 0.5) * cell).attr('y', (label + 0.5) * cell).attr('dy', '0.35em').attr('text-anchor', 'middle')
-          .style('pointer-events', 'none').style('font-size', '11px').style('fill', part > 0.5 ? 'var(--paper)' : null).text(queries);
+          .style('pointer-events', 'none').style('font-size', '11px').style('fill', part > 0.75 ? 'var(--paper)' : null).text(queries);
       }
     }
     if (!labelled) return;

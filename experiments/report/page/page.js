@@ -13,7 +13,7 @@ function setTheme(theme) {
 function drawHead() {
   byId('title').textContent = report.title;
   byId('description').textContent = report.description;
-  const facts = [`${report.ids.length} models`, `${report.classes.length} classes`, `${report.methods.length} ${report.methods.length === 1 ? 'method' : 'methods'}`,
+  const facts = [counted(report.ids.length, 'model'), counted(report.classes.length, 'class'), counted(report.methods.length, 'method'),
     ...report.facts.map(([name, value]) => `${name}: ${value}`)];
   byId('facts').textContent = facts.join(' \u00b7 ');
   for (const section of document.querySelectorAll('main section')) {
@@ -39,13 +39,13 @@ function drawNotes() {
   const place = byId('notes-text');
   const { left_out: leftOut } = report.methods[0].evaluations[0];
   const notes = [];
-  if (leftOut > 0) notes.push(`${leftOut} models are never queries, as their classes are too small; they stay in the lists of others.`);
+  if (leftOut > 0) notes.push(`${counted(leftOut, 'model')} of classes that are too small: never a query, but in the lists of others.`);
   notes.push(...report.warnings);
   place.append(notes.length ? make('ul', { class: 'notes' }, ...notes.map((note) => make('li', {}, note))) : make('p', {}, 'No warnings.'));
   if (report.failures.length) {
     place.append(make('h3', {}, 'Models left out'), make('p', {}, 'These could not be used; all figures are without them.'));
     const table = make('div', { class: 'wide' });
-    sortableTable(table, { caption: `${report.failures.length} models`, columns: [{ title: 'Model', text: ([id]) => id }, { title: 'Reason', text: ([, reason]) => reason }], rows: report.failures });
+    sortableTable(table, { caption: counted(report.failures.length, 'model'), columns: [{ title: 'Model', text: ([id]) => id }, { title: 'Reason', text: ([, reason]) => reason }], rows: report.failures });
     place.append(table);
   }
   const described = report.methods.filter(({ description }) => description);

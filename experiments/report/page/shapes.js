@@ -23,7 +23,7 @@ function drawGallery() {
     tools.append(make('label', {}, 'Find', search), choice('Class', ['all', ...report.classes], 0, (index) => { filter.label = index - 1; drawGallery(); }));
     byId('shapes-scale').append(...(report.pictures ? [pictureScale()] : []));
   }
-  stamp('shapes', [`${report.ids.length} models of ${report.classes.length} classes`],
+  stamp('shapes', [`${counted(report.ids.length, 'model')} of ${counted(report.classes.length, 'class')}`],
     ...(report.pictures ? [`Colours are values of the field of \u201c${report.pictures.field}\u201d, on the same scale for all`] : []),
     'Click a shape to see its histograms and what is nearest to it');
   const groups = report.classes.map((name, label) => {

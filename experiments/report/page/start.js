@@ -41,6 +41,8 @@ const evaluation = () => evaluationOf(state.method);
 const visibleMethods = () => report.methods.map((_, index) => index).filter((index) => !state.hidden.has(index));
 const className = (model) => report.classes[report.labels[model]];
 
+const plurals = { class: 'classes', query: 'queries' };
+const counted = (count, noun) => `${count} ${count === 1 ? noun : plurals[noun] || `${noun}s`}`;
 const percent = (fraction) => (100 * fraction).toFixed(2);
 const number = (value) => (value === null ? '\u221e' : String(Number(value.toPrecision(4))));
 

@@ -55,8 +55,7 @@ function drawSummary() {
     const value = (row) => evaluationOf(row)[state.average][position];
     columns.push({ title: measure, numeric: true, best: true, value, text: (row) => percent(value(row)) });
   });
-  const queries = evaluation().queries.length;
-  stamp('summary', [`${queries} queries`, protocolWords(), averageWords(), 'in percent'], 'The best of each column is bold');
+  stamp('summary', [counted(evaluation().queries.length, 'query'), protocolWords(), averageWords(), 'in percent'], 'The best of each column is bold');
   sortableTable(byId('summary-table'), {
     caption: `Retrieval measures, ${protocolWords()}, ${averageWords()}, percent`, columns, rows,
     sort: drawSummary.sort, sorted: (sort) => { drawSummary.sort = sort; },
