@@ -64,8 +64,14 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool o
   return std::nullopt;
 }
 
+/// What remembers the samples before.
+struct Searches {
+  NearestExteriorSearch nearest;
+  ExteriorEntrySearch entry;
+};
+
 Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                 SearchMemory& memory) {
+                 Searches& searches) {
   const double r = exterior.r();
   const double on_surface = std::max(1e-3 * r, 1e-6);  // what rounding may have moved a sample by
   if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface)) {
@@ -76,14 +82,14 @@ Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vec
   auto q = direct_point(exterior, of_cloud, p, normal);
   if (!q) {
     outcome = Outcome::searched;
-    q = nearest_exterior_point(exterior, p, normal, memory);
+    q = searches.nearest.find(p, normal);
     distance = (q->point - p).norm();
   }
   Eigen::Vector3d outward = (q->point - p).normalized();
   if (of_cloud && outcome == Outcome::searched && distance <= r * (1 + 2 * offset_slack)) {
     outward = middle_of_exposed(exterior, p, outward).value_or(outward);
   }
-  const ExteriorEntry entry = first_exterior_entry(exterior, p, -outward);
+  const ExteriorEntry entry = searches.entry.find(p, -outward);
   if (!q->decided || !entry.decided) outcome = Outcome::undecided;
   return {(distance - r) + (entry.distance - r), outward, outcome};
 }
@@ -120,14 +126,14 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
   const std::vector<std::int32_t> order = order_along_curve(samples.points);
   // What a search remembers of the ones before it ends with the block, so that threads do not change the answers.
-  constexpr Eigen::Index block_size = 256;
+  constexpr Eigen::Index block_size = 1024;
   const auto answer_block = [&](Eigen::Index block) {
-    SearchMemory memory;
+    Searches searches{NearestExteriorSearch(exterior), ExteriorEntrySearch(exterior)};
     const Eigen::Index end = std::min(n, (block + 1) * block_size);
     for (Eigen::Index k = block * block_size; k < end; ++k) {
       const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Answer answer = answer_at(exterior, is_cloud(shape), frame.to_unit(samples.points.row(i).transpose()),
-                                      samples.normals.row(i).transpose(), memory);
+                                      samples.normals.row(i).transpose(), searches);
       result.values[i] = answer.value * frame.diagonal;
       result.normals.row(i) = answer.normal;
       outcomes[static_cast<std::size_t>(i)] = answer.outcome;
