@@ -26,7 +26,7 @@ function drawGrid(place, confusion, totals, name) {
   const labelled = cell >= 11;
   const margin = labelled ? space : 10;
   const { svg, area } = drawing(place, {
-    width: margin + count * cell + 12, height: margin + count * cell + 4, left: margin, right: 12, top: margin, bottom: 4, label: `Confusion matrix of ${name}`,
+    width: margin + count * cell + margin / 2, height: margin + count * cell + 4, left: margin, right: margin / 2, top: margin, bottom: 4, label: `Confusion matrix of ${name}`,
   });
   confusion.forEach((row, label) => {
     area.append('rect').attr('x', 0).attr('y', label * cell).attr('width', count * cell).attr('height', cell - 1).style('fill', 'var(--raised)');

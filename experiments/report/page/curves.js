@@ -2,7 +2,19 @@
 
 const signs = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolStar, d3.symbolWye];
 
+drawCurves.whole = true;
+
+// Where the axis of precision begins: at 0, or at the tenth below all that is shown.
+function lowestPrecision() {
+  const lowest = d3.min(visibleMethods(), (index) => d3.min(curveOf(index)));
+  return drawCurves.whole || lowest === undefined ? 0 : Math.min(0.9, Math.floor(10 * lowest) / 10);
+}
+
 function drawCurves() {
+  const tools = byId('curves-tools');
+  if (!tools.hasChildNodes()) {
+    tools.append(choice('Precision', ['from 0', 'from the lowest shown'], 0, (index) => { drawCurves.whole = index === 0; drawCurves(); }));
+  }
   drawLegend(byId('curves-legend'));
   stamp('curves', [protocolWords(), averageWords(), 'fractions'], 'Point at the chart, or use the arrow keys in it, to read values');
   const place = byId('curves-chart');
@@ -12,7 +24,7 @@ function drawCurves() {
     label: `Precision-recall curves, ${protocolWords()}, ${averageWords()}`,
   });
   const x = d3.scaleLinear([0, 1], [0, width]);
-  const y = d3.scaleLinear([0, 1], [height, 0]);
+  const y = d3.scaleLinear([lowestPrecision(), 1], [height, 0]);
   drawAxes(area, x, y, width, height);
   for (const index of visibleMethods()) drawCurve(area, x, y, index);
   readValues(svg.node(), area, x, height, recall);
@@ -24,7 +36,7 @@ const curveOf = (index) => evaluationOf(index)[`${state.average}_curve`];
 function drawAxes(area, x, y, width, height) {
   area.append('g').attr('class', 'grid').call(d3.axisLeft(y).ticks(10).tickSize(-width).tickFormat(''));
   area.append('g').attr('class', 'axis').attr('transform', `translate(0,${height})`).call(d3.axisBottom(x).ticks(10));
-  area.append('g').attr('class', 'axis').call(d3.axisLeft(y).ticks(10));
+  area.append('g').attr('class', 'axis precision').call(d3.axisLeft(y).ticks(10));
   area.append('text').attr('x', width / 2).attr('y', height + 38).attr('text-anchor', 'middle').text('Recall');
   area.append('text').attr('transform', `translate(-38,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle').text('Precision');
 }
