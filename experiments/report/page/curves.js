@@ -20,7 +20,7 @@ function drawCurves() {
   const place = byId('curves-chart');
   const { recall } = evaluation();
   const { svg, area, width, height } = drawing(place, {
-    width: widthIn(place, 980), height: 470, left: 52, right: 16, top: 10, bottom: 44,
+    width: widthIn(place, 980), height: 470, left: 56, right: 16, top: 10, bottom: 44,
     label: `Precision-recall curves, ${protocolWords()}, ${averageWords()}`,
   });
   const x = d3.scaleLinear([0, 1], [0, width]);
@@ -38,7 +38,7 @@ function drawAxes(area, x, y, width, height) {
   area.append('g').attr('class', 'axis').attr('transform', `translate(0,${height})`).call(d3.axisBottom(x).ticks(10));
   area.append('g').attr('class', 'axis precision').call(d3.axisLeft(y).ticks(10));
   area.append('text').attr('x', width / 2).attr('y', height + 38).attr('text-anchor', 'middle').text('Recall');
-  area.append('text').attr('transform', `translate(-38,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle').text('Precision');
+  area.append('text').attr('transform', `translate(-42,${height / 2}) rotate(-90)`).attr('text-anchor', 'middle').text('Precision');
 }
 
 function drawCurve(area, x, y, index) {
