@@ -2,8 +2,32 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 
 namespace shapegauge {
+
+namespace {
+
+/// The uses by (low, high, triangle), of which they are by triangle already: counted into their low vertices' places,
+/// which hold few each.
+std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
+  std::vector<std::size_t> begin(vertices + 1, 0);
+  for (const EdgeUse& use : uses) ++begin[static_cast<std::size_t>(use.low) + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<EdgeUse> result(uses.size());
+  std::vector<std::size_t> next = begin;
+  for (const EdgeUse& use : uses) result[next[static_cast<std::size_t>(use.low)]++] = use;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto place = [&](std::size_t i) { return result.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(place(begin[v]), place(begin[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+    });
+  }
+  return result;
+}
+
+}  // namespace
 
 std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
   std::vector<EdgeUse> uses;
@@ -24,10 +48,7 @@ std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::
                       .forward = from < to});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return uses;
+  return sorted(uses, merged.size());
 }
 
 }  // namespace shapegauge

@@ -13,11 +13,11 @@ namespace {
 /// All lengths are fractions of r.
 constexpr double search_tolerance = 8e-3;
 constexpr double descent_tolerance = 1e-4;
-constexpr double smallest_improvement = 1e-3;
+constexpr double smallest_improvement = 3e-4;
 /// Beyond this distance the octree is asked for a start: descents from far away end in poor minima.
 constexpr double far = 2;
 constexpr int most_descent_steps = 16;
-constexpr int most_settling_steps = 2;
+constexpr int most_settling_steps = 4;
 constexpr int most_pull_steps = 200;
 /// Edge of the cubes that branch and bound begins with, and of the smallest ones.
 constexpr double first_cube = 1;
@@ -130,7 +130,7 @@ std::optional<Eigen::Vector3d> NearestExteriorSearch::settle(std::vector<Contact
   for (int step = 0;; ++step) {
     for (std::size_t i = 0; i < contacts.size(); ++i) free[i] = contacts[i].free;
     const auto x = closest_point_in(std::span(free).first(contacts.size()), p_);
-    if (!x || step == most_settling_steps || (before && (*x - *before).norm() < 2e-3 * r_)) return x;
+    if (!x || step == most_settling_steps || (before && (*x - *before).norm() < 1e-3 * r_)) return x;
     for (Contact& contact : contacts) {
       const bool reached = contact.free.normal.dot(*x) <= contact.free.bound + descent_tolerance * r_;
       if (contact.triangle < 0 || !reached) continue;
@@ -158,9 +158,8 @@ void NearestExteriorSearch::descend(std::vector<Contact> contacts) {
     decided_ &= is_exterior.has_value();
     if (is_exterior != true) return;
     if (hit.distance > r_ * (1 + 5 * offset_slack)) return descend_from(*x);
-    std::erase_if(contacts, [&](const Contact& contact) { return contact.triangle < 0; });
-    keep(*x, std::move(contacts));
-    return;
+    contacts = laid_anew(contacts, *x);
+    keep(*x, contacts);
   }
 }
 

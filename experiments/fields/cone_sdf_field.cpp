@@ -34,6 +34,7 @@ Field cone_sdf_field(const nlohmann::json& settings) {
                        {"rays", options.rays},
                        {"postprocess", options.postprocess},
                        {"at", to_json(samples_wanted)}},
+          .versions = {{"cone_sdf", cone_sdf_version}},
           .samples = samples_wanted,
           .compute = [options](const Shape& shape, const Samples& samples, bool parallel) {
             ConeSdfOptions now = options;

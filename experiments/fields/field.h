@@ -31,6 +31,7 @@ struct FieldValues {
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.
 struct Field {
   nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
+  nlohmann::json versions;  ///< of the algorithms that the values depend on besides the samples, by name
   SamplePlan samples;
   /// The values at the samples of a shape; parallel: spread the samples over the threads of the calling TBB arena.
   std::function<FieldValues(const Shape&, const Samples&, bool parallel)> compute;

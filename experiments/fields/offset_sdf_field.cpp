@@ -10,7 +10,10 @@ Field offset_sdf_field(const nlohmann::json& settings) {
   const bool automatic = offset.is_string();  // "auto", as the schema says
   const double given = automatic ? 0 : offset.get<double>();
   const SamplePlan samples_wanted = sample_plan_of(settings);
+  nlohmann::json versions{{"offset_sdf", offset_sdf_version}};
+  if (automatic) versions["automatic_offset"] = automatic_offset_version;
   return {.settings = {{"type", "offset_sdf"}, {"offset", offset}, {"at", to_json(samples_wanted)}},
+          .versions = versions,
           .samples = samples_wanted,
           .compute = [automatic, given](const Shape& shape, const Samples& samples, bool parallel) {
             const double r = automatic ? automatic_offset(shape).offset : given;

@@ -9,6 +9,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of what pictures look like, or of what it rests on (render_shape, principal_view,
+/// colours): what a cache holds of earlier versions is then drawn anew.
+inline constexpr int picture_version = 1;
+
 /// How the models of a run are drawn for its report; alike for all of them.
 struct PictureOptions {
   /// Values with the ends of the colour map, which runs with the square root of (value - low) so that thin parts differ

@@ -6,10 +6,7 @@
 #include <utility>
 
 #include "shapegauge/core/error.h"
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/experiments/report/model_picture.h"
 
 namespace shapegauge {
 
@@ -39,7 +36,8 @@ Interval range_of(const ScalarField& field, const Field& what) {
   throw InputError(fmt::format("no sample has a value of the field {}", what.settings.dump()));
 }
 
-/// The histograms of a field that need no other shape, and what is kept of its values.
+}  // namespace
+
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms) {
@@ -55,8 +53,6 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
     kept.weights = field.weights.cast<float>();
   }
 }
-
-}  // namespace
 
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
                                 const std::vector<SignatureConfiguration>& signatures,
@@ -84,22 +80,6 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
     const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
     describe_field(field, plan[i], signatures, kept, description.histograms);
   }
-  return description;
-}
-
-ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                std::span<const PlannedField> plan, bool parallel) {
-  const Model& source = dataset.models[model];
-  std::string picture;
-  const auto draw = [&](std::size_t field, const PreparedShape& prepared, const Samples& samples,
-                        const FieldValues& computed) {
-    if (!is_pictured(plan[field], configuration.report)) return;
-    picture = model_picture(prepared.shape, samples, computed.values, configuration.report.picture_options);
-  };
-  ModelDescription description = describe_shape(
-      perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model),
-      configuration.preparation, configuration.signatures, plan, parallel, draw);
-  description.picture = std::move(picture);
   return description;
 }
 

@@ -8,7 +8,7 @@ namespace shapegauge {
 
 std::span<const NamedDistance> distances() {
   static constexpr std::array registered = {
-      NamedDistance{"l1", l1_distance},
+      NamedDistance{"l1", l1_distance, l1_distances},
   };
   return registered;
 }

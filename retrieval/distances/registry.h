@@ -9,10 +9,15 @@ namespace shapegauge {
 /// matrix asks for one of (a, b) and (b, a) only, and never for (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
+/// The same distances from one signature to several that follow each other in memory.
+using DistancesFunction = void (*)(std::span<const float> a, std::span<const float> others,
+                                   std::span<double> distances);
+
 /// A distance with the name that configurations know it by.
 struct NamedDistance {
   std::string_view name;
   DistanceFunction function;
+  DistancesFunction to_several = nullptr;  ///< where there is a faster way than one by one
 };
 
 /// All distances. A new one is one file in this folder and one line in registry.cpp.
