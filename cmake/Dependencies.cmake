@@ -15,3 +15,6 @@ find_package(PNG REQUIRED)
 if(SHAPEGAUGE_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()
+# D3 draws the charts of reports: one file of JavaScript, which the program carries.
+find_file(SHAPEGAUGE_D3_FILE d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/share/javascript/d3
+          DOC "d3.min.js of D3 5 or later (Debian: node-d3)" NO_CACHE REQUIRED)

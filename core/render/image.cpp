@@ -45,6 +45,7 @@ std::string encode_png(const Image& image) {
     throw std::runtime_error(fmt::format("the image could not be encoded as PNG: {}", header.message));
   }
   bytes.resize(size);
+  bytes.shrink_to_fit();
   return bytes;
 }
 

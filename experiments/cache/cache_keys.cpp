@@ -74,6 +74,13 @@ std::string histogram_key(const std::string& field, const HistogramConfiguration
                 {{"field", field}, {"settings", to_json(histogram)}, {"version", histogram_version}});
 }
 
+std::string picture_key(const std::string& field, const PictureOptions& options) {
+  return key_of(EntryKind::picture, {{"field", field},
+                                     {"range", {options.range.low, options.range.high}},
+                                     {"size", {options.width, options.height}},
+                                     {"version", picture_version}});
+}
+
 std::string distances_key(const Signatures& signatures, const std::string& distance) {
   const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted

@@ -9,6 +9,7 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/fields/sample_plan.h"
+#include "shapegauge/experiments/report/model_picture.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 /// Keys of the cache: SHA-256 of all that a result depends on, which is the keys of what it is made of, the parameters
@@ -35,6 +36,9 @@ std::string field_key(const std::string& shape, const Field& field);
 
 /// Of a histogram of that field over a range that depends on no other shape.
 std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram);
+
+/// Of the picture of a shape that is coloured by that field.
+std::string picture_key(const std::string& field, const PictureOptions& options);
 
 /// Of the distance matrix of the signatures.
 std::string distances_key(const Signatures& signatures, const std::string& distance);

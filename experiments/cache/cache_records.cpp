@@ -91,6 +91,13 @@ CachedHistogram read_histogram_record(const Json& record) {
   return {.facts = read_facts(record.at("facts")), .bins = read_binary<Eigen::VectorXf>(record.at("bins"))};
 }
 
+Json picture_record(std::string_view png) { return Json::binary({png.begin(), png.end()}); }
+
+std::string read_picture(const Json& record) {
+  const auto& bytes = record.get_binary();
+  return {bytes.begin(), bytes.end()};
+}
+
 Json distances_record(const DistanceMatrix& distances) {
   return {{"rows", distances.rows()}, {"numbers", binary(distances.data(), distances.size())}};
 }

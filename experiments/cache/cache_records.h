@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
 
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -33,6 +35,10 @@ struct CachedHistogram {
 };
 nlohmann::json histogram_record(const CachedHistogram& histogram);
 CachedHistogram read_histogram_record(const nlohmann::json& record);
+
+/// A picture: the bytes of its file.
+nlohmann::json picture_record(std::string_view png);
+std::string read_picture(const nlohmann::json& record);
 
 /// A distance matrix.
 nlohmann::json distances_record(const DistanceMatrix& distances);

@@ -13,13 +13,14 @@ enum class EntryKind {
   field,      ///< the values of a field on a shape
   histogram,  ///< of one field on one shape
   distances,  ///< a distance matrix
+  picture,    ///< of a shape, for the report
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 5;
+inline constexpr std::size_t number_of_entry_kinds = 6;
 
 /// The kinds' names, which are also the extensions of the entries' files.
-inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{"shape", "samples", "field",
-                                                                                      "histogram", "distances"};
+inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
+    "shape", "samples", "field", "histogram", "distances", "picture"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

@@ -11,6 +11,7 @@
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/datasets/classification_file.h"
 #include "shapegauge/experiments/matrices/distance_matrix_file.h"
+#include "shapegauge/experiments/report/report_page.h"
 #include "shapegauge/experiments/results/evaluation_json.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/text/lines.h"
@@ -31,6 +32,7 @@ struct EvaluateArguments {
   std::string format = "table";
   int minimum_class_size = 2;
   fs::path curve;
+  fs::path report;
 };
 
 /// The ids in a file, one a line; empty lines do not count.
@@ -62,6 +64,23 @@ std::string formatted(const Evaluation& evaluation, const std::vector<std::strin
   return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
 }
 
+void write_report(const EvaluateArguments& arguments, const LabelledDistances& matrix,
+                  const std::vector<std::string>& ids, const std::vector<int>& labels,
+                  const std::vector<std::string>& class_names, const Evaluation& evaluation) {
+  const std::string name = arguments.distances.stem().string();
+  Report report;
+  report.title = name;
+  report.classes = class_names;
+  report.ids = ids;
+  report.labels = labels;
+  report.methods.push_back({.name = name,
+                            .description = {},
+                            .distances = &matrix.distances,
+                            .evaluations = {&evaluation, 1},
+                            .histograms = {}});
+  write_file_atomically(arguments.report, report_page(report));
+}
+
 int run(const EvaluateArguments& arguments) {
   const Classification classification = read_classification(arguments.labels);
   const LabelledDistances matrix = read_distance_matrix(arguments.distances);
@@ -82,6 +101,7 @@ int run(const EvaluateArguments& arguments) {
     const std::vector<NamedEvaluation> one{{.method = arguments.distances.stem().string(), .evaluation = &evaluation}};
     write_file_atomically(arguments.curve, to_csv(precision_recall_table(one)));
   }
+  if (!arguments.report.empty()) write_report(arguments, matrix, ids, labels, class_names, evaluation);
   fmt::print("{}", formatted(evaluation, class_names, arguments));
   if (evaluation.models_left_out > 0) {
     fmt::print(stderr, "shapegauge: note: {} models are never queries, as their classes have fewer than {} models\n",
@@ -120,6 +140,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
   command->add_option("--pr", arguments->curve, "CSV file for the precision-recall curve");
+  command->add_option("--report", arguments->report, "HTML file for a page that shows the result");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

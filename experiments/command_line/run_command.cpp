@@ -21,6 +21,7 @@
 #include "shapegauge/experiments/comparison/write_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
+#include "shapegauge/experiments/results/field_warnings.h"
 #include "shapegauge/experiments/results/file_names.h"
 #include "shapegauge/experiments/results/folder_lock.h"
 #include "shapegauge/experiments/results/manifest.h"
@@ -54,14 +55,7 @@ struct LeftOut {
 /// Says on standard error what a reader of the results should know; returns the exit status. all: of how many shapes.
 int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftOut>& left_out, std::size_t all,
                  std::string_view kind) {
-  for (const FieldReport& field : fields) {
-    for (const char* outcome : {"undecided", "missing"}) {
-      const auto count = field.outcomes.find(outcome);
-      if (count == field.outcomes.end() || count->second == 0) continue;
-      fmt::print(stderr, "shapegauge: warning: {} of {} samples {} in the field {}\n", count->second,
-                 field.outcomes.at("total"), outcome, field.settings.dump());
-    }
-  }
+  for (const std::string& warning : field_warnings(fields)) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
   for (const LeftOut& one : left_out) {
     fmt::print(stderr, "shapegauge: warning: left out {}: {}\n", one.what, one.why);
   }
@@ -129,6 +123,7 @@ int run_retrieval(const RunArguments& arguments, const RequestedRun& request) {
   if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
   progress.clear();
   fmt::print("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
+  if (configuration.report.wanted) fmt::print("Report: {}\n", (folder / report_name).string());
   std::vector<LeftOut> left_out;
   for (const FailedModel& failure : results.failures)
     left_out.push_back({"model " + failure.model.id, failure.message});

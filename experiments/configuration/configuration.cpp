@@ -41,6 +41,15 @@ Json dataset_to_json(const Configuration& configuration) {
   return json;
 }
 
+Json report_to_json(const Configuration& configuration) {
+  const ReportConfiguration& report = configuration.report;
+  if (!report.wanted) return false;
+  if (!report.pictures) return {{"pictures", false}};
+  const Interval& range = report.picture_options.range;
+  return {{"pictures",
+           {{"of", configuration.signatures[report.pictured_signature].name}, {"range", {range.low, range.high}}}}};
+}
+
 }  // namespace
 
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
@@ -100,7 +109,8 @@ Json to_json(const Configuration& configuration) {
             {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(configuration.signatures)},
-            {"distance", configuration.distance}};
+            {"distance", configuration.distance},
+            {"report", report_to_json(configuration)}};
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
   return json;

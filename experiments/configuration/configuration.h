@@ -11,6 +11,7 @@
 #include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/perturbations/perturbation.h"
+#include "shapegauge/experiments/report/model_picture.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"
 
@@ -38,6 +39,14 @@ struct SignatureConfiguration {
 /// What to do with a model that cannot be used.
 enum class OnError { stop, skip };
 
+/// The page that a run of the experiment ends in.
+struct ReportConfiguration {
+  bool wanted = true;
+  bool pictures = true;                ///< of the models
+  std::size_t pictured_signature = 0;  ///< the signature whose field colours them; it has one
+  PictureOptions picture_options;
+};
+
 /// A whole experiment, checked, with all defaults filled in.
 struct Configuration {
   std::string name;
@@ -52,6 +61,7 @@ struct Configuration {
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";
+  ReportConfiguration report;
 };
 
 /// The index of a signature that concatenates itself, by whatever way round; nothing where there is none.

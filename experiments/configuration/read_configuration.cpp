@@ -10,6 +10,7 @@
 #include "shapegauge/experiments/configuration/parse_json.h"
 #include "shapegauge/experiments/configuration/path_value.h"
 #include "shapegauge/experiments/configuration/preparation_settings.h"
+#include "shapegauge/experiments/configuration/read_report.h"
 #include "shapegauge/experiments/configuration/read_signatures.h"
 #include "shapegauge/experiments/configuration/schema_check.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
@@ -91,6 +92,8 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   configuration.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
   configuration.distance = document.value("distance", configuration.distance);
   configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
+  configuration.report =
+      at("report", [&] { return read_report(document.value("report", Json(true)), configuration.signatures); });
   return configuration;
 }
 

@@ -23,16 +23,19 @@ struct FailedModel {
 /// What a run found for one signature.
 struct MethodResults {
   std::string name;
-  DistanceMatrix distances;             ///< rows and columns are ExperimentResults::models
-  std::vector<Evaluation> evaluations;  ///< by protocol of the configuration
+  DistanceMatrix distances;                ///< rows and columns are ExperimentResults::models
+  std::vector<Evaluation> evaluations;     ///< by protocol of the configuration
+  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]
+  std::vector<Interval> histogram_ranges;  ///< of each row, where the signature is one histogram; else empty
 };
 
 /// All that a run found.
 struct ExperimentResults {
   Configuration configuration;
-  std::vector<std::string> classes;  ///< names, by label
-  std::vector<Model> models;         ///< those that have signatures
-  std::vector<ShapeReport> shapes;   ///< of the models
+  std::vector<std::string> classes;   ///< names, by label
+  std::vector<Model> models;          ///< those that have signatures
+  std::vector<ShapeReport> shapes;    ///< of the models
+  std::vector<std::string> pictures;  ///< of the models, as PNG files; none at all where the configuration wants none
   std::vector<FailedModel> failures;
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;

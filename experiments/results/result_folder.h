@@ -12,6 +12,9 @@ namespace shapegauge {
 /// The name of the file in the folder that is written last and lists the others.
 inline constexpr std::string_view manifest_name = "manifest.json";
 
+/// The name of the page that shows the results.
+inline constexpr std::string_view report_name = "report.html";
+
 /// Whether the result file of that name holds seconds, which differ from run to run.
 bool holds_timings(std::string_view file);
 

@@ -5,6 +5,7 @@
 
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/report/report_page.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/file_names.h"
 #include "shapegauge/experiments/results/manifest.h"
@@ -90,6 +91,10 @@ void write_results(const fs::path& destination, const ExperimentResults& results
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     write_npy(folder / matrices[i], results.methods[i].distances);
     files.push_back(matrices[i]);
+  }
+  if (results.configuration.report.wanted) {
+    write_file_atomically(folder / report_name, report_page(report_of(results)));
+    files.emplace_back(report_name);
   }
   write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
   staged.publish(files);

@@ -69,8 +69,15 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
     computed.models.push_back(i);
     models.push_back(&*described.models[i]);
     computed.shapes.push_back(report_shape(*described.models[i]));
+    if (!described.models[i]->picture.empty()) computed.pictures.push_back(described.models[i]->picture);
   }
   computed.signatures = assemble_signatures(models, plan, configuration.signatures);
+  computed.histogram_ranges.resize(configuration.signatures.size());
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    for (const std::size_t i : plan[field].signatures) {
+      computed.histogram_ranges[i] = histogram_ranges(models, configuration.signatures[i].histogram, field);
+    }
+  }
   computed.fields = report_fields(models, plan);
   computed.failures = std::move(described.failures);
   return computed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "shapegauge/experiments/cache/cache.h"
@@ -15,8 +16,10 @@ namespace shapegauge {
 
 /// The signatures of the models of a data set.
 struct ComputedSignatures {
-  std::vector<std::size_t> models;     ///< those that have signatures, by index in the data set
-  std::vector<Signatures> signatures;  ///< by signature of the configuration; row i is of models[i]
+  std::vector<std::size_t> models;                      ///< those that have signatures, by index in the data set
+  std::vector<Signatures> signatures;                   ///< by signature of the configuration; row i is of models[i]
+  std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each row; empty where it has no field
+  std::vector<std::string> pictures;  ///< of the models, where the configuration wants them; else none
   std::vector<FieldReport> fields;
   std::vector<ShapeReport> shapes;     ///< of the models that have signatures
   std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip

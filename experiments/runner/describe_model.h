@@ -36,6 +36,7 @@ struct ModelDescription {
   double area = 0;                          ///< that was scaled to 1, in the file's units, squared
   double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
   double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
+  std::string picture;                      ///< model_picture(), where the configuration wants one
 };
 
 /// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and

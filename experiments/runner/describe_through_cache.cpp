@@ -12,6 +12,7 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/experiments/cache/cache_keys.h"
 #include "shapegauge/experiments/cache/cache_records.h"
+#include "shapegauge/experiments/report/model_picture.h"
 #include "shapegauge/experiments/results/sha256.h"
 
 namespace shapegauge {
@@ -27,6 +28,9 @@ class DescribedModel {
     histograms_.resize(configuration.signatures.size());
     for (const PlannedField& field : plan) {
       fields_.push_back({.rest = field, .key = field_key(shape_key_, field.field), .found = {}});
+      if (!is_pictured(field, configuration.report)) continue;
+      pictured_ = fields_.size() - 1;
+      picture_key_ = picture_key(fields_.back().key, configuration.report.picture_options);
     }
   }
 
@@ -34,6 +38,10 @@ class DescribedModel {
   void take() {
     shape_ = cache_->find(EntryKind::shape, shape_key_, read_shape_record);
     cache_->count(EntryKind::shape, shape_.has_value());
+    if (pictured_) {
+      picture_ = cache_->find(EntryKind::picture, picture_key_, read_picture);
+      cache_->count(EntryKind::picture, picture_.has_value());
+    }
     for (PartlyKnownField& field : fields_) take_field(field);
   }
 
@@ -65,6 +73,18 @@ class DescribedModel {
     cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
   }
 
+  /// Draws the picture where it is missing and the missing field of that index colours it.
+  void draw_computed(std::size_t index, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+    if (is_picture_missing() && missing_fields().at(index) == &fields_[*pictured_]) draw(shape, samples, values);
+  }
+
+  [[nodiscard]] bool is_picture_missing() const { return pictured_ && !picture_; }
+
+  /// Draws the picture that is missing by the values in the cache.
+  void draw_cached(const Shape& shape) {
+    draw(shape, take_samples(shape, fields_[*pictured_].rest.field.samples), values_to_draw_);
+  }
+
   /// Adds what was computed of the missing fields, and keeps it.
   void complete(ModelDescription computed) {
     const std::vector<PartlyKnownField*> missing = missing_fields();
@@ -84,6 +104,7 @@ class DescribedModel {
     description.histograms = std::move(histograms_);
     description.fields.clear();
     for (PartlyKnownField& field : fields_) description.fields.push_back(std::move(field.found.value()));
+    description.picture = std::move(picture_).value_or("");
     return description;
   }
 
@@ -106,6 +127,15 @@ class DescribedModel {
     return missing;
   }
 
+  [[nodiscard]] bool draws(const PartlyKnownField& field) const {
+    return is_picture_missing() && &field == &fields_[*pictured_];
+  }
+
+  void draw(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+    picture_ = model_picture(shape, samples, values, configuration_->report.picture_options);
+    cache_->store(EntryKind::picture, picture_key_, picture_record(*picture_));
+  }
+
   void take_field(PartlyKnownField& field) {
     std::optional<FieldDescription> facts;
     std::erase_if(field.rest.signatures, [&](std::size_t signature) {
@@ -118,7 +148,7 @@ class DescribedModel {
       facts = std::move(histogram->facts);
       return true;
     });
-    const bool values_wanted = field.rest.keep_values || !field.rest.signatures.empty();
+    const bool values_wanted = field.rest.keep_values || !field.rest.signatures.empty() || draws(field);
     field.found = values_wanted ? take_values(field) : std::move(facts);
     if (field.found) cache_->count(EntryKind::field, true);
   }
@@ -130,6 +160,7 @@ class DescribedModel {
     if (!weights) return std::nullopt;
     auto cached = cache_->find(EntryKind::field, field.key, read_field_record);
     if (!cached || cached->values.size() != weights->size()) return std::nullopt;
+    if (draws(field)) values_to_draw_ = cached->values;
     std::vector<Eigen::VectorXf> histograms(histograms_.size());
     try {
       describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
@@ -165,6 +196,10 @@ class DescribedModel {
   std::vector<PartlyKnownField> fields_;
   std::vector<Eigen::VectorXf> histograms_;  ///< by signature
   std::set<std::string> weights_kept_;       ///< by key
+  std::optional<std::size_t> pictured_;      ///< the field that colours the picture, where one is wanted
+  std::string picture_key_;
+  std::optional<std::string> picture_;
+  Eigen::VectorXd values_to_draw_;  ///< from the cache, where the picture is not in it
 };
 
 }  // namespace
@@ -177,13 +212,20 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
   DescribedModel described(configuration, plan, shape_key(depends_on, configuration), cache);
   described.take();
+  const auto perturbed = [&] {
+    return perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed, source.id,
+                         model);
+  };
   if (!described.is_complete()) {
-    described.complete(
-        describe_shape(perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed,
-                                     source.id, model),
-                       configuration.preparation, configuration.signatures, described.missing(), parallel,
-                       [&](std::size_t field, const PreparedShape& /*shape*/, const Samples& samples,
-                           const FieldValues& computed) { described.keep_values(field, samples, computed); }));
+    described.complete(describe_shape(
+        perturbed(), configuration.preparation, configuration.signatures, described.missing(), parallel,
+        [&](std::size_t field, const PreparedShape& prepared, const Samples& samples, const FieldValues& computed) {
+          described.keep_values(field, samples, computed);
+          described.draw_computed(field, prepared.shape, samples, computed.values);
+        }));
+  }
+  if (described.is_picture_missing()) {
+    described.draw_cached(prepare_shape(perturbed().shape, configuration.preparation).shape);
   }
   ModelDescription description = std::move(described).description();
   description.sha256 = hash;

@@ -19,4 +19,9 @@ std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>&
   return plan;
 }
 
+bool is_pictured(const PlannedField& planned, const ReportConfiguration& report) {
+  return report.wanted && report.pictures &&
+         std::ranges::find(planned.signatures, report.pictured_signature) != planned.signatures.end();
+}
+
 }  // namespace shapegauge

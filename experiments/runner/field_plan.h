@@ -19,4 +19,7 @@ struct PlannedField {
 /// The distinct fields of the signatures, in order of first use: fields of equal settings are computed once.
 std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures);
 
+/// Whether it is the field that colours the models in the report.
+bool is_pictured(const PlannedField& planned, const ReportConfiguration& report);
+
 }  // namespace shapegauge

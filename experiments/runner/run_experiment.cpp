@@ -58,6 +58,7 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   }
   results.fields = std::move(computed.fields);
   results.shapes = std::move(computed.shapes);
+  results.pictures = std::move(computed.pictures);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
@@ -66,7 +67,9 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
     results.methods.push_back(
         {.name = configuration.signatures[i].name,
          .distances = distances_through_cache(computed.signatures[i], configuration.distance, cache),
-         .evaluations = {}});
+         .evaluations = {},
+         .signatures = std::move(computed.signatures[i]),
+         .histogram_ranges = std::move(computed.histogram_ranges[i])});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 

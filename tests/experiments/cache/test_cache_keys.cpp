@@ -85,6 +85,14 @@ TEST(CacheKeys, AHistogramDependsOnItsSettings) {
   EXPECT_EQ(keys.size(), 12U);
 }
 
+TEST(CacheKeys, APictureDependsOnItsFieldAndOnHowItIsDrawn) {
+  std::set<std::string> keys{picture_key("field", {}), picture_key("other field", {})};
+  keys.insert(picture_key("field", {.range = {.low = 0, .high = 0.5}}));
+  keys.insert(picture_key("field", {.width = 64}));
+  keys.insert(picture_key("field", {.height = 64}));
+  EXPECT_EQ(keys.size(), 5U);
+}
+
 TEST(CacheKeys, DistancesDependOnTheSignaturesAndTheirSize) {
   Signatures signatures(2, 3);
   signatures << 0, 1, 2, 3, 4, 5;

@@ -83,6 +83,11 @@ TEST(CacheRecords, AHistogram) {
   expect_same_bits(found.bins, histogram.bins);
 }
 
+TEST(CacheRecords, APicture) {
+  const std::string bytes("\x89PNG\0\xff", 6);
+  EXPECT_EQ(read_picture(picture_record(bytes)), bytes);
+}
+
 TEST(CacheRecords, ADistanceMatrix) {
   DistanceMatrix distances(2, 2);
   distances << 0, 1.0 / 3, 1.0 / 3, 0;

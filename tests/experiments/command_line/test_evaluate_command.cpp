@@ -78,6 +78,19 @@ TEST_F(EvaluateCommand, TheCurveGoesToItsFile) {
   EXPECT_THAT(text_of(at("pr.csv")), StartsWith("method,protocol,recall,precision,macro_precision\ntoy,psb,0.05,"));
 }
 
+TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
+  const Outcome outcome = evaluate_toy("--report '" + at("report.html") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, evaluate_toy("").output);
+  const std::string page = text_of(at("report.html"));
+  EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, HasSubstr("<title>toy – shapegauge</title>"));
+  EXPECT_THAT(page, HasSubstr(R"("classes":["A","B"],"ids":["0","1","2","3","4","5","6"],"labels":[0,0,0,1,1,1,1])"));
+  const Outcome nowhere = evaluate_toy("--report '" + at("no_folder/report.html") + "'");
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
+}
+
 TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
   // The same matrix with the rows' models exchanged: labels A and B fall on other rows.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");

@@ -15,6 +15,7 @@ using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
+using testing::Not;
 using testing::StartsWith;
 
 class RunCommand : public testing::Test {
@@ -40,11 +41,21 @@ TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       micro    100.00"));
   EXPECT_THAT(outcome.output, HasSubstr("Results in " + at("out").string()));
+  EXPECT_THAT(outcome.output, HasSubstr("Report: " + (at("out") / "report.html").string()));
   EXPECT_THAT(text_of(at("out") / "summary.csv"),
               StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\nfixed,psb,micro,100.0000,"));
   for (const auto& entry : fs::recursive_directory_iterator(at("out"))) {
-    EXPECT_THAT(entry.path().extension().string(), MatchesRegex("|.csv|.json|.md|.tex|.npy")) << entry.path();
+    EXPECT_THAT(entry.path().extension().string(), MatchesRegex("|.csv|.html|.json|.md|.tex|.npy")) << entry.path();
   }
+}
+
+TEST_F(RunCommand, NoReportWhereNoneIsWanted) {
+  ASSERT_EQ(run().status, 0);
+  EXPECT_TRUE(fs::exists(at("out") / "report.html"));
+  const Outcome outcome = run("--force --set report=false");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, Not(HasSubstr("report.html")));
+  EXPECT_FALSE(fs::exists(at("out") / "report.html")) << "that of the earlier run";
 }
 
 TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {

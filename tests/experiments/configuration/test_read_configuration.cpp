@@ -56,6 +56,7 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
   Json full = document();
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
+  full["report"]["pictures"] = {{"of", "b"}, {"range", {0, 0.25}}};
   full["evaluation"]["minimum_class_size"] = 3;
   full["description"] = "why";
   full["seed"] = 7;
@@ -145,6 +146,32 @@ TEST(Configuration, SettingsThatContradictEachOther) {
               HasSubstr("dataset.classification: "));
   EXPECT_THAT(message_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
               HasSubstr("dataset.generate.classes: there are"));
+}
+
+TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
+  const ReportConfiguration usual = configuration_from_json(document(), "x.json", "/configs").report;
+  EXPECT_TRUE(usual.wanted && usual.pictures);
+  EXPECT_EQ(usual.pictured_signature, 0U);
+  EXPECT_EQ(usual.picture_options.range.low, 0);
+  EXPECT_NEAR(usual.picture_options.range.high, 0.5641896, 1e-7) << "the diameter of a sphere of unit area";
+  EXPECT_FALSE(configuration_with("/report", false).report.wanted);
+  EXPECT_FALSE(configuration_with("/report", false).report.pictures);
+  const ReportConfiguration plain = configuration_with("/report/pictures", false).report;
+  EXPECT_TRUE(plain.wanted && !plain.pictures);
+  const Json chosen = {{"of", "b"}, {"range", {0.1, 0.2}}};
+  const ReportConfiguration other = configuration_with("/report/pictures", chosen).report;
+  EXPECT_EQ(other.pictured_signature, 1U);
+  EXPECT_EQ(other.picture_options.range.high, 0.2);
+}
+
+TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
+  EXPECT_THAT(message_with("/report/pictures/of", "bb"),
+              HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; known here: \"a\", \"b\""));
+  EXPECT_THAT(message_with("/report/pictures/of", "c"),
+              HasSubstr("report.pictures.of: the signature \"c\" concatenates"));
+  EXPECT_THAT(message_with("/report/pictures/range", {0.2, 0.2}), HasSubstr("report.pictures.range: the first value"));
+  EXPECT_THAT(message_with("/report/picture", true), HasSubstr("pictures"));
+  EXPECT_THAT(message_with("/report", "yes"), HasSubstr("report: "));
 }
 
 TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {

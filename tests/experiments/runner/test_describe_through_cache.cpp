@@ -108,8 +108,8 @@ TEST_F(DescribeThroughCache, ASecondRunComputesNothingAndWritesTheSameBytes) {
 TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
   const auto fresh = fresh_files(document());
   run(document());
-  for (const EntryKind kind :
-       {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::histogram, EntryKind::distances}) {
+  for (const EntryKind kind : {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::histogram,
+                               EntryKind::distances, EntryKind::picture}) {
     for (const CacheFile& file : cache_files(cache())) {
       if (file.kind == kind) fs::remove(file.path);
     }
@@ -122,6 +122,30 @@ TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
     if (i++ % 3 == 0) fs::remove(file.path);
   }
   EXPECT_EQ(files_of(run(document())), fresh);
+}
+
+TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
+  for (const char* signature : {"fixed", "offset", "nine rays"}) {
+    SCOPED_TRACE(signature);
+    Json pictured = document();
+    pictured["report"]["pictures"]["of"] = signature;
+    const auto fresh = fresh_files(pictured);
+    run(document());
+    const ExperimentResults drawn = run(pictured);
+    EXPECT_EQ(uses_of(drawn), all_taken);
+    EXPECT_EQ(files_of(drawn), fresh);
+    const CacheUse& pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
+    EXPECT_EQ(pictures.taken, 9U);
+    EXPECT_EQ(pictures.computed, 0U);
+  }
+}
+
+TEST_F(DescribeThroughCache, AFieldIsComputedForThePictureWhereItsValuesAreGone) {
+  run(document());
+  for (const CacheFile& file : cache_files(cache())) {
+    if (file.kind == EntryKind::picture || file.kind == EntryKind::field) fs::remove(file.path);
+  }
+  EXPECT_EQ(files_of(run(document())), fresh_files(document()));
 }
 
 TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {

@@ -133,8 +133,8 @@ TEST_F(RunExperiment, AFieldThatSeveralSignaturesUseIsComputedOnce) {
 TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) write_results(folder(std::to_string(threads)), run(Json::object(), threads));
   for (const char* file : {"summary.csv", "summary.json", "summary.md", "summary.tex", "per_class.csv", "per_query.csv",
-                           "pr_curves.csv", "shapes.csv", "distances/fixed.npy", "distances/per_shape.npy",
-                           "distances/data_set.npy", "distances/both.npy"}) {
+                           "pr_curves.csv", "report.html", "shapes.csv", "distances/fixed.npy",
+                           "distances/per_shape.npy", "distances/data_set.npy", "distances/both.npy"}) {
     const std::string bytes = text_of(folder("1") / file);
     EXPECT_FALSE(bytes.empty()) << file;
     EXPECT_TRUE(bytes == text_of(folder("3") / file)) << file;

@@ -1,0 +1,20 @@
+// make_sample_reports FOLDER: writes the sample reports, for a browser to open.
+#include <filesystem>
+#include <iostream>
+
+#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/experiments/report/report_page.h"
+#include "tests/experiments/report/sample_reports.h"
+
+int main(int argument_count, char** arguments) {
+  if (argument_count != 2) {
+    std::cerr << "usage: make_sample_reports FOLDER\n";
+    return 2;
+  }
+  const std::filesystem::path folder = arguments[1];
+  std::filesystem::create_directories(folder);
+  using namespace shapegauge;
+  write_file_atomically(folder / "hostile.html", report_page(test_report::hostile_report().report));
+  write_file_atomically(folder / "plain.html", report_page(test_report::plain_report().report));
+  return 0;
+}

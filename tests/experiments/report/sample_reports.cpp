@@ -1,0 +1,117 @@
+#include "tests/experiments/report/sample_reports.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/experiments/report/model_picture.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge::test_report {
+
+namespace {
+
+constexpr int models = 12;
+const std::vector<int> labels = {0, 1, 0, 1, 0, 1, 0, 1, 0, 2, 0, 1};
+
+/// Histograms of two bumps, in places that depend on the class and a little on the model.
+Signatures histograms(int bins, double spread) {
+  Signatures table(models, bins);
+  for (int i = 0; i < models; ++i) {
+    const double centre = bins * (0.3 + 0.15 * labels[static_cast<std::size_t>(i)]) + spread * (i % 5);
+    for (int bin = 0; bin < bins; ++bin) {
+      table(i, bin) = static_cast<float>(std::exp(-0.1 * (bin - centre) * (bin - centre)) + 0.01);
+    }
+    table.row(i) /= table.row(i).sum();
+  }
+  return table;
+}
+
+std::vector<Evaluation> evaluations_of(const DistanceMatrix& distances) {
+  return {evaluate(distances, labels, {.protocol = Protocol::psb}),
+          evaluate(distances, labels, {.protocol = Protocol::paper})};
+}
+
+std::string picture_of(int model) {
+  const Shape shape = test_shapes::box({1, 0.3 + 0.1 * labels[static_cast<std::size_t>(model)], 0.2}, 3);
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  return model_picture(shape, samples, samples.points.col(0).cwiseAbs(), {});
+}
+
+void add_hostile_words(Report& report) {
+  report.title = "</title></script><script>alert(1)</script> {{data}} & \"quotes\"";
+  report.description =
+      "<img src=x onerror=alert(1)> <!-- <script> ]]> \xe2\x80\xa8 \xc3\xa9\xe6\xa8\xa1\xf0\x9f\x90\x8e \\u003c";
+  report.facts = {{"Distance", "l1 <b>&amp;</b>"}};
+  report.classes = {"<b>ants</b> & 'co'", "</script>", "\xe9\xa6\xac \"horses\" \\"};
+  for (int i = 0; i < models; ++i) report.ids.push_back(fmt::format("{}</script><!--&lt;\"'`{{{{script}}}}", i));
+  report.ids[3] = "bytes that are no text: \xff\xfe";
+  report.ids[4] = "";
+  report.ids[5] = "__proto__";
+  report.labels = labels;
+  report.warnings = {"3 of 10 samples missing in the field {\"type\":\"<i>\"}"};
+  report.failures = {{"T</td>", "line 3: \"<script>\" is no number"}};
+}
+
+SampleReport make_hostile_report() {
+  SampleReport sample;
+  sample.signatures = {histograms(20, 0.3), histograms(30, 0.8)};
+  for (const Signatures& table : sample.signatures) sample.distances.push_back(distance_matrix(table));
+  sample.distances.push_back(sample.distances[0] + sample.distances[1]);
+  for (const DistanceMatrix& distances : sample.distances) sample.evaluations.push_back(evaluations_of(distances));
+  add_hostile_words(sample.report);
+  for (int i = 0; i < models; ++i) sample.report.pictures.png.push_back(picture_of(i));
+  sample.report.pictures.field = "<field>";
+  return sample;
+}
+
+SampleReport make_plain_report() {
+  SampleReport sample;
+  DistanceMatrix distances(models, models);
+  for (int i = 0; i < models; ++i) {
+    for (int j = 0; j < models; ++j) distances(i, j) = std::abs(labels[i] - labels[j]) + 0.1 * ((7 * i + 3 * j) % 11);
+  }
+  distances(2, 5) = std::numeric_limits<double>::infinity();
+  sample.distances = {distances};
+  sample.evaluations = {{evaluate(distances, labels, {})}};
+  sample.report.title = "plain";
+  sample.report.classes = {"a", "b", "c"};
+  for (int i = 0; i < models; ++i) sample.report.ids.push_back(fmt::format("{}", i));
+  sample.report.labels = labels;
+  return sample;
+}
+
+}  // namespace
+
+const SampleReport& hostile_report() {
+  static SampleReport sample = make_hostile_report();
+  if (!sample.report.methods.empty()) return sample;
+  const std::vector<std::string> names = {"<i>first</i> & \"best\"", "</script><script>alert(2)</script>",
+                                          "first + second"};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    ReportMethod method{.name = names[i],
+                        .description = "bins & <ranges>",
+                        .distances = &sample.distances[i],
+                        .evaluations = sample.evaluations[i],
+                        .histograms = {}};
+    if (i < 2)
+      method.histograms = {.table = &sample.signatures[i], .ranges = std::vector<Interval>(models), .parts = {}};
+    if (i == 2) method.histograms.parts = {0, 1};
+    sample.report.methods.push_back(method);
+  }
+  return sample;
+}
+
+const SampleReport& plain_report() {
+  static SampleReport sample = make_plain_report();
+  if (!sample.report.methods.empty()) return sample;
+  sample.report.methods.push_back({.name = "plain",
+                                   .description = {},
+                                   .distances = &sample.distances[0],
+                                   .evaluations = sample.evaluations[0],
+                                   .histograms = {}});
+  return sample;
+}
+
+}  // namespace shapegauge::test_report
