@@ -19,8 +19,8 @@ namespace shapegauge {
 struct EvaluationOptions {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
-  std::vector<Measure> measures;   ///< empty: default_measures(protocol)
-  std::optional<CurveKind> curve;  ///< nothing: usual_curve(protocol)
+  std::vector<Measure> measures{};   ///< empty: default_measures(protocol)
+  std::optional<CurveKind> curve{};  ///< nothing: usual_curve(protocol)
   /// A query needs a class of at least so many models, itself counted (psbTable: 3); at least 2. So a query has at
   /// least one less relevant models, whether it is itself a target or not.
   int minimum_class_size = 2;
