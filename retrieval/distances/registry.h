@@ -9,13 +9,18 @@ namespace shapegauge {
 /// matrix asks for one of (a, b) and (b, a) only, and never for (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// A distance with the name that configurations know it by.
+/// The signatures for which a distance is defined.
+enum class DistanceDomain { any, not_zero, not_negative, histograms };
+
+/// A distance with the name that configurations know it by. histograms: not negative and not all zero.
 struct NamedDistance {
   std::string_view name;
   DistanceFunction function;
+  DistanceDomain domain;
 };
 
-/// All distances. A new one is one file in this folder and one line in registry.cpp.
+/// All distances. A new one is one file in this folder, one line in registry.cpp, and its name in
+/// configs/experiment.schema.json.
 std::span<const NamedDistance> distances();
 
 }  // namespace shapegauge
