@@ -23,14 +23,14 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   std::vector<NamedEvaluation> all;
   for (const MethodResults& method : results.methods) {
     for (const Evaluation& evaluation : method.evaluations)
-      all.push_back({.method = method.name, .evaluation = &evaluation});
+      all.push_back({.method = method.name, .evaluation = &evaluation, .intervals = intervals_of(evaluation)});
   }
   return all;
 }
 
 std::string summary_json(const ExperimentResults& results) {
   OrderedJson rows = OrderedJson::array();
-  for (const auto& [method, evaluation] : all_evaluations(results)) {
+  for (const auto& [method, evaluation, intervals] : all_evaluations(results)) {
     for (const bool micro : {true, false}) {
       OrderedJson row{
           {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
@@ -38,10 +38,18 @@ std::string summary_json(const ExperimentResults& results) {
       for (std::size_t i = 0; i < evaluation->measures.size(); ++i) {
         row[evaluation->measures[i]] = 100 * values[static_cast<Eigen::Index>(i)];
       }
+      const std::vector<ConfidenceInterval>& of_average = micro ? intervals.micro : intervals.macro;
+      for (std::size_t i = 0; i < of_average.size(); ++i) {
+        row["intervals"][evaluation->measures[i]] = {100 * of_average[i].low, 100 * of_average[i].high};
+      }
       rows.push_back(std::move(row));
     }
   }
-  return OrderedJson{{"name", results.configuration.name}, {"unit", "percent"}, {"rows", std::move(rows)}}.dump(2) +
+  return OrderedJson{{"name", results.configuration.name},
+                     {"unit", "percent"},
+                     {"confidence", IntervalOptions().confidence},
+                     {"rows", std::move(rows)}}
+             .dump(2) +
          "\n";
 }
 
@@ -49,18 +57,14 @@ std::string summary_json(const ExperimentResults& results) {
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
   const std::vector<NamedEvaluation> evaluations = all_evaluations(results);
   std::vector<std::string> ids;
-  std::vector<int> labels;
-  for (const Model& model : results.models) {
-    ids.push_back(model.id);
-    labels.push_back(model.label);
-  }
-  const Table rounded = summary_table(evaluations, 2);
-  return {{"summary.csv", to_csv(summary_table(evaluations, 4))},
+  for (const Model& model : results.models) ids.push_back(model.id);
+  const Table rounded = summary_table(evaluations);
+  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}, IntervalCells::columns))},
           {"summary.json", summary_json(results)},
           {"summary.md", to_markdown(rounded)},
           {"summary.tex", to_latex(rounded)},
-          {"per_class.csv", to_csv(per_class_table(evaluations, labels, results.classes))},
-          {"per_query.csv", to_csv(per_query_table(evaluations, ids, labels, results.classes))},
+          {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
+          {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
           {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
           {"shapes.csv", to_csv(shapes_table(results))},
           {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
@@ -94,7 +98,7 @@ void write_results(const fs::path& folder, const ExperimentResults& results) {
 }
 
 std::string summary_text(const ExperimentResults& results) {
-  return to_plain_text(summary_table(all_evaluations(results), 2));
+  return to_plain_text(summary_table(all_evaluations(results)));
 }
 
 }  // namespace shapegauge

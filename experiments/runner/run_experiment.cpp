@@ -38,7 +38,9 @@ std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::v
   std::vector<Evaluation> evaluations;
   for (const Protocol protocol : configuration.protocols) {
     evaluations.push_back(evaluate(method.distances, labels,
-                                   {.protocol = protocol, .minimum_class_size = configuration.minimum_class_size}));
+                                   {.protocol = protocol,
+                                    .measures = default_measures(configuration.protocols),
+                                    .minimum_class_size = configuration.minimum_class_size}));
   }
   return evaluations;
 }

@@ -90,4 +90,14 @@ std::vector<Measure> default_measures(Protocol protocol) {
   return measures_of(std::vector<std::string>{"NN", "FT", "ST", "E", "DCG", "mAP"});
 }
 
+std::vector<Measure> default_measures(std::span<const Protocol> protocols) {
+  std::vector<Measure> measures;
+  for (const Protocol protocol : protocols) {
+    for (const Measure& measure : default_measures(protocol)) {
+      if (std::ranges::find(measures, measure.name, &Measure::name) == measures.end()) measures.push_back(measure);
+    }
+  }
+  return measures;
+}
+
 }  // namespace shapegauge

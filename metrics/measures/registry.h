@@ -36,4 +36,7 @@ std::vector<Measure> measures_of(std::span<const std::string> names);
 /// E, DCG, mAP. trec: mAP, P@10, R@10, MRR, nDCG, R-prec.
 std::vector<Measure> default_measures(Protocol protocol);
 
+/// The measures of several protocols, each once, for tables that all of them share.
+std::vector<Measure> default_measures(std::span<const Protocol> protocols);
+
 }  // namespace shapegauge

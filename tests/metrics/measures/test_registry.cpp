@@ -61,6 +61,16 @@ TEST(MeasureRegistry, OtherNamesAreErrors) {
   EXPECT_THAT(error_of(""), HasSubstr("no measure"));
 }
 
+TEST(MeasureRegistry, ProtocolsThatShareATableShareTheirMeasures) {
+  std::vector<std::string> names;
+  for (const Measure& measure :
+       default_measures(std::vector<Protocol>{Protocol::psb, Protocol::paper, Protocol::trec})) {
+    names.push_back(measure.name);
+  }
+  EXPECT_THAT(names,
+              testing::ElementsAre("NN", "FT", "ST", "E", "DCG", "mAP", "P@10", "R@10", "MRR", "nDCG", "R-prec"));
+}
+
 // Every list of up to ten ranks with a hit, with and without a relevant model that is not in it: a measure that is
 // added must keep what the registry promises.
 TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
