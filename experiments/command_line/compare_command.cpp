@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 
@@ -46,11 +47,16 @@ std::vector<MethodValues> methods_of_table(const fs::path& path, const std::stri
   return methods;
 }
 
-std::vector<MethodValues> methods_of(const fs::path& path, const CompareArguments& arguments) {
+// The methods of one input; what a user should know of it is added to the notes.
+std::vector<MethodValues> methods_of(const fs::path& path, const CompareArguments& arguments,
+                                     std::vector<std::string>& notes) {
   if (fs::is_directory(path)) return methods_of_table(path / "per_query.csv", arguments.evaluation.protocol);
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
   if (!matrix) return methods_of_table(path, arguments.evaluation.protocol);
   const EvaluatedMatrix evaluated = evaluate_file(path, arguments.evaluation);
+  for (const auto& more : {evaluated.notes, notes_of_ties(evaluated.evaluation)}) {
+    for (const std::string& note : more) notes.push_back(fmt::format("{}: {}", path.string(), note));
+  }
   return {method_values(path.stem().string(), path.string(), evaluated.input, evaluated.evaluation)};
 }
 
@@ -97,8 +103,9 @@ std::string formatted(const AlignedMethods& methods, std::span<const MethodCompa
 
 int run(const CompareArguments& arguments) {
   std::vector<MethodValues> methods;
+  std::vector<std::string> notes;
   for (const fs::path& input : arguments.inputs) {
-    std::vector<MethodValues> more = methods_of(input, arguments);
+    std::vector<MethodValues> more = methods_of(input, arguments, notes);
     std::ranges::move(more, std::back_inserter(methods));
   }
   const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures);
@@ -112,6 +119,7 @@ int run(const CompareArguments& arguments) {
     throw InputError(error.what());
   }
   fmt::print("{}", formatted(aligned, comparisons, options, arguments));
+  tell(notes);
   return exit_success;
 }
 

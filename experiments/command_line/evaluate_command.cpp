@@ -71,6 +71,7 @@ void write_files(const NamedEvaluation& named, const EvaluationInput& input, con
 
 int run(const EvaluateArguments& arguments) {
   const EvaluatedMatrix evaluated = evaluate_file(arguments.distances, arguments.evaluation);
+  std::vector<std::string> notes = evaluated.notes;
   NamedEvaluation named{.method = arguments.distances.stem().string(), .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
@@ -84,6 +85,8 @@ int run(const EvaluateArguments& arguments) {
   }
   write_files(named, evaluated.input, arguments);
   fmt::print("{}", formatted(named, evaluated.input.class_names, arguments));
+  tell(notes);
+  if (arguments.format != "json") tell(notes_of_ties(evaluated.evaluation));  // JSON has their number
   return exit_success;
 }
 

@@ -1,7 +1,10 @@
 #include "shapegauge/experiments/command_line/evaluation_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
+#include <iterator>
 #include <stdexcept>
 
 #include "shapegauge/core/error.h"
@@ -12,26 +15,18 @@ namespace shapegauge {
 
 namespace {
 
-void note(std::string_view words) { fmt::print(stderr, "shapegauge: note: {}\n", words); }
-
-void tell_findings(const EvaluationInput& input, const EvaluationArguments& arguments) {
-  for (const std::string& words : input.notes) note(words);
-  if (input.task.lists_may_end_early) return;  // ranked lists, made here: there is no matrix to doubt
-  const MatrixFindings findings = check_matrix(input.distances, input.same_rows_and_columns);
-  for (const std::string& remark : matrix_remarks(findings, input.query_ids, arguments.files.similarity)) note(remark);
-}
-
-void tell_evaluation(const Evaluation& evaluation, const EvaluationArguments& arguments) {
-  if (evaluation.models_left_out > 0) {
-    note(fmt::format("{} models are never queries, as their classes have fewer than {} models",
-                     evaluation.models_left_out, arguments.minimum_class_size));
+std::vector<std::string> notes_of(const EvaluatedMatrix& evaluated, const EvaluationArguments& arguments) {
+  std::vector<std::string> notes = evaluated.input.notes;
+  if (!evaluated.input.task.lists_may_end_early) {  // of ranked lists there is no matrix to doubt
+    const MatrixFindings findings = check_matrix(evaluated.input.distances, evaluated.input.same_rows_and_columns);
+    std::ranges::move(matrix_remarks(findings, evaluated.input.query_ids, arguments.files.similarity),
+                      std::back_inserter(notes));
   }
-  if (evaluation.queries_with_ties > 0) {
-    note(fmt::format(
-        "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered "
-        "by --ties {}",
-        evaluation.queries_with_ties, evaluation.queries.size(), arguments.ties));
+  if (evaluated.evaluation.models_left_out > 0) {
+    notes.push_back(fmt::format("{} models are never queries, as their classes have fewer than {} models",
+                                evaluated.evaluation.models_left_out, arguments.minimum_class_size));
   }
+  return notes;
 }
 
 void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
@@ -104,11 +99,25 @@ EvaluatedMatrix evaluate_file(const std::filesystem::path& path, const Evaluatio
   EvaluationFiles files = arguments.files;
   files.matrix = path;
   files.classification_order = arguments.order == "classification";
-  EvaluatedMatrix evaluated{.input = read_evaluation_input(files), .evaluation = {}};
-  evaluated.evaluation = evaluate(evaluated.input.distances, evaluated.input.task, options);
-  tell_findings(evaluated.input, arguments);
-  tell_evaluation(evaluated.evaluation, arguments);
+  EvaluatedMatrix evaluated{.input = read_evaluation_input(files), .evaluation = {}, .notes = {}};
+  try {
+    evaluated.evaluation = evaluate(evaluated.input.distances, evaluated.input.task, options);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  evaluated.notes = notes_of(evaluated, arguments);
   return evaluated;
+}
+
+std::vector<std::string> notes_of_ties(const Evaluation& evaluation) {
+  if (evaluation.queries_with_ties == 0) return {};
+  return {fmt::format(
+      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
+      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties))};
+}
+
+void tell(std::span<const std::string> notes) {
+  for (const std::string& note : notes) fmt::print(stderr, "shapegauge: note: {}\n", note);
 }
 
 }  // namespace shapegauge

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,12 +43,20 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
 /// The settings of the evaluation that the arguments ask for. Throws InputError for a measure that is not known.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
-/// Reads the matrix at the path with everything that belongs to it, tells on standard error what is odd about it, and
-/// evaluates it.
+/// A matrix, or lists, with everything that belongs to it, what it is worth, and what a user should know of it.
 struct EvaluatedMatrix {
   EvaluationInput input;
   Evaluation evaluation;
+  std::vector<std::string> notes;  ///< in words, a sentence each
 };
+
+/// Reads the file at the path, checks and evaluates it. Throws InputError where it cannot be evaluated.
 EvaluatedMatrix evaluate_file(const std::filesystem::path& path, const EvaluationArguments& arguments);
+
+/// How many queries ties could change, in words; nothing where they could change none.
+std::vector<std::string> notes_of_ties(const Evaluation& evaluation);
+
+/// Prints notes on standard error, a line each. Called when all else has gone well: an error comes alone.
+void tell(std::span<const std::string> notes);
 
 }  // namespace shapegauge

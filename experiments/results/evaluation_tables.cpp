@@ -81,6 +81,24 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureSt
   return table;
 }
 
+Table intervals_table(std::span<const NamedEvaluation> evaluations) {
+  Table table{
+      .header = {"method", "protocol", "average", "measure", "value", "low", "high"}, .rows = {}, .text_columns = 4};
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    for (const bool micro : {true, false}) {
+      const std::vector<ConfidenceInterval>& intervals = micro ? named.intervals.micro : named.intervals.macro;
+      for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const double value = (micro ? evaluation.micro : evaluation.macro)[static_cast<Eigen::Index>(i)];
+        table.rows.push_back({named.method, name_of(evaluation.protocol), micro ? "micro" : "macro",
+                              evaluation.measures[i], figure(value, csv_style), figure(intervals[i].low, csv_style),
+                              figure(intervals[i].high, csv_style)});
+      }
+    }
+  }
+  return table;
+}
+
 Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "class", "queries"});
   for (const NamedEvaluation& named : evaluations) {

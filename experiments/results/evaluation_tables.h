@@ -48,6 +48,10 @@ enum class IntervalCells { none, beside, columns };
 Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style = {},
                     IntervalCells intervals = IntervalCells::none);
 
+/// A row for each evaluation, average and measure: method, protocol, average, measure, value, low, high; percent. No
+/// rows for evaluations without intervals.
+Table intervals_table(std::span<const NamedEvaluation> evaluations);
+
 /// A row for each evaluation and class: method, protocol, class, number of queries, measures in percent.
 Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 

@@ -59,10 +59,11 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
   const Table rounded = summary_table(evaluations);
-  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}, IntervalCells::columns))},
+  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
           {"summary.json", summary_json(results)},
           {"summary.md", to_markdown(rounded)},
           {"summary.tex", to_latex(rounded)},
+          {"intervals.csv", to_csv(intervals_table(evaluations))},
           {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
           {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
           {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},

@@ -51,6 +51,9 @@ TEST_F(Evaluations, IntervalsBesideTheFiguresOrInColumnsOfTheirOwn) {
   EXPECT_EQ(columns.header[20], "mAP_high");
   EXPECT_EQ(columns.rows[1][9], "50.00");
   EXPECT_EQ(summary_table(named).header.size(), 9U);
+  const Table long_table = intervals_table(named);
+  ASSERT_EQ(long_table.rows.size(), 12U);
+  EXPECT_THAT(long_table.rows[9], ElementsAre("m", "psb", "macro", "E", "40.0000", "50.0000", "100.0000"));
   named[0].intervals = {};
   EXPECT_EQ(summary_table(named, {}, IntervalCells::columns).header.size(), 9U);
 }
