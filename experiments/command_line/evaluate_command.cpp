@@ -78,9 +78,8 @@ int run(const EvaluateArguments& arguments) {
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
                                                           .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
-      fmt::print(stderr,
-                 "shapegauge: note: there is one class only, so no interval over {}; --blocks queries has one\n",
-                 arguments.resampling.blocks);
+      notes.push_back(
+          fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
     }
   }
   write_files(named, evaluated.input, arguments);

@@ -47,6 +47,7 @@ std::string summary_json(const ExperimentResults& results) {
   }
   return OrderedJson{{"name", results.configuration.name},
                      {"unit", "percent"},
+                     {"ties", name_of(results.configuration.ties)},
                      {"confidence", IntervalOptions().confidence},
                      {"rows", std::move(rows)}}
              .dump(2) +

@@ -39,7 +39,8 @@ std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::v
   for (const Protocol protocol : configuration.protocols) {
     evaluations.push_back(evaluate(method.distances, labels,
                                    {.protocol = protocol,
-                                    .measures = default_measures(configuration.protocols),
+                                    .ties = configuration.ties,
+                                    .measures = configuration.measures,
                                     .minimum_class_size = configuration.minimum_class_size}));
   }
   return evaluations;

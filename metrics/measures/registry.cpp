@@ -79,7 +79,13 @@ Measure measure_of(std::string_view name) {
 std::vector<Measure> measures_of(std::span<const std::string> names) {
   std::vector<Measure> measures;
   measures.reserve(names.size());
-  for (const std::string& name : names) measures.push_back(measure_of(name));
+  for (const std::string& name : names) {
+    const Measure measure = measure_of(name);
+    if (std::ranges::find(measures, measure.name, &Measure::name) != measures.end()) {
+      throw std::invalid_argument("the measure \"" + measure.name + "\" is named twice");
+    }
+    measures.push_back(measure);
+  }
   return measures;
 }
 

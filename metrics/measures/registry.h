@@ -29,7 +29,7 @@ struct Measure {
 /// names where there is none, and for a number of ranks that is not from 1 to 1000000000.
 Measure measure_of(std::string_view name);
 
-/// The measures of those names.
+/// The measures of those names. Throws std::invalid_argument as measure_of, and where one is named twice.
 std::vector<Measure> measures_of(std::span<const std::string> names);
 
 /// The measures that a protocol is usually reported with, in the order of the tables' columns. psb, paper: NN, FT, ST,

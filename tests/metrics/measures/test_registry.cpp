@@ -51,6 +51,11 @@ TEST(MeasureRegistry, FindsMeasuresByName) {
   EXPECT_EQ(measure_of("AP").name, "mAP");
 }
 
+TEST(MeasureRegistry, NoMeasureIsNamedTwice) {
+  EXPECT_EQ(measures_of(std::vector<std::string>{"P@1", "P@2"}).size(), 2U);
+  EXPECT_THROW(measures_of(std::vector<std::string>{"mAP", "FT", "AP"}), std::invalid_argument);
+}
+
 TEST(MeasureRegistry, OtherNamesAreErrors) {
   EXPECT_THAT(error_of("PP"), HasSubstr("no measure \"PP\"; known are: NN FT ST"));
   EXPECT_THAT(error_of("FT@3"), HasSubstr("no measure \"FT@3\""));
