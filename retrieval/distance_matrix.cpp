@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tbb/blocked_range2d.h>
 #include <tbb/parallel_for.h>
+#include <vector>
 
 #include "shapegauge/retrieval/distances/registry.h"
 
@@ -48,9 +49,23 @@ void check_domain(const Signatures& signatures, const NamedDistance& distance) {
   }
 }
 
-std::span<const float> row_of(const Signatures& signatures, Eigen::Index row) {
-  const auto length = static_cast<std::size_t>(signatures.cols());
-  return {signatures.data() + row * signatures.cols(), length};
+/// Signatures that follow each other, as one span.
+std::span<const float> rows_of(const Signatures& signatures, Eigen::Index first, Eigen::Index count) {
+  return {signatures.data() + first * signatures.cols(), static_cast<std::size_t>(count * signatures.cols())};
+}
+
+/// Distances from signature i to `distances.size()` of them from `first` on.
+void distances_to(const NamedDistance& distance, const Signatures& signatures, Eigen::Index i, Eigen::Index first,
+                  std::span<double> distances) {
+  const std::span<const float> from = rows_of(signatures, i, 1);
+  const auto count = static_cast<Eigen::Index>(distances.size());
+  if (distance.to_several != nullptr) {
+    distance.to_several(from, rows_of(signatures, first, count), distances);
+    return;
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    distances[static_cast<std::size_t>(k)] = distance.function(from, rows_of(signatures, first + k, 1));
+  }
 }
 
 }  // namespace
@@ -62,22 +77,50 @@ std::vector<std::string> distance_names() {
 }
 
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
-  const NamedDistance& named = distance_of(distance);
+  const NamedDistance& between = distance_of(distance);
   check_finite(signatures);
-  check_domain(signatures, named);
-  const DistanceFunction between = named.function;
+  check_domain(signatures, between);
   const Eigen::Index count = signatures.rows();
   DistanceMatrix matrix = DistanceMatrix::Zero(count, count);
   const tbb::blocked_range2d<Eigen::Index> all(0, count, tile_size, 0, count, tile_size);
   // Each pair i < j is computed once, by whichever thread has its tile, and by itself: threads cannot change a bit.
   tbb::parallel_for(all, [&](const tbb::blocked_range2d<Eigen::Index>& tile) {
+    std::vector<double> distances(tile.cols().size());
     for (Eigen::Index i = tile.rows().begin(); i < tile.rows().end(); ++i) {
-      for (Eigen::Index j = std::max(i + 1, tile.cols().begin()); j < tile.cols().end(); ++j) {
-        matrix(i, j) = matrix(j, i) = between(row_of(signatures, i), row_of(signatures, j));
+      const Eigen::Index first = std::max(i + 1, tile.cols().begin());
+      if (first >= tile.cols().end()) continue;
+      const std::span<double> found = std::span(distances).first(static_cast<std::size_t>(tile.cols().end() - first));
+      distances_to(between, signatures, i, first, found);
+      for (Eigen::Index j = first; j < tile.cols().end(); ++j) {
+        matrix(i, j) = matrix(j, i) = found[static_cast<std::size_t>(j - first)];
       }
     }
   });
   return matrix;
+}
+
+DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
+                             const std::string& distance) {
+  const NamedDistance& between = distance_of(distance);
+  if (first < 0 || count < 0 || first > signatures.rows() - count) {
+    throw std::invalid_argument("there are no rows " + std::to_string(first) + " to " + std::to_string(first + count) +
+                                " in a distance matrix of " + std::to_string(signatures.rows()));
+  }
+  check_finite(signatures);
+  check_domain(signatures, between);
+  DistanceMatrix rows(count, signatures.rows());
+  const tbb::blocked_range2d<Eigen::Index> all(0, count, tile_size, 0, signatures.rows(), tile_size);
+  tbb::parallel_for(all, [&](const tbb::blocked_range2d<Eigen::Index>& tile) {
+    for (Eigen::Index i = tile.rows().begin(); i < tile.rows().end(); ++i) {
+      double* begin = rows.data() + i * rows.cols() + tile.cols().begin();
+      distances_to(between, signatures, first + i, tile.cols().begin(), {begin, tile.cols().size()});
+    }
+    for (Eigen::Index i = tile.rows().begin(); i < tile.rows().end(); ++i) {
+      const Eigen::Index self = first + i;
+      if (self >= tile.cols().begin() && self < tile.cols().end()) rows(i, self) = 0;
+    }
+  });
+  return rows;
 }
 
 }  // namespace shapegauge

@@ -6,6 +6,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of a distance that changes a value: what a cache holds of earlier versions is then
+/// computed anew.
+inline constexpr int distances_version = 1;
+
 /// Signatures, one shape a row.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// Distances between all pairs, symmetric with zero diagonal.
@@ -18,5 +22,10 @@ std::vector<std::string> distance_names();
 /// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
 /// that is not finite, or for which the distance is not defined (distances/registry.h).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
+
+/// Some of the matrix's rows, `count` from `first` on, bit by bit: for sets of signatures too large for all of it. In
+/// parallel; throws as distance_matrix does, and where there are no such rows.
+DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
+                             const std::string& distance = "l1");
 
 }  // namespace shapegauge

@@ -8,6 +8,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of histogram() or its smoothing that changes a bin: what a cache holds of earlier
+/// versions is then computed anew.
+inline constexpr int histogram_version = 1;
+
 /// An interval of values.
 struct Interval {
   double low = 0;

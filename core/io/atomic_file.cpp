@@ -23,7 +23,7 @@ namespace {
 
 /// Writes everything and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
 /// some errors only when the file is closed.
-int write_and_close(int descriptor, std::string_view bytes) {
+int write_and_close(int descriptor, std::string_view bytes, Flush flush) {
   int error = 0;
   while (error == 0 && !bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -33,6 +33,7 @@ int write_and_close(int descriptor, std::string_view bytes) {
       error = errno;
     }
   }
+  if (error == 0 && flush == Flush::yes && ::fsync(descriptor) != 0) error = errno;
   if (::close(descriptor) != 0 && error == 0) error = errno;
   return error;
 }
@@ -57,12 +58,12 @@ NewFile create_beside(const fs::path& path) {
 void write_directly(const fs::path& path, std::string_view bytes) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) fail(path, errno);
-  if (const int error = write_and_close(descriptor, bytes)) fail(path, error);
+  if (const int error = write_and_close(descriptor, bytes, Flush::no)) fail(path, error);
 }
 
 }  // namespace
 
-void write_file_atomically(const fs::path& path, std::string_view bytes) {
+void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail(path, EISDIR);
@@ -71,7 +72,7 @@ void write_file_atomically(const fs::path& path, std::string_view bytes) {
   fs::path target = fs::exists(status) ? fs::canonical(path, ignored) : path;
   if (target.empty()) target = path;
   const NewFile file = create_beside(target);
-  int error = write_and_close(file.descriptor, bytes);
+  int error = write_and_close(file.descriptor, bytes, flush);
   if (error == 0 && ::rename(file.path.c_str(), target.c_str()) != 0) error = errno;
   if (error != 0) {
     ::unlink(file.path.c_str());

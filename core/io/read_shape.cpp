@@ -72,8 +72,9 @@ const Format& format_of(const fs::path& path, std::string_view bytes) {
 
 }  // namespace
 
-Shape read_shape(const fs::path& path) {
-  const std::string bytes = read_file_bytes(path);
+Shape read_shape(const fs::path& path) { return read_shape(read_file_bytes(path), path); }
+
+Shape read_shape(const std::string& bytes, const fs::path& path) {
   Shape shape = format_of(path, bytes).read(bytes, path.string());
   if (shape.vertices.rows() == 0) throw InputError(fmt::format("{}: it holds no vertex", path.string()));
   return shape;

@@ -5,6 +5,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of what prepare_shape() makes of a shape: what a cache holds of earlier versions is
+/// then computed anew.
+inline constexpr int preparation_version = 1;
+
 /// What a shape is scaled by before it is compared with others.
 enum class ScaleEstimate {
   area,       ///< unit positive_area(): exact on clean meshes, meaningless under noise and holes

@@ -8,6 +8,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of cone_sdf() that changes a value: what a cache holds of earlier versions is then
+/// computed anew.
+inline constexpr int cone_sdf_version = 1;
+
 /// Who casts the rays: CGAL's own `sdf_values` (the reference) or the same definition on Embree.
 enum class ConeSdfEngine { embree, cgal };
 

@@ -64,8 +64,14 @@ std::optional<ExteriorPoint> direct_point(const OffsetExterior& exterior, bool o
   return std::nullopt;
 }
 
+/// What remembers the samples before.
+struct Searches {
+  NearestExteriorSearch nearest;
+  ExteriorEntrySearch entry;
+};
+
 Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                 SearchMemory& memory) {
+                 Searches& searches) {
   const double r = exterior.r();
   const double on_surface = std::max(1e-3 * r, 1e-6);  // what rounding may have moved a sample by
   if (!p.allFinite() || !normal.allFinite() || !exterior.tree().any_within(p, on_surface)) {
@@ -76,17 +82,33 @@ Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vec
   auto q = direct_point(exterior, of_cloud, p, normal);
   if (!q) {
     outcome = Outcome::searched;
-    q = nearest_exterior_point(exterior, p, normal, memory);
+    q = searches.nearest.find(p, normal);
     distance = (q->point - p).norm();
   }
   Eigen::Vector3d outward = (q->point - p).normalized();
   if (of_cloud && outcome == Outcome::searched && distance <= r * (1 + 2 * offset_slack)) {
     outward = middle_of_exposed(exterior, p, outward).value_or(outward);
   }
-  const ExteriorEntry entry = first_exterior_entry(exterior, p, -outward);
+  const ExteriorEntry entry = searches.entry.find(p, -outward);
   if (!q->decided || !entry.decided) outcome = Outcome::undecided;
   return {(distance - r) + (entry.distance - r), outward, outcome};
 }
+
+void check(const OffsetSdfOptions& options) {
+  if (options.offset >= 1e-6 && options.offset <= 1e6) return;
+  throw InputError(
+      fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
+}
+
+UnitFrame unit_frame_of(const Shape& shape) {
+  require_usable(shape);
+  require_extent(shape);
+  return unit_frame(shape);
+}
+
+/// What a search remembers of the samples before it ends with a block of them, so that threads do not change the
+/// answers.
+constexpr Eigen::Index block_size = 1024;
 
 void count(OffsetSdfOutcomes& outcomes, Outcome outcome) {
   ++outcomes.total;
@@ -98,19 +120,20 @@ void count(OffsetSdfOutcomes& outcomes, Outcome outcome) {
 
 }  // namespace
 
-OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options) {
-  if (!(options.offset >= 1e-6 && options.offset <= 1e6)) {
-    throw InputError(
-        fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
-  }
-  require_usable(shape);
+OffsetSdfSolver::OffsetSdfSolver(const Shape& shape)
+    : frame_(unit_frame_of(shape)), tree_(Shape{}), is_closed_(false), is_cloud_(is_cloud(shape)) {
   const Clock::time_point start = Clock::now();
-  require_extent(shape);
-  const UnitFrame frame = unit_frame(shape);
-  const Shape unit_shape = in_unit_frame(shape, frame);
-  const SurfaceTree tree(unit_shape);
-  const OffsetExterior exterior(tree, bounding_box(unit_shape), options.offset, is_closed_and_oriented(shape));
+  const Shape unit_shape = in_unit_frame(shape, frame_);
+  bounds_ = bounding_box(unit_shape);
+  tree_ = SurfaceTree(unit_shape);
+  is_closed_ = is_closed_and_oriented(shape);
+  build_seconds_ = seconds_since(start);
+}
 
+OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOptions& options) const {
+  check(options);
+  const Clock::time_point start = Clock::now();
+  const OffsetExterior exterior(tree_, bounds_, options.offset, is_closed_);
   OffsetSdfResult result;
   result.build_seconds = seconds_since(start);
   const Clock::time_point built = Clock::now();
@@ -119,16 +142,14 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   result.normals.resize(n, 3);
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
   const std::vector<std::int32_t> order = order_along_curve(samples.points);
-  // What a search remembers of the ones before it ends with the block, so that threads do not change the answers.
-  constexpr Eigen::Index block_size = 256;
   const auto answer_block = [&](Eigen::Index block) {
-    SearchMemory memory;
+    Searches searches{NearestExteriorSearch(exterior), ExteriorEntrySearch(exterior)};
     const Eigen::Index end = std::min(n, (block + 1) * block_size);
     for (Eigen::Index k = block * block_size; k < end; ++k) {
       const Eigen::Index i = order[static_cast<std::size_t>(k)];
-      const Answer answer = answer_at(exterior, is_cloud(shape), frame.to_unit(samples.points.row(i).transpose()),
-                                      samples.normals.row(i).transpose(), memory);
-      result.values[i] = answer.value * frame.diagonal;
+      const Answer answer = answer_at(exterior, is_cloud_, frame_.to_unit(samples.points.row(i).transpose()),
+                                      samples.normals.row(i).transpose(), searches);
+      result.values[i] = answer.value * frame_.diagonal;
       result.normals.row(i) = answer.normal;
       outcomes[static_cast<std::size_t>(i)] = answer.outcome;
     }
@@ -141,6 +162,14 @@ OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const Off
   }
   for (const Outcome outcome : outcomes) count(result.outcomes, outcome);
   result.query_seconds = seconds_since(built);
+  return result;
+}
+
+OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options) {
+  check(options);
+  const OffsetSdfSolver solver(shape);
+  OffsetSdfResult result = solver.solve(samples, options);
+  result.build_seconds += solver.build_seconds();
   return result;
 }
 

@@ -1,12 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/spatial/surface_tree.h"
 
 namespace shapegauge {
+
+/// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
+/// earlier versions is then computed anew.
+inline constexpr int offset_sdf_version = 2;
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
@@ -32,9 +39,30 @@ struct OffsetSdfResult {
   double query_seconds = 0;  ///< all samples
 };
 
-/// SDF of the offset surface at the given samples of the shape (the paper, Algorithm 1; the design, section 2.2).
-/// The shape may be a point cloud. Throws InputError where the shape is unusable (validity.h) or has no extent, and
-/// where the offset is out of range.
+/// What all offsets of a shape have in common: build it once, then ask for one offset after the other. Keeps no
+/// reference to the shape. Safe to ask from many threads.
+class OffsetSdfSolver {
+ public:
+  /// The shape may be a point cloud. Throws InputError where it is unusable (validity.h) or has no extent.
+  explicit OffsetSdfSolver(const Shape& shape);
+
+  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1; the design, section 2.2). Throws
+  /// InputError where the offset is out of range. The build's seconds do not include the constructor's.
+  [[nodiscard]] OffsetSdfResult solve(const Samples& samples, const OffsetSdfOptions& options) const;
+
+  /// Seconds that the constructor took.
+  [[nodiscard]] double build_seconds() const { return build_seconds_; }
+
+ private:
+  double build_seconds_ = 0;
+  UnitFrame frame_;
+  Eigen::AlignedBox3d bounds_;  ///< in the frame
+  SurfaceTree tree_;            ///< in the frame
+  bool is_closed_;
+  bool is_cloud_;
+};
+
+/// The same for one offset; the build's seconds are those of everything.
 OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
 
 }  // namespace shapegauge

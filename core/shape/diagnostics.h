@@ -6,6 +6,9 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of what diagnose() finds: what a cache holds of earlier versions is then found anew.
+inline constexpr int diagnostics_version = 1;
+
 /// What there is to know of a shape before measuring it. Vertices at exactly the same place are one vertex for all that
 /// concerns edges and components, and a triangle whose corners are not at three places has no edges. Nothing here
 /// depends on the order of vertices and triangles.

@@ -2,8 +2,28 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <utility>
+
+#include "shapegauge/core/shape/counting_sort.h"
 
 namespace shapegauge {
+
+namespace {
+
+/// The uses by (low, high, triangle).
+std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
+  CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+    });
+  }
+  return std::move(counted.values);
+}
+
+}  // namespace
 
 std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
   std::vector<EdgeUse> uses;
@@ -24,10 +44,7 @@ std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::
                       .forward = from < to});
     }
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& a, const EdgeUse& b) {
-    return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-  });
-  return uses;
+  return sorted(uses, merged.size());
 }
 
 }  // namespace shapegauge

@@ -8,6 +8,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of the samples that a shape is given (places, normals, weights): what a cache holds
+/// of earlier versions is then computed anew.
+inline constexpr int samples_version = 1;
+
 /// Where a field is sampled (the design, section 2.4). The points of a cloud are its vertices.
 enum class SampleSite {
   faces,     ///< at the triangles' centroids

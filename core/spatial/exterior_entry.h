@@ -1,6 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 
 #include "shapegauge/core/spatial/offset_exterior.h"
 
@@ -12,11 +16,25 @@ struct ExteriorEntry {
   bool decided = true;  ///< false where its belonging to the exterior could not be decided and was assumed
 };
 
-/// The first point at which a ray from a point of the surface enters the exterior E(r) (the design, section 2.2, step
-/// 2). The first stretch of length r is in the offset solid, as the surface is. From there the search walks from cube
-/// to cube of the octree, and in cubes that may hold exterior points from the end of one rounded triangle to the next.
-/// The direction has length 1.
-ExteriorEntry first_exterior_entry(const OffsetExterior& exterior, const Eigen::Vector3d& origin,
-                                   const Eigen::Vector3d& direction);
+/// Finds the first point at which a ray from a point of the surface enters the exterior E(r) (the design, section 2.2,
+/// step 2), for one ray after another. The first stretch of length r is in the offset solid, as the surface is. From
+/// there the search walks from cube to cube of the octree, and in cubes that may hold exterior points from the end of
+/// one rounded triangle to the next. It remembers the triangles of the rays before: pass neighbouring rays one after the
+/// other. Keeps a reference to the exterior.
+class ExteriorEntrySearch {
+ public:
+  explicit ExteriorEntrySearch(const OffsetExterior& exterior) : exterior_(exterior) { recent_.fill(-1); }
+
+  /// The direction has length 1.
+  ExteriorEntry find(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
+
+ private:
+  /// Some triangle within r of x.
+  [[nodiscard]] std::optional<std::int32_t> covering(const Eigen::Vector3d& x);
+
+  const OffsetExterior& exterior_;
+  std::array<std::int32_t, 4> recent_;
+  std::size_t oldest_ = 0;
+};
 
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <span>
 
 namespace shapegauge {
 
@@ -23,10 +24,12 @@ class LeafGraph {
  public:
   LeafGraph(const OffsetExterior& exterior)
       : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
+    for (auto& pairs : pairs_) pairs.reserve(nodes_.size());
     visit(exterior.root());
   }
 
-  [[nodiscard]] const std::vector<FacePair>& pairs() const { return pairs_; }
+  /// Those that share a face across the axis.
+  [[nodiscard]] const std::vector<FacePair>& pairs(int axis) const { return pairs_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const {
     return centres_[static_cast<std::size_t>(leaf)];
   }
@@ -53,7 +56,7 @@ class LeafGraph {
     const bool low_divided = node(low).kind == CellKind::divided;
     const bool high_divided = node(high).kind == CellKind::divided;
     if (!low_divided && !high_divided) {
-      pairs_.push_back({low, high, axis});
+      pairs_[static_cast<std::size_t>(axis)].push_back({low, high, axis});
       return;
     }
     for (int i = 0; i < 8; ++i) {
@@ -66,7 +69,7 @@ class LeafGraph {
   const std::vector<ExteriorNode>& nodes_;
   std::vector<Eigen::Vector3d> centres_;
   std::vector<double> halves_;
-  std::vector<FacePair> pairs_;
+  std::array<std::vector<FacePair>, 3> pairs_;
 };
 
 /// Disjoint sets of leaves.
@@ -104,16 +107,61 @@ bool segment_is_free(const OffsetExterior& exterior, const Eigen::Vector3d& a, c
   return segment_is_free(exterior, a, middle, depth - 1) && segment_is_free(exterior, middle, b, depth - 1);
 }
 
+/// The straight way between two leaves that is to be proven free.
+struct Way {
+  FacePair pair;
+  Eigen::Vector3d start, end;
+  double start_clearance, end_clearance;  ///< radii of balls of free space about both
+};
+
+/// From the smaller cube's centre to that of the larger, or only to the face that they share where the larger is free:
+/// within that the way is free.
+Way way_between(const LeafGraph& graph, const std::vector<ExteriorNode>& nodes, const FacePair& pair) {
+  const bool low_is_smaller = graph.half(pair.low) <= graph.half(pair.high);
+  const std::int32_t smaller = low_is_smaller ? pair.low : pair.high;
+  const std::int32_t larger = low_is_smaller ? pair.high : pair.low;
+  Eigen::Vector3d end = graph.centre(smaller);
+  const ExteriorNode& larger_node = nodes[static_cast<std::size_t>(larger)];
+  const bool free = larger_node.kind == CellKind::free;
+  end[pair.axis] += (low_is_smaller ? 1 : -1) * (free ? 1 : 2) * graph.half(smaller);
+  const bool ends_in_centre = !free && graph.half(larger) == graph.half(smaller);
+  return {pair, graph.centre(smaller), end, static_cast<double>(nodes[static_cast<std::size_t>(smaller)].clearance),
+          ends_in_centre ? static_cast<double>(larger_node.clearance) : 0};
+}
+
+/// Joins the leaves of those ways that are proven free. Takes a few neighbouring ones, whose middles are looked at
+/// together.
+void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts& parts) {
+  constexpr int most_halvings = 2;
+  std::array<Eigen::Vector3d, SurfaceTree::most_points_at_once> middles;
+  double longest = 0;
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    middles[i] = (ways[i].start + ways[i].end) / 2;
+    longest = std::max(longest, (ways[i].end - ways[i].start).norm() / 2);
+  }
+  const auto nearest =
+      exterior.tree().closest_to_each(std::span(middles).first(ways.size()), exterior.r() + longest);
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    const auto& [pair, start, end, start_clearance, end_clearance] = ways[i];
+    const double clearance = static_cast<double>(nearest[i].distance) - exterior.r();
+    if (clearance <= 0 || parts.find(pair.low) == parts.find(pair.high)) continue;
+    const double half_length = (end - start).norm() / 2;
+    const bool is_free =
+        (clearance + start_clearance >= half_length || segment_is_free(exterior, start, middles[i], most_halvings)) &&
+        (clearance + end_clearance >= half_length || segment_is_free(exterior, middles[i], end, most_halvings));
+    if (is_free) parts.join(pair.low, pair.high);
+  }
+}
+
 /// Joins the open leaves across faces where the way is proven free: the proofs that cost nothing first, the others only
 /// where they would join different parts.
 void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& parts) {
-  constexpr int most_halvings = 3;
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
   std::vector<FacePair> uncertain;
-  for (const FacePair& pair : graph.pairs()) {
+  const auto join_or_keep = [&](const FacePair& pair) {
     const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
     const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
-    if (!is_open(low) || !is_open(high)) continue;
+    if (!is_open(low) || !is_open(high)) return;
     const double way = (low.kind == CellKind::free ? 0 : graph.half(pair.low)) +
                        (high.kind == CellKind::free ? 0 : graph.half(pair.high));
     const double clearance = (low.kind == CellKind::free ? 0 : static_cast<double>(low.clearance)) +
@@ -123,19 +171,17 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& 
     } else {
       uncertain.push_back(pair);
     }
-  }
+  };
+  for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
+  std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
-    // Within a free cube the way is free: it is enough to reach the shared face straight from the smaller cube's
-    // centre.
-    const bool low_is_smaller = graph.half(pair.low) <= graph.half(pair.high);
-    const std::int32_t smaller = low_is_smaller ? pair.low : pair.high;
-    const std::int32_t larger = low_is_smaller ? pair.high : pair.low;
-    Eigen::Vector3d end = graph.centre(smaller);
-    const bool free = nodes[static_cast<std::size_t>(larger)].kind == CellKind::free;
-    end[pair.axis] += (low_is_smaller ? 1 : -1) * (free ? 1 : 2) * graph.half(smaller);
-    if (segment_is_free(exterior, graph.centre(smaller), end, most_halvings)) parts.join(pair.low, pair.high);
+    together.push_back(way_between(graph, nodes, pair));
+    if (together.size() < SurfaceTree::most_points_at_once) continue;
+    join_over(exterior, together, parts);
+    together.clear();
   }
+  join_over(exterior, together, parts);
 }
 
 /// What is known of a connected part of the free space.
@@ -184,8 +230,7 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
       if (node.kind == CellKind::free || 2 * graph.half(to) > 1.5 * resolution) return;
       node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
     };
-    for (const FacePair& pair : graph.pairs()) {
-      if (pair.axis != axis) continue;
+    for (const FacePair& pair : graph.pairs(axis)) {
       spread(pair.low, pair.high);
       spread(pair.high, pair.low);
     }

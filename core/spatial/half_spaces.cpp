@@ -1,6 +1,6 @@
 #include "shapegauge/core/spatial/half_spaces.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
@@ -8,70 +8,74 @@ namespace shapegauge {
 
 namespace {
 
-/// Planes whose normals are closer to dependent than this have no trustworthy common point.
-constexpr double smallest_determinant = 1e-8;
+/// Planes whose normals enclose an angle with a smaller sine have no trustworthy common line.
+constexpr double smallest_sine = 1e-4;
 
-/// The closest candidate so far that satisfies all of the half-spaces.
-class Best {
- public:
-  Best(std::span<const HalfSpace> half_spaces, const Eigen::Vector3d& p) : half_spaces_(half_spaces), p_(p) {}
+/// The problem of one call. Each step has one plane more that the answer is known to lie on.
+struct Problem {
+  std::span<const HalfSpace> half_spaces;
+  double slack;  ///< a point this far outside of a half-space counts as in it
 
-  void offer(const Eigen::Vector3d& x) {
-    const double distance2 = (x - p_).squaredNorm();
-    if (!(distance2 < distance2_)) return;
-    const double slack = 1e-9 * std::sqrt(distance2);
-    for (const HalfSpace& half_space : half_spaces_) {
-      if (half_space.normal.dot(x) < half_space.bound - slack) return;
+  [[nodiscard]] double depth(std::size_t i, const Eigen::Vector3d& x) const {
+    return half_spaces[i].bound - half_spaces[i].normal.dot(x);
+  }
+
+  /// The point closest to `foot` on the line, along the unit vector, that is in the first `count` half-spaces.
+  [[nodiscard]] std::optional<Eigen::Vector3d> on_line(const Eigen::Vector3d& foot, const Eigen::Vector3d& along,
+                                                       std::size_t count) const {
+    double low = -std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double slope = half_spaces[i].normal.dot(along);
+      const double missing = depth(i, foot);
+      if (std::abs(slope) < smallest_sine) {
+        if (missing > slack) return std::nullopt;
+      } else if (slope > 0) {
+        low = std::max(low, missing / slope);
+      } else {
+        high = std::min(high, missing / slope);
+      }
     }
-    distance2_ = distance2;
-    x_ = x;
+    if (low > high + slack) return std::nullopt;
+    return foot + std::min(std::max(0.0, low), high) * along;
   }
 
-  [[nodiscard]] std::optional<Eigen::Vector3d> point() const {
-    return std::isfinite(distance2_) ? std::optional(x_) : std::nullopt;
+  /// The point closest to `foot` on the plane of half-space `plane` that is in those before it.
+  [[nodiscard]] std::optional<Eigen::Vector3d> on_plane(const Eigen::Vector3d& foot, std::size_t plane) const {
+    const Eigen::Vector3d& normal = half_spaces[plane].normal;
+    Eigen::Vector3d x = foot;
+    for (std::size_t i = 0; i < plane; ++i) {
+      if (!(depth(i, x) > slack)) continue;
+      const Eigen::Vector3d within = half_spaces[i].normal - half_spaces[i].normal.dot(normal) * normal;
+      const double sine = within.norm();
+      if (sine < smallest_sine) return std::nullopt;
+      const Eigen::Vector3d towards = within / sine;
+      const auto found = on_line(foot + depth(i, foot) / sine * towards, normal.cross(towards), i);
+      if (!found) return std::nullopt;
+      x = *found;
+    }
+    return x;
   }
-
- private:
-  std::span<const HalfSpace> half_spaces_;
-  Eigen::Vector3d p_;
-  Eigen::Vector3d x_ = Eigen::Vector3d::Zero();
-  double distance2_ = std::numeric_limits<double>::infinity();
 };
-
-/// The point closest to p on all of the planes that bound the half-spaces (two or three of them).
-template <int n>
-std::optional<Eigen::Vector3d> closest_on_planes(const std::array<const HalfSpace*, n>& planes,
-                                                 const Eigen::Vector3d& p) {
-  Eigen::Matrix<double, n, 3> normals;
-  Eigen::Matrix<double, n, 1> missing;
-  for (int i = 0; i < n; ++i) {
-    const HalfSpace& plane = *planes[static_cast<std::size_t>(i)];
-    normals.row(i) = plane.normal;
-    missing[i] = plane.bound - plane.normal.dot(p);
-  }
-  const Eigen::Matrix<double, n, n> gram = normals * normals.transpose();
-  if (!(gram.determinant() > smallest_determinant)) return std::nullopt;
-  const Eigen::Matrix<double, n, 1> factors = gram.inverse() * missing;
-  return p + normals.transpose() * factors;
-}
 
 }  // namespace
 
 std::optional<Eigen::Vector3d> closest_point_in(std::span<const HalfSpace> half_spaces, const Eigen::Vector3d& p) {
-  // The closest point lies on at most three of the planes: try all sets of them.
-  Best best(half_spaces, p);
-  best.offer(p);
-  for (std::size_t i = 0; i < half_spaces.size(); ++i) {
-    const HalfSpace& first = half_spaces[i];
-    best.offer(p + (first.bound - first.normal.dot(p)) * first.normal);
-    for (std::size_t j = 0; j < i; ++j) {
-      if (const auto x = closest_on_planes<2>({&first, &half_spaces[j]}, p)) best.offer(*x);
-      for (std::size_t k = 0; k < j; ++k) {
-        if (const auto x = closest_on_planes<3>({&first, &half_spaces[j], &half_spaces[k]}, p)) best.offer(*x);
-      }
-    }
+  // Half-space after half-space: where one leaves out the closest point of those before it, the new one is on its
+  // plane; the same holds in the plane for lines, and on a line (Seidel's algorithm, without the shuffling).
+  double deepest = 0;
+  for (const HalfSpace& half_space : half_spaces) {
+    deepest = std::max(deepest, half_space.bound - half_space.normal.dot(p));
   }
-  return best.point();
+  const Problem problem{half_spaces, 1e-9 * deepest};
+  Eigen::Vector3d x = p;
+  for (std::size_t i = 0; i < half_spaces.size(); ++i) {
+    if (!(problem.depth(i, x) > problem.slack)) continue;
+    const auto found = problem.on_plane(p + problem.depth(i, p) * half_spaces[i].normal, i);
+    if (!found) return std::nullopt;
+    x = *found;
+  }
+  return x;
 }
 
 }  // namespace shapegauge

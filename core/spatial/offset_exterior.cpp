@@ -31,7 +31,7 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   root_centre_ = bounds.center();
   root_half_ = size / 2;
   nodes_.emplace_back();
-  classify(root(), -1);
+  classify(root(), tree_.closest_to_each({{root_centre_}}, r_ + root_of_three * root_half_)[0]);
   std::vector<ExteriorCell> mixed{root()};
   while (mixed.front().half > smallest / 2 * 1.5 && divide(mixed)) {
   }
@@ -47,22 +47,16 @@ ExteriorCell OffsetExterior::octant(const ExteriorCell& cell, int i, std::int32_
   return {cell.centre + half * direction, half, node};
 }
 
-void OffsetExterior::classify(const ExteriorCell& cell, std::int32_t hint) {
-  const double radius = root_of_three * cell.half;
+void OffsetExterior::classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest) {
   ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
-  if (hint >= 0 && (closest_point(tree_.triangle(hint), cell.centre) - cell.centre).norm() + radius < r_) {
-    node.triangle = hint;
-    node.kind = CellKind::solid;
-    return;
-  }
-  const auto hit = tree_.closest(cell.centre, r_ + radius, hint);
-  if (!hit) {
+  if (nearest.triangle < 0) {
     node.kind = CellKind::free;
     return;
   }
-  node.triangle = hit->triangle;
-  node.clearance = static_cast<float>(hit->distance - r_);
-  if (hit->distance + radius < r_) node.kind = CellKind::solid;
+  const auto distance = static_cast<double>(nearest.distance);
+  node.triangle = nearest.triangle;
+  node.clearance = static_cast<float>(distance - r_);
+  if (distance + root_of_three * cell.half < r_) node.kind = CellKind::solid;
 }
 
 bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
@@ -70,13 +64,17 @@ bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
   std::vector<ExteriorCell> smaller;
   for (const ExteriorCell& cell : mixed) {
     const auto first = static_cast<std::int32_t>(nodes_.size());
-    const std::int32_t hint = nodes_[static_cast<std::size_t>(cell.node)].triangle;
+    const double distance = r_ + static_cast<double>(nodes_[static_cast<std::size_t>(cell.node)].clearance);
     nodes_[static_cast<std::size_t>(cell.node)].kind = CellKind::divided;
     nodes_[static_cast<std::size_t>(cell.node)].first_child = first;
     nodes_.resize(nodes_.size() + 8);
+    std::array<Eigen::Vector3d, 8> centres;
+    for (int i = 0; i < 8; ++i) centres[static_cast<std::size_t>(i)] = octant(cell, i, first + i).centre;
+    const double radius = root_of_three * cell.half / 2;
+    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius, std::max(0.0, r_ - radius));
     for (int i = 0; i < 8; ++i) {
       const ExteriorCell child = octant(cell, i, first + i);
-      classify(child, hint);
+      classify(child, nearest[static_cast<std::size_t>(i)]);
       if (nodes_[static_cast<std::size_t>(child.node)].kind == CellKind::mixed) smaller.push_back(child);
     }
   }
@@ -145,14 +143,22 @@ bool OffsetExterior::is_among_enclosed(const Eigen::Vector3d& x) const {
 }
 
 std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {
-  ExteriorCell cell = root();
-  if (!((x - cell.centre).cwiseAbs().maxCoeff() <= cell.half)) return std::nullopt;
-  while (nodes_[static_cast<std::size_t>(cell.node)].kind == CellKind::divided) {
-    int i = 0;
-    for (int k = 0; k < 3; ++k) i |= x[k] > cell.centre[k] ? 1 << k : 0;
-    cell = octant(cell, i, nodes_[static_cast<std::size_t>(cell.node)].first_child + i);
+  // The bits of the coordinates, in cubes of the 2^30th part of the root's edge, say which child to take at each level.
+  constexpr int bits = 30;
+  const Eigen::Array3d place = (x - root_centre_).array() / (2 * root_half_) + 0.5;
+  if (!((place >= 0).all() && (place < 1).all())) return std::nullopt;
+  const Eigen::Array3i coordinates = (place * (1 << bits)).cast<int>();
+  std::int32_t node = 0;
+  int level = 0;
+  while (nodes_[static_cast<std::size_t>(node)].kind == CellKind::divided) {
+    const int shift = bits - ++level;
+    const int i = ((coordinates[0] >> shift) & 1) | ((coordinates[1] >> shift) & 1) << 1 |
+                  ((coordinates[2] >> shift) & 1) << 2;
+    node = nodes_[static_cast<std::size_t>(node)].first_child + i;
   }
-  return cell;
+  const double edge = std::ldexp(2 * root_half_, -level);
+  const Eigen::Array3d corner = (coordinates / (1 << (bits - level))).cast<double>() * edge;
+  return ExteriorCell{root_centre_ + (corner + (edge / 2 - root_half_)).matrix(), edge / 2, node};
 }
 
 std::optional<bool> OffsetExterior::contains(const Eigen::Vector3d& x) const {

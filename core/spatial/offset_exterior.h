@@ -86,7 +86,7 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> is_outside_by_crossings(const Eigen::Vector3d& x) const;
 
  private:
-  void classify(const ExteriorCell& cell, std::int32_t hint);
+  void classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest);
   /// Divides the mixed leaves, and puts those of their children that are mixed in their place. False, and nothing is
   /// divided, where there would be too many; false, too, where no child is mixed.
   bool divide(std::vector<ExteriorCell>& mixed);

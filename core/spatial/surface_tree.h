@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -47,6 +49,18 @@ class SurfaceTree {
   [[nodiscard]] std::optional<SurfaceHit> closest(const Eigen::Vector3d& x,
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
+
+  /// A triangle and its distance from a point, in single precision.
+  struct Nearest {
+    std::int32_t triangle = -1;  ///< -1: none is near enough
+    float distance = std::numeric_limits<float>::infinity();
+  };
+  static constexpr std::size_t most_points_at_once = 8;
+
+  /// The closest triangle to each of a few points that are near each other, among those nearer than max_distance: finds
+  /// the leaves within reach once for all. Where some triangle is nearer than `enough`, it will do.
+  [[nodiscard]] std::array<Nearest, most_points_at_once> closest_to_each(std::span<const Eigen::Vector3d> points,
+                                                                         double max_distance, double enough = 0) const;
 
   /// Some triangle nearer than the distance, or nothing. Cheaper than the closest one.
   [[nodiscard]] std::optional<std::int32_t> any_within(const Eigen::Vector3d& x, double distance,

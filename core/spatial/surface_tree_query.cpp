@@ -2,7 +2,11 @@
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/spatial/surface_tree_query.cpp"
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 #include <limits>
@@ -53,9 +57,10 @@ HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge
 }
 
 /// Squared distances from x to the leaf's triangles: the plane's where x projects into the triangle, else the nearest
-/// edge's.
-HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+/// edge's. Returns the smallest.
+HWY_INLINE float squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
   const hn::CappedTag<float, triangles_per_leaf> d;
+  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
   const Eigen::Vector3f local = (x - leaf.origin).cast<float>();
   const VectorOf<decltype(d)> point = {hn::Set(d, local[0]), hn::Set(d, local[1]), hn::Set(d, local[2])};
   for (std::size_t lane = 0; lane < triangles_per_leaf; lane += hn::Lanes(d)) {
@@ -72,14 +77,29 @@ HWY_INLINE void squared_distances(const SurfaceTreeLeaf& leaf, const Eigen::Vect
     const auto c = dot<decltype(d)>(from_a, load(d, leaf.dual_c, lane));
     const auto zero = hn::Zero(d);
     const auto inside = hn::And(hn::And(hn::Ge(b, zero), hn::Ge(c, zero)), hn::Le(hn::Add(b, c), hn::Set(d, 1.0F)));
-    hn::Store(hn::IfThenElse(inside, hn::Mul(height, height), nearest), d, result.data() + lane);
+    const auto squared = hn::IfThenElse(inside, hn::Mul(height, height), nearest);
+    hn::Store(squared, d, result.data() + lane);
+    smallest = hn::Min(smallest, squared);
+  }
+  return hn::GetLane(hn::MinOfLanes(d, smallest));
+}
+
+/// The triangle of the leaf closest to x where its squared distance is below the limit, which it becomes; else -1.
+HWY_INLINE std::int32_t closest_in_leaf(const SurfaceTreeLeaf& leaf, const Eigen::Vector3d& x, float& limit) {
+  alignas(64) LeafLane distances;
+  const float smallest = squared_distances(leaf, x, distances);
+  if (!(smallest < limit)) return -1;
+  limit = smallest;
+  for (std::size_t lane = 0;; ++lane) {
+    if (distances[lane] == smallest) return leaf.triangle[lane];
   }
 }
 
-/// Squared distances from x to the boxes of the node's children.
-HWY_INLINE void squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x,
-                                  std::array<float, children_per_node>& result) {
+/// Squared distances from x to the boxes of the node's children. Returns which are below the limit, a bit each.
+HWY_INLINE std::uint32_t squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float limit,
+                                           std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;
+  std::uint32_t below_limit = 0;
   for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
     auto sum = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -90,17 +110,20 @@ HWY_INLINE void squared_distances(const SurfaceTreeNode& node, const Eigen::Vect
       sum = hn::MulAdd(outside, outside, sum);
     }
     hn::Store(sum, d, result.data() + lane);
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
+    below_limit |= static_cast<std::uint32_t>(bits[0]) << lane;
   }
+  return below_limit;
 }
 
 /// Puts the children nearer than the limit on the stack, the nearest on top.
 HWY_INLINE int push_children(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float squared_limit,
                              std::array<Waiting, stack_size>& stack, int top) {
   alignas(64) std::array<float, children_per_node> distances;
-  squared_distances(node, x, distances);
   const int bottom = top;
-  for (std::size_t i = 0; i < children_per_node; ++i) {
-    if (!(distances[i] < squared_limit)) continue;
+  for (std::uint32_t left = squared_distances(node, x, squared_limit, distances); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
     int place = top++;
     for (; place > bottom && stack[static_cast<std::size_t>(place - 1)].squared_distance < distances[i]; --place) {
       stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
@@ -132,29 +155,115 @@ std::int32_t closest(const std::vector<SurfaceTreeNode>& nodes, const std::vecto
                      const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   std::int32_t best = otherwise;
   visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
-    alignas(64) LeafLane distances;
-    squared_distances(leaf, x, distances);
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      if (!(distances[lane] < limit)) continue;
-      limit = distances[lane];
-      best = leaf.triangle[lane];
-    }
+    const std::int32_t found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) best = found;
   });
   return best;
+}
+
+/// The leaves that a search for several points found within reach, with their boxes.
+struct Reached {
+  static constexpr std::size_t most = 64;
+  std::size_t count = 0;
+  alignas(64) std::array<std::array<float, most>, 3> low, high;
+  std::array<std::int32_t, most> leaf;
+  float nearest = std::numeric_limits<float>::infinity();
+
+  /// The nearest comes first: what is found in it rules out most of the others.
+  void add(const SurfaceTreeNode& node, std::size_t child, float distance) {
+    const bool first = count > 0 && distance < nearest;
+    nearest = std::min(nearest, distance);
+    if (first) move(0, count);
+    put(node, child, first ? 0 : count);
+    ++count;
+  }
+
+ private:
+  void move(std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][to] = low[k][from];
+      high[k][to] = high[k][from];
+    }
+    leaf[to] = leaf[from];
+  }
+
+  void put(const SurfaceTreeNode& node, std::size_t child, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][place] = node.low[k][child];
+      high[k][place] = node.high[k][child];
+    }
+    leaf[place] = node.child[child];
+  }
+};
+
+/// Looks into the leaves, for each point into those whose boxes are within its limit.
+HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeLeaf>& leaves,
+                          std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
+                          std::span<std::int32_t> triangles) {
+  const hn::CappedTag<float, triangles_per_leaf> d;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f x = points[i].cast<float>();
+    for (std::size_t first = 0; first < reached.count; first += hn::Lanes(d)) {
+      auto sum = hn::Zero(d);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+        const auto below = hn::Sub(hn::Load(d, reached.low[k].data() + first), coordinate);
+        const auto above = hn::Sub(coordinate, hn::Load(d, reached.high[k].data() + first));
+        const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+        sum = hn::MulAdd(outside, outside, sum);
+      }
+      alignas(64) std::array<float, triangles_per_leaf> distances;
+      hn::Store(sum, d, distances.data());
+      const std::size_t lanes = std::min(hn::Lanes(d), reached.count - first);
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        if (!(distances[lane] < limits[i]) || limits[i] < enough) continue;
+        const std::int32_t found =
+            closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
+        if (found >= 0) triangles[i] = found;
+      }
+    }
+  }
+}
+
+void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                     std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
+                     std::span<std::int32_t> triangles) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
+  double reach = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    reach = std::max(reach, std::sqrt(static_cast<double>(limits[i])) + (points[i] - centre).norm());
+  }
+  const auto squared_reach = static_cast<float>(reach * reach * (1 + 1e-6));
+  Reached reached;
+  std::array<std::int32_t, stack_size> stack;
+  const Eigen::Vector3f x = centre.cast<float>();
+  int top = 0;
+  stack[static_cast<std::size_t>(top++)] = 0;
+  while (top > 0) {
+    const SurfaceTreeNode& node = nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
+    alignas(64) std::array<float, children_per_node> distances;
+    for (std::uint32_t left = squared_distances(node, x, squared_reach, distances); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      if (node.child[i] >= 0) {
+        stack[static_cast<std::size_t>(top++)] = node.child[i];
+        continue;
+      }
+      reached.add(node, i, distances[i]);
+      if (reached.count < Reached::most) continue;
+      look_into(reached, leaves, points, enough, limits, triangles);
+      reached.count = 0;
+    }
+  }
+  look_into(reached, leaves, points, enough, limits, triangles);
 }
 
 std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
                         const Eigen::Vector3d& x, float squared_limit) {
   std::int32_t found = -1;
   visit_leaves(nodes, leaves, x, squared_limit, [&](const SurfaceTreeLeaf& leaf, float& limit) {
-    alignas(64) LeafLane distances;
-    squared_distances(leaf, x, distances);
-    for (std::size_t lane = 0; lane < triangles_per_leaf; ++lane) {
-      if (!(distances[lane] < limit)) continue;
-      found = leaf.triangle[lane];
-      limit = -1;
-      return;
-    }
+    found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) limit = -1;
   });
   return found;
 }
@@ -167,11 +276,18 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(closest);
+HWY_EXPORT(closest_to_each);
 HWY_EXPORT(any_within);
 
 std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+void closest_triangles(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
+                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
+                       std::span<std::int32_t> triangles) {
+  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, enough, squared_limits, triangles);
 }
 
 std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,

@@ -1,18 +1,30 @@
 #include "shapegauge/experiments/command_line/run_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
 
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/cache/cache_contents.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/command_line/cache_option.h"
+#include "shapegauge/experiments/command_line/cache_report.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/interruption.h"
 #include "shapegauge/experiments/command_line/progress_line.h"
+#include "shapegauge/experiments/command_line/replay_report.h"
+#include "shapegauge/experiments/command_line/requested_run.h"
 #include "shapegauge/experiments/comparison/read_comparison.h"
 #include "shapegauge/experiments/comparison/run_comparison.h"
 #include "shapegauge/experiments/comparison/write_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/results/file_names.h"
+#include "shapegauge/experiments/results/folder_lock.h"
+#include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/results/replay.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
@@ -25,11 +37,12 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunArguments {
-  fs::path configuration;
+  RunSource source;
   fs::path output;
   int threads = 0;
-  std::vector<std::string> overrides;
   bool force = false;
+  bool replace = false;
+  CacheOption cache;
 };
 
 /// Something that a run went on without.
@@ -58,11 +71,15 @@ int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftO
   return exit_with_failures;
 }
 
-/// The folder for the results of the experiment of that name, made ready.
-fs::path result_folder(const RunArguments& arguments, const std::string& name, const nlohmann::json& configuration) {
-  fs::path folder = arguments.output.empty() ? fs::path("results") / file_safe_name(name) : arguments.output;
-  prepare_result_folder(folder, configuration, arguments.force);
-  return folder;
+/// The folder for the results of the experiment of that name. That of a repeated run is another than the run's own.
+fs::path result_folder(const RunArguments& arguments, const std::string& name) {
+  if (!arguments.output.empty()) return arguments.output;
+  return fs::path("results") / (file_safe_name(name) + (arguments.source.replay.empty() ? "" : "-replay"));
+}
+
+/// The cache that is asked for. A run that repeats another one must not take from it what the other one has computed.
+std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
+  return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
 }
 
 RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
@@ -74,21 +91,56 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
           }};
 }
 
-int run_retrieval(const RunArguments& arguments, const Configuration& configuration) {
-  const fs::path folder = result_folder(arguments, configuration.name, to_json(configuration));
+/// Says before a repeated run begins, as far as it can be known then, that its inputs are not the recorded ones.
+void warn_of_inputs(const RequestedRun& request, const Configuration& configuration, int threads) {
+  if (request.recorded.is_null() || !configuration.location) return;
+  with_threads(threads, [&] {
+    const Dataset dataset = find_dataset(*configuration.location);
+    warn_of_changed_inputs(
+        changed_inputs(request.recorded.at("inputs"), dataset_inputs(configuration, dataset.models)));
+  });
+}
+
+/// The experiment, through the cache.
+ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,
+                                 const fs::path& folder, ProgressLine& progress) {
+  const std::unique_ptr<Cache> cache = cache_for(arguments);
+  const CacheWarnings warnings(*cache, progress);
+  try {
+    return run_experiment(configuration, folder / "dataset", run_control(arguments, progress), *cache);
+  } catch (const Interrupted&) {
+    if (cache->folder().empty()) throw;
+    throw Interrupted(
+        "interrupted; no results were written. The shapes that were done are in the cache: the same run goes on from "
+        "there");
+  }
+}
+
+int run_retrieval(const RunArguments& arguments, const RequestedRun& request) {
+  const Configuration configuration = configuration_from_json(request.document, request.source, request.folder);
+  const std::uintmax_t limit = cache_limit();
+  const fs::path folder = result_folder(arguments, configuration.name);
+  const FolderLock lock(folder);
+  prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
+  warn_of_inputs(request, configuration, arguments.threads);
   ProgressLine progress;
-  const ExperimentResults results = run_experiment(configuration, folder / "dataset", run_control(arguments, progress));
+  const ExperimentResults results = run_with_cache(arguments, configuration, folder, progress);
   with_threads(arguments.threads, [&] { write_results(folder, results); });
+  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
   progress.clear();
-  fmt::print("{}\nResults in {}\n", summary_text(results), folder.string());
+  fmt::print("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
   std::vector<LeftOut> left_out;
   for (const FailedModel& failure : results.failures)
     left_out.push_back({"model " + failure.model.id, failure.message});
-  return report_flaws(results.fields, left_out, left_out.size() + results.models.size(), "models");
+  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
+  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.models.size(), "models"));
 }
 
-int run_shapes(const RunArguments& arguments, const Comparison& comparison) {
-  const fs::path folder = result_folder(arguments, comparison.name, to_json(comparison));
+int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
+  const Comparison comparison = comparison_from_json(request.document, request.source, request.folder);
+  const fs::path folder = result_folder(arguments, comparison.name);
+  const FolderLock lock(folder);
+  prepare_result_folder(folder, to_json(comparison), arguments.replace || arguments.force);
   ProgressLine progress;
   const ComparisonResults results = run_comparison(comparison, run_control(arguments, progress));
   write_comparison(folder, results);
@@ -98,15 +150,13 @@ int run_shapes(const RunArguments& arguments, const Comparison& comparison) {
   for (const FailedShape& failure : results.failures) {
     left_out.push_back({fmt::format("shape \"{}\"", failure.name), failure.message});
   }
-  return report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes");
+  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
+  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes"));
 }
 
 int run(const RunArguments& arguments) {
-  const nlohmann::json document = read_configuration_document(arguments.configuration, arguments.overrides);
-  const std::string source = arguments.configuration.string();
-  const fs::path folder = arguments.configuration.parent_path();
-  if (is_comparison(document)) return run_shapes(arguments, comparison_from_json(document, source, folder));
-  return run_retrieval(arguments, configuration_from_json(document, source, folder));
+  const RequestedRun request = requested_run(arguments.source);
+  return is_comparison(request.document) ? run_shapes(arguments, request) : run_retrieval(arguments, request);
 }
 
 }  // namespace
@@ -116,14 +166,27 @@ void add_run_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
       "A folder that holds the results of the same configuration is written anew; one with the results of another\n"
-      "configuration only with --force.");
+      "configuration only with --replace or --force.\n"
+      "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that "
+      "was\n"
+      "interrupted goes on from there, and other bins need no new field. See shapegauge cache --help.\n"
+      "With --replay results/NAME/manifest.json the run that wrote the manifest is repeated, without the cache, into\n"
+      "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");
   const auto arguments = std::make_shared<RunArguments>();
-  command->add_option("configuration", arguments->configuration, "Configuration file (JSON)")->required();
+  CLI::Option* configuration =
+      command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
   command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
-  command->add_option("--set", arguments->overrides, "Change a value of the configuration: dotted.key=value")
+  command->add_option("--set", arguments->source.overrides, "Change a value of the configuration: dotted.key=value")
       ->allow_extra_args(false);
-  command->add_flag("--force", arguments->force, "Replace the results of another configuration in the folder");
+  command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");
+  command->add_flag("--force", arguments->force, "So too, and compute everything anew");
+  add_cache_option(*command, arguments->cache);
+  command->add_flag("--no-cache", arguments->cache.none, "Neither use nor fill the cache")->excludes("--cache");
+  command->add_option("--replay", arguments->source.replay, "Repeat the run of this manifest.json")
+      ->excludes(configuration);
+  command->add_option("--dataset-root", arguments->source.dataset_root,
+                      "With --replay: the folder of the data set here");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

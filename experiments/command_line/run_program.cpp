@@ -2,12 +2,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
 #include <new>
 #include <optional>
 
 #include "shapegauge/core/version.h"
+#include "shapegauge/experiments/command_line/cache_command.h"
 #include "shapegauge/experiments/command_line/compare_command.h"
 #include "shapegauge/experiments/command_line/dataset_command.h"
 #include "shapegauge/experiments/command_line/evaluate_command.h"
@@ -72,6 +74,8 @@ int run_program(std::span<const std::string> arguments) {
   app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
   app.require_subcommand(1);
   app.footer("Example: shapegauge run configs/quickstart.json");
+  // A limit of the size of files is met as a full disk is: by an error where the file is written.
+  std::signal(SIGXFSZ, SIG_IGN);
   int status = exit_success;
   add_run_command(app, status);
   add_sdf_command(app, status);
@@ -82,10 +86,11 @@ int run_program(std::span<const std::string> arguments) {
   add_compare_command(app, status);
   add_measures_command(app, status);
   add_dataset_command(app, status);
+  add_cache_command(app, status);
   try {
     return std::max(parse_and_run(app, arguments), status);
-  } catch (const Interrupted&) {
-    return report("interrupted; no results were written", exit_interrupted);
+  } catch (const Interrupted& interruption) {
+    return report(interruption.what(), exit_interrupted);
   } catch (const std::bad_alloc&) {
     return report("out of memory", exit_unusable_input);
   } catch (const std::exception& error) {

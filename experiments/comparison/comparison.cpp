@@ -21,7 +21,7 @@ Json to_json(const ComparedShape& shape) {
   if (shape.generated) {
     json["generate"] = to_json(*shape.generated);
   } else {
-    json["file"] = shape.file.string();
+    json["file"] = std::filesystem::absolute(shape.file).lexically_normal().string();
   }
   return json;
 }

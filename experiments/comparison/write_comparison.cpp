@@ -11,6 +11,7 @@
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/sha256.h"
 #include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/experiments/results/staged_results.h"
 
 namespace shapegauge {
 
@@ -68,7 +69,8 @@ Json inputs(const ComparisonResults& results) {
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};
 }
 
-Json manifest(const ComparisonResults& results, const std::vector<std::string>& files) {
+Json manifest(const ComparisonResults& results, const std::vector<std::string>& files,
+              const std::filesystem::path& folder) {
   Json failures = Json::array();
   for (const FailedShape& failure : results.failures) {
     failures.push_back({{"shape", failure.name}, {"error", failure.message}});
@@ -81,22 +83,23 @@ Json manifest(const ComparisonResults& results, const std::vector<std::string>& 
                {"failed_shapes", std::move(failures)},
                {"fields", fields_json(results.fields)},
                {"files", files},
+               {"outputs", outputs_json(folder, files)},
                {"execution", execution_json(results.threads, results.timings, results.fields)}});
   return json;
 }
 
 }  // namespace
 
-void write_comparison(const std::filesystem::path& folder, const ComparisonResults& results) {
-  make_folder(folder);
-  const std::vector<std::string> earlier = earlier_results(folder);
+void write_comparison(const std::filesystem::path& destination, const ComparisonResults& results) {
+  StagedResults staged(destination);
+  const std::filesystem::path& folder = staged.folder();
   std::vector<std::string> files;
   for (const auto& [name, text] : text_files(results)) {
     write_file_atomically(folder / name, text);
     files.push_back(name);
   }
-  write_file_atomically(folder / manifest_name, manifest(results, files).dump(2) + "\n");
-  remove_superseded(folder, earlier, files);
+  write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
+  staged.publish(files);
 }
 
 std::string summary_text(const ComparisonResults& results) {

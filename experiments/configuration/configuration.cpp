@@ -27,22 +27,17 @@ std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& sign
   return std::nullopt;
 }
 
+/// A path that names the same from any folder: a run may be repeated from elsewhere.
+std::string absolute_text(const std::filesystem::path& path) {
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
 Json dataset_to_json(const Configuration& configuration) {
   if (configuration.generator) return {{"generate", to_json(*configuration.generator)}};
   const DatasetLocation& location = configuration.location.value();
-  Json json{{"layout", location.layout}, {"root", location.root.string()}};
-  if (!location.classification.empty()) json["classification"] = location.classification.string();
+  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
+  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
   if (location.layout == "folders") json["split"] = location.split;
-  return json;
-}
-
-Json histogram_to_json(const HistogramConfiguration& histogram) {
-  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
-  if (histogram.range == HistogramRange::fixed) {
-    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
-  } else {
-    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
-  }
   return json;
 }
 
@@ -64,13 +59,23 @@ std::vector<std::size_t> computation_order(const std::vector<SignatureConfigurat
   return order;
 }
 
+Json to_json(const HistogramConfiguration& histogram) {
+  Json json{{"bins", histogram.options.bins}, {"smoothing_bins", histogram.options.smoothing_bins}};
+  if (histogram.range == HistogramRange::fixed) {
+    json["range"] = {{"fixed", {histogram.fixed.low, histogram.fixed.high}}};
+  } else {
+    json["range"] = histogram.range == HistogramRange::per_shape ? "per-shape" : "dataset";
+  }
+  return json;
+}
+
 Json to_json(const std::vector<SignatureConfiguration>& signatures) {
   Json list = Json::array();
   for (const SignatureConfiguration& signature : signatures) {
     Json json{{"name", signature.name}};
     if (signature.field) {
       json["field"] = signature.field->settings;
-      json["histogram"] = histogram_to_json(signature.histogram);
+      json["histogram"] = to_json(signature.histogram);
     } else {
       for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
     }

@@ -64,13 +64,17 @@ std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfigurati
 /// The signatures' indices, parts before the signatures that concatenate them. None may be a part of itself.
 std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
 
+/// The histogram's settings as JSON with all defaults filled in, in the form of a signature's "histogram".
+nlohmann::json to_json(const HistogramConfiguration& histogram);
+
 /// The signatures as JSON with all defaults filled in, in the form of a configuration's "signatures".
 nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 
 /// The generator's settings as JSON, in the form of a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
 
-/// The configuration as JSON with all defaults filled in, in the form that configurations are read from.
+/// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
+/// absolute.
 nlohmann::json to_json(const Configuration& configuration);
 
 }  // namespace shapegauge

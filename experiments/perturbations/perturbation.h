@@ -12,6 +12,10 @@
 
 namespace shapegauge {
 
+/// To be raised with every change of what any perturbation makes of a shape: what a cache holds of earlier versions is
+/// then computed anew.
+inline constexpr int perturbations_version = 1;
+
 /// What a perturbation may depend on besides the shape.
 struct PerturbationContext {
   RandomNumbers random;                        ///< a stream of the step's own

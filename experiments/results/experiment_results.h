@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/fields/field.h"
@@ -35,6 +36,7 @@ struct ExperimentResults {
   std::vector<FailedModel> failures;
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
+  CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include "shapegauge/core/error.h"
 #include "shapegauge/experiments/results/manifest_parts.h"
 #include "shapegauge/experiments/results/sha256.h"
 
@@ -11,15 +12,49 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json inputs(const ExperimentResults& results) {
-  std::vector<std::string> hashes(results.models.size());
-  tbb::parallel_for(std::size_t{0}, hashes.size(),
-                    [&](std::size_t i) { hashes[i] = sha256_of_file(results.models[i].file); });
-  Json models = Json::object();
-  for (std::size_t i = 0; i < hashes.size(); ++i) models[results.models[i].id] = hashes[i];
-  Json json{{"algorithm", "SHA-256"}, {"models", std::move(models)}};
-  const auto& location = results.configuration.location;
+/// SHA-256 of a file; nothing where it cannot be read.
+std::string readable_hash(const std::filesystem::path& file) {
+  try {
+    return sha256_of_file(file);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// The inputs by the models' hashes, of which an empty one is left out.
+Json inputs_json(const Configuration& configuration, const std::vector<Model>& models,
+                 const std::vector<std::string>& hashes) {
+  Json by_model = Json::object();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!hashes[i].empty()) by_model[models[i].id] = hashes[i];
+  }
+  Json json{{"algorithm", "SHA-256"}, {"models", std::move(by_model)}};
+  const auto& location = configuration.location;
   if (location && !location->classification.empty()) json["classification"] = sha256_of_file(location->classification);
+  return json;
+}
+
+/// Of the models used and of those that failed.
+Json inputs(const ExperimentResults& results) {
+  std::vector<Model> models = results.models;
+  std::vector<std::string> hashes;
+  for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
+  for (const FailedModel& failure : results.failures) {
+    models.push_back(failure.model);
+    hashes.push_back(readable_hash(failure.model.file));
+  }
+  return inputs_json(results.configuration, models, hashes);
+}
+
+/// Of how many results of each kind the run took from the cache.
+Json cache_json(const CacheReport& cache) {
+  if (cache.folder.empty()) return nullptr;
+  Json json = Json::object();
+  for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
+    const CacheUse& use = cache.uses.at(kind);
+    if (use.taken + use.computed == 0) continue;
+    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.taken}, {"computed", use.computed}};
+  }
   return json;
 }
 
@@ -38,7 +73,16 @@ Json left_out(const ExperimentResults& results) {
 
 }  // namespace
 
-Json manifest(const ExperimentResults& results, const std::vector<std::string>& files) {
+Json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
+  std::vector<std::string> hashes(models.size());
+  tbb::parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
+  return inputs_json(configuration, models, hashes);
+}
+
+Json manifest(const ExperimentResults& results, const std::vector<std::string>& files,
+              const std::filesystem::path& folder) {
+  Json execution = execution_json(results.threads, results.timings, results.fields);
+  execution["cache"] = cache_json(results.cache);
   Json json = program_json();
   json.update({{"configuration", to_json(results.configuration)},
                {"seed", results.configuration.seed},
@@ -48,7 +92,8 @@ Json manifest(const ExperimentResults& results, const std::vector<std::string>& 
                {"failed_models", failures(results)},
                {"fields", fields_json(results.fields)},
                {"files", files},
-               {"execution", execution_json(results.threads, results.timings, results.fields)}});
+               {"outputs", outputs_json(folder, files)},
+               {"execution", std::move(execution)}});
   return json;
 }
 

@@ -1,7 +1,10 @@
 #include "shapegauge/experiments/results/manifest_parts.h"
 
 #include "shapegauge/core/version.h"
+#include "shapegauge/experiments/cache/processor.h"
 #include "shapegauge/experiments/results/build_information.h"
+#include "shapegauge/experiments/results/result_folder.h"
+#include "shapegauge/experiments/results/sha256.h"
 
 namespace shapegauge {
 
@@ -12,7 +15,16 @@ Json program_json() {
           {"commit", commit()},
           {"compiler", compiler()},
           {"build_type", build_type()},
-          {"libraries", Json::parse(library_versions())}};
+          {"libraries", Json::parse(library_versions())},
+          {"processor", processor()}};
+}
+
+Json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files) {
+  Json hashes = Json::object();
+  for (const std::string& file : files) {
+    if (!holds_timings(file)) hashes[file] = sha256_of_file(folder / file);
+  }
+  return {{"algorithm", "SHA-256"}, {"files", std::move(hashes)}};
 }
 
 Json fields_json(std::span<const FieldReport> fields) {

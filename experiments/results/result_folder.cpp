@@ -38,6 +38,8 @@ nlohmann::json earlier_configuration(const fs::path& folder) {
 
 }  // namespace
 
+bool holds_timings(std::string_view file) { return file == "shape_seconds.csv" || file == "timings.csv"; }
+
 bool has_results(const fs::path& folder) {
   return fs::exists(folder / manifest_name) ||
          std::ranges::any_of(result_names, [&](std::string_view name) { return fs::exists(folder / name); });
@@ -46,7 +48,10 @@ bool has_results(const fs::path& folder) {
 void make_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
-  if (failure) throw InputError(fmt::format("cannot make the folder {}: {}", folder.string(), failure.message()));
+  if (failure || !fs::is_directory(folder)) {
+    throw InputError(fmt::format("cannot make the folder {} for the results: {}", folder.string(),
+                                 failure ? failure.message() : "there is a file of that name"));
+  }
 }
 
 std::vector<std::string> earlier_results(const fs::path& folder) {
@@ -70,22 +75,19 @@ void remove_superseded(const fs::path& folder, std::span<const std::string> earl
   }
 }
 
-void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool force) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure || !fs::is_directory(folder)) {
-    throw InputError(fmt::format("cannot make the folder {} for the results: {}", folder.string(),
-                                 failure ? failure.message() : "there is a file of that name"));
-  }
+void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
+  make_folder(folder);
   // Writing is tried now: it must not be found out after hours.
   const fs::path probe = folder / ".shapegauge-probe";
   write_file_atomically(probe, "");
-  fs::remove(probe, failure);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
 
-  if (force || !has_results(folder) || earlier_configuration(folder) == configuration) return;
-  throw InputError(fmt::format(
-      "{} holds the results of another configuration; give another folder with --output, or replace them with --force",
-      folder.string()));
+  if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
+  throw InputError(
+      fmt::format("{} holds the results of another configuration; give another folder with --output, or replace them "
+                  "with --replace",
+                  folder.string()));
 }
 
 }  // namespace shapegauge

@@ -12,6 +12,9 @@ namespace shapegauge {
 /// The name of the file in the folder that is written last and lists the others.
 inline constexpr std::string_view manifest_name = "manifest.json";
 
+/// Whether the result file of that name holds seconds, which differ from run to run.
+bool holds_timings(std::string_view file);
+
 /// Whether a file that a run of any kind writes is in the folder.
 bool has_results(const std::filesystem::path& folder);
 
@@ -27,7 +30,7 @@ void remove_superseded(const std::filesystem::path& folder, std::span<const std:
 
 /// Makes the folder for a run's results ready, before the run. A folder that is new, has no results in it, or has those
 /// of the very same configuration may be used: repeating a run replaces its files. Throws InputError where the folder
-/// holds the results of something else, unless forced, or cannot be made or written to.
-void prepare_result_folder(const std::filesystem::path& folder, const nlohmann::json& configuration, bool force);
+/// holds the results of something else, unless `replace` is set, or cannot be made or written to.
+void prepare_result_folder(const std::filesystem::path& folder, const nlohmann::json& configuration, bool replace);
 
 }  // namespace shapegauge

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "shapegauge/core/shape/diagnostics.h"
@@ -11,6 +12,7 @@ namespace shapegauge {
 
 /// What a run found of one model, as it was measured: after the perturbations, in the file's units.
 struct ShapeReport {
+  std::string sha256 = {};  ///< of the file; empty where there is none
   ShapeDiagnostics diagnostics;
   std::vector<std::size_t> chosen;             ///< what perturbations that choose have chosen, in order
   double area = 0;                             ///< that was scaled to 1, in the file's units, squared

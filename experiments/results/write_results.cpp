@@ -10,6 +10,7 @@
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/experiments/results/staged_results.h"
 
 namespace shapegauge {
 
@@ -82,9 +83,10 @@ std::vector<std::string> matrix_files(const ExperimentResults& results) {
 
 }  // namespace
 
-void write_results(const fs::path& folder, const ExperimentResults& results) {
+void write_results(const fs::path& destination, const ExperimentResults& results) {
+  StagedResults staged(destination);
+  const fs::path& folder = staged.folder();
   make_folder(folder / "distances");
-  const std::vector<std::string> earlier = earlier_results(folder);
   const std::vector<std::string> matrices = matrix_files(results);
   std::vector<std::string> files;
   for (const auto& [name, text] : text_files(results)) {
@@ -95,8 +97,8 @@ void write_results(const fs::path& folder, const ExperimentResults& results) {
     write_npy(folder / matrices[i], results.methods[i].distances);
     files.push_back(matrices[i]);
   }
-  write_file_atomically(folder / manifest_name, manifest(results, files).dump(2) + "\n");
-  remove_superseded(folder, earlier, files);
+  write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
+  staged.publish(files);
 }
 
 std::string summary_text(const ExperimentResults& results) {

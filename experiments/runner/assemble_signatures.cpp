@@ -64,7 +64,8 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
 }
 
 ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.diagnostics = model.diagnostics,
+  ShapeReport report{.sha256 = model.sha256,
+                     .diagnostics = model.diagnostics,
                      .chosen = model.chosen,
                      .area = model.area,
                      .noise = model.noise,

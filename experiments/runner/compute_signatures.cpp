@@ -8,6 +8,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/experiments/runner/assemble_signatures.h"
 #include "shapegauge/experiments/runner/describe_model.h"
+#include "shapegauge/experiments/runner/describe_through_cache.h"
 #include "shapegauge/experiments/runner/for_each_model.h"
 
 namespace shapegauge {
@@ -33,7 +34,7 @@ void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failu
 }
 
 Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
-                          std::span<const PlannedField> plan) {
+                          std::span<const PlannedField> plan, Cache& cache) {
   Described described;
   described.models.resize(dataset.models.size());
   described.failures = check_models(dataset);
@@ -47,7 +48,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   const bool parallel_within = remaining.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
   const std::vector<ModelFailure> failures =
       for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
-        described.models[model] = describe_model(dataset, model, configuration, plan, parallel_within);
+        described.models[model] = describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
       });
   described.failures.insert(described.failures.end(), failures.begin(), failures.end());
   std::ranges::sort(described.failures, {}, &ModelFailure::model);
@@ -58,9 +59,9 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
 }  // namespace
 
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
-                                      const RunControl& control) {
+                                      const RunControl& control, Cache& cache) {
   const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
-  Described described = describe_models(dataset, configuration, control, plan);
+  Described described = describe_models(dataset, configuration, control, plan, cache);
   ComputedSignatures computed;
   std::vector<const ModelDescription*> models;
   for (std::size_t i = 0; i < described.models.size(); ++i) {

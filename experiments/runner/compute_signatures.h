@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
@@ -24,8 +25,8 @@ struct ComputedSignatures {
 /// Computes all signatures of the configuration, in parallel over the models; the same bytes for any number of threads.
 /// Every model's file is looked at first. With OnError::stop the first model that fails ends it with an InputError,
 /// with OnError::skip the run goes on without it. Throws InputError, too, where no model is left, and Interrupted. Runs
-/// in the calling TBB arena.
+/// in the calling TBB arena. What the cache holds is taken from it, and what is computed is kept there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
-                                      const RunControl& control);
+                                      const RunControl& control, Cache& cache);
 
 }  // namespace shapegauge

@@ -6,8 +6,6 @@
 #include <utility>
 
 #include "shapegauge/core/error.h"
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/samples.h"
 
 namespace shapegauge {
@@ -38,7 +36,8 @@ Interval range_of(const ScalarField& field, const Field& what) {
   throw InputError(fmt::format("no sample has a value of the field {}", what.settings.dump()));
 }
 
-/// The histograms of a field that need no other shape, and what is kept of its values.
+}  // namespace
+
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms) {
@@ -55,8 +54,6 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
   }
 }
 
-}  // namespace
-
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
@@ -69,10 +66,11 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
   description.noise = prepared.noise.relative();
   description.pass_band = prepared.pass_band;
   SamplesByPlan samples(prepared.shape);
+  FieldSource source(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto start = std::chrono::steady_clock::now();
     const Samples& sites = samples.at(plan[i].field.samples);
-    FieldValues computed = plan[i].field.compute(prepared.shape, sites, parallel);
+    FieldValues computed = plan[i].field.compute(source, sites, parallel);
     const auto end = std::chrono::steady_clock::now();
     if (observe) observe(i, prepared, sites, computed);
 
@@ -84,14 +82,6 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
     describe_field(field, plan[i], signatures, kept, description.histograms);
   }
   return description;
-}
-
-ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                std::span<const PlannedField> plan, bool parallel) {
-  const Model& source = dataset.models[model];
-  return describe_shape(
-      perturb_model(read_shape(source.file), configuration.perturbations, configuration.seed, source.id, model),
-      configuration.preparation, configuration.signatures, plan, parallel);
 }
 
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {

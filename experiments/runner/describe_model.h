@@ -4,12 +4,13 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/experiments/runner/field_plan.h"
 
@@ -27,6 +28,7 @@ struct FieldDescription {
 
 /// What is kept of one shape; its mesh is not.
 struct ModelDescription {
+  std::string sha256;                       ///< of the file; empty where a shape has none
   ShapeDiagnostics diagnostics;             ///< after the perturbations, in the file's units
   std::vector<FieldDescription> fields;     ///< as in the plan
   std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
@@ -47,9 +49,11 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
-/// The same for a model of the data set, which is read and perturbed.
-ModelDescription describe_model(const Dataset& dataset, std::size_t model, const Configuration& configuration,
-                                std::span<const PlannedField> plan, bool parallel);
+/// Adds to what is kept of a field its range, those of its histograms that need no other shape, and its values where
+/// the plan keeps them. Throws InputError where no sample has a value.
+void describe_field(const ScalarField& field, const PlannedField& planned,
+                    const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
+                    std::vector<Eigen::VectorXf>& histograms);
 
 /// The histogram of values that were kept, over a range.
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);

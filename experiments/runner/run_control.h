@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <exception>
 #include <functional>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace shapegauge {
@@ -16,10 +17,11 @@ struct RunControl {
       [](std::string_view, std::size_t, std::size_t) {};
 };
 
-/// A run that was stopped from outside.
-class Interrupted : public std::exception {
+/// A run that was stopped from outside. The message says what is left of it.
+class Interrupted : public std::runtime_error {
  public:
-  [[nodiscard]] const char* what() const noexcept override { return "interrupted"; }
+  explicit Interrupted(const std::string& message = "interrupted; no results were written")
+      : std::runtime_error(message) {}
 };
 
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
+#include "shapegauge/experiments/runner/distances_through_cache.h"
 #include "shapegauge/experiments/runner/prepare_dataset.h"
 #include "shapegauge/experiments/runner/with_threads.h"
 
@@ -47,12 +48,12 @@ std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::v
 }
 
 void run_stages(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                const RunControl& control, ExperimentResults& results) {
+                const RunControl& control, Cache& cache, ExperimentResults& results) {
   Stopwatch stopwatch;
   const Dataset dataset = prepare_dataset(configuration, generated_folder, control);
   results.timings.emplace_back("dataset", stopwatch.lap());
 
-  ComputedSignatures computed = compute_signatures(dataset, configuration, control);
+  ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache);
   results.classes = dataset.classes;
   for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
   for (const ModelFailure& failure : computed.failures) {
@@ -65,9 +66,10 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
     if (control.interrupted()) throw Interrupted();
     control.progress("distances", i, configuration.signatures.size());
-    results.methods.push_back({.name = configuration.signatures[i].name,
-                               .distances = distance_matrix(computed.signatures[i], configuration.distance),
-                               .evaluations = {}});
+    results.methods.push_back(
+        {.name = configuration.signatures[i].name,
+         .distances = distances_through_cache(computed.signatures[i], configuration.distance, cache),
+         .evaluations = {}});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 
@@ -81,17 +83,24 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
 }  // namespace
 
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                                 const RunControl& control) {
+                                 const RunControl& control, Cache& cache) {
   ExperimentResults results;
   results.configuration = configuration;
   results.threads = control.threads > 0 ? control.threads : available_threads();
   try {
-    with_threads(results.threads, [&] { run_stages(configuration, generated_folder, control, results); });
+    with_threads(results.threads, [&] { run_stages(configuration, generated_folder, control, cache, results); });
   } catch (const std::invalid_argument& error) {
     // What the modules below say of data that they cannot use: here the data come from the user.
     throw InputError(error.what());
   }
+  results.cache = cache.report();
   return results;
+}
+
+ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                                 const RunControl& control) {
+  Cache none;
+  return run_experiment(configuration, generated_folder, control, none);
 }
 
 }  // namespace shapegauge

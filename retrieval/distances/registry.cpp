@@ -14,7 +14,7 @@ namespace shapegauge {
 
 std::span<const NamedDistance> distances() {
   static constexpr std::array registered = {
-      NamedDistance{"l1", l1_distance, DistanceDomain::any},
+      NamedDistance{"l1", l1_distance, DistanceDomain::any, l1_distances},
       NamedDistance{"l2", l2_distance, DistanceDomain::any},
       NamedDistance{"cosine", cosine_distance, DistanceDomain::not_zero},
       NamedDistance{"chi2", chi2_distance, DistanceDomain::not_negative},

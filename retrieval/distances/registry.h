@@ -9,6 +9,10 @@ namespace shapegauge {
 /// matrix asks for one of (a, b) and (b, a) only, and never for (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
+/// The same distances from one signature to several that follow each other in memory.
+using DistancesFunction = void (*)(std::span<const float> a, std::span<const float> others,
+                                   std::span<double> distances);
+
 /// The signatures for which a distance is defined.
 enum class DistanceDomain { any, not_zero, not_negative, histograms };
 
@@ -16,7 +20,8 @@ enum class DistanceDomain { any, not_zero, not_negative, histograms };
 struct NamedDistance {
   std::string_view name;
   DistanceFunction function;
-  DistanceDomain domain;
+  DistanceDomain domain = DistanceDomain::any;
+  DistancesFunction to_several = nullptr;  ///< where there is a faster way than one by one
 };
 
 /// All distances. A new one is one file in this folder, one line in registry.cpp, and its name in

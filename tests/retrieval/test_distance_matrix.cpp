@@ -45,6 +45,15 @@ TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(with_threads(signatures, 5), one);
 }
 
+TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
+  const Signatures signatures = random_signatures(101, 43, 11);
+  const DistanceMatrix whole = distance_matrix(signatures);
+  EXPECT_EQ(distance_rows(signatures, 0, 101), whole);
+  EXPECT_EQ(distance_rows(signatures, 37, 40), whole.middleRows(37, 40));
+  EXPECT_EQ(distance_rows(signatures, 101, 0).size(), 0);
+  EXPECT_THROW(distance_rows(signatures, 100, 2), std::invalid_argument);
+}
+
 TEST(DistanceMatrix, UnknownNameSaysWhatIsKnown) {
   try {
     distance_matrix(Signatures(2, 2), "manhatten");

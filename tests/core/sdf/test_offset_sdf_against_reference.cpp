@@ -62,16 +62,17 @@ TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
   const SurfaceTree tree(shape);
   const OffsetExterior exterior(tree, bounding_box(shape), r, is_closed(shape));
   const Samples samples = sample_shape(shape, SampleSite::faces);
-  SearchMemory memory;
+  NearestExteriorSearch search(exterior);
+  ExteriorEntrySearch entry(exterior);
   for (Eigen::Index i = 0; i < samples.points.rows(); i += 19) {
     const Eigen::Vector3d p = samples.points.row(i);
-    const ExteriorPoint q = nearest_exterior_point(exterior, p, samples.normals.row(i).transpose(), memory);
+    const ExteriorPoint q = search.find(p, samples.normals.row(i).transpose());
     EXPECT_NEAR(reference.distance(q.point), r, 1e-3 * r) << i;
     EXPECT_TRUE(reference.is_exterior(q.point)) << i;
     EXPECT_NEAR((q.point - p).norm(), reference.distance_to_exterior(p), 1e-2 * r) << i;
 
     const Eigen::Vector3d direction = (p - q.point).normalized();
-    const double exit = first_exterior_entry(exterior, p, direction).distance;
+    const double exit = entry.find(p, direction).distance;
     const Eigen::Vector3d end = p + exit * direction;
     EXPECT_NEAR(reference.distance(end), r, 1e-3 * r) << i;
     EXPECT_TRUE(reference.is_exterior(end, 1 - 1e-3) || !reference.is_resolved(end)) << i;

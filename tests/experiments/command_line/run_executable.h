@@ -11,7 +11,8 @@ struct Outcome {
   std::string errors;  ///< standard error
 };
 
-/// Runs the built executable with the arguments, as a shell reads them, and waits for it.
+/// Runs the built executable with the arguments, as a shell reads them, and waits for it. Its cache is empty and its
+/// own, unless the arguments name another one.
 Outcome run_executable(const std::string& arguments);
 
 }  // namespace shapegauge::test_command_line

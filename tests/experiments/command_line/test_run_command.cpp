@@ -52,7 +52,8 @@ TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {
   EXPECT_EQ(run().status, 0);
   const Outcome other = run("--set signatures.0.histogram.bins=10");
   EXPECT_EQ(other.status, 2);
-  EXPECT_THAT(other.errors, HasSubstr("--force"));
+  EXPECT_THAT(other.errors, HasSubstr("--replace"));
+  EXPECT_EQ(run("--replace --set signatures.0.histogram.bins=10").status, 0);
   EXPECT_EQ(run("--force --set signatures.0.histogram.bins=10").status, 0);
 }
 
@@ -117,8 +118,9 @@ TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
 
 TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
   // `timeout` sends the signal while the models are worked on: a field of very many rays takes long enough.
-  const std::string call = "timeout --signal=INT --preserve-status 1 " + std::string(SHAPEGAUGE_EXECUTABLE) + " run '" +
-                           at("small.json").string() + "' --threads 1 --output '" + at("out").string() +
+  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 1 " +
+                           std::string(SHAPEGAUGE_EXECUTABLE) + " run '" + at("small.json").string() +
+                           "' --threads 1 --output '" + at("out").string() +
                            "' --set signatures.0.field.rays=10000 2>'" + at("errors").string() + "'";
   const int status = std::system(call.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);

@@ -13,8 +13,8 @@ using testing::HasSubstr;
 
 const nlohmann::json mine{{"name", "mine"}};
 
-std::string error_for(const std::filesystem::path& folder, bool force = false) {
-  return input_error_of([&] { prepare_result_folder(folder, mine, force); });
+std::string error_for(const std::filesystem::path& folder, bool replace = false) {
+  return input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
 TEST(ResultFolder, IsMadeWithThoseAbove) {
@@ -44,7 +44,7 @@ TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   }
   const test_io::TemporaryFolder folder;
   write_text(folder.path() / "summary.csv", "method\n");
-  EXPECT_THAT(error_for(folder.path()), HasSubstr("--force"));
+  EXPECT_THAT(error_for(folder.path()), HasSubstr("--replace"));
 }
 
 TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {

@@ -1,6 +1,10 @@
+#include <cmath>
+#include <cstddef>
 #include <gtest/gtest.h>
+#include <span>
 #include <vector>
 
+#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/retrieval/distances/l1.h"
 
 namespace shapegauge {
@@ -28,6 +32,27 @@ TEST(L1, SumsInDoublePrecision) {
 }
 
 TEST(L1, OfNothingIsZero) { EXPECT_EQ(l1_distance({}, {}), 0); }
+
+TEST(L1, ToSeveralIsTheSameBitByBit) {
+  RandomNumbers random(1);
+  for (const std::size_t size : {1U, 7U, 8U, 80U, 240U, 243U}) {
+    const std::size_t count = 11;
+    std::vector<float> signatures(size * (count + 1));
+    for (float& entry : signatures) entry = static_cast<float>(random.uniform(-1, 1));
+    const std::span<const float> first = std::span(signatures).first(size);
+    const std::span<const float> others = std::span(signatures).subspan(size);
+    std::vector<double> distances(count);
+    l1_distances(first, others, distances);
+    for (std::size_t k = 0; k < count; ++k) {
+      EXPECT_EQ(distances[k], l1_distance(first, others.subspan(k * size, size))) << size;
+      double plain = 0;
+      for (std::size_t i = 0; i < size; ++i) {
+        plain += std::abs(static_cast<double>(first[i]) - static_cast<double>(others[k * size + i]));
+      }
+      EXPECT_NEAR(distances[k], plain, 1e-12 * plain) << size;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace shapegauge

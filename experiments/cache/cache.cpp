@@ -1,0 +1,89 @@
+#include "shapegauge/experiments/cache/cache.h"
+
+#include <fmt/format.h>
+#include <system_error>
+#include <utility>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/cache/cache_contents.h"
+#include "shapegauge/experiments/cache/cache_entry.h"
+#include "shapegauge/experiments/cache/cache_tag.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+Cache::Cache(fs::path folder, bool recompute) : folder_(std::move(folder)), recompute_(recompute) {}
+
+std::optional<nlohmann::json> Cache::find_value(EntryKind kind, const std::string& key) {
+  if (folder_.empty() || recompute_) return std::nullopt;
+  const fs::path path = entry_path(folder_, kind, key);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) return std::nullopt;
+  try {
+    if (const auto content = decode_entry(kind, key, read_file_bytes(path))) {
+      nlohmann::json value = nlohmann::json::from_cbor(*content);
+      fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // trim_cache() goes by that
+      return value;
+    }
+  } catch (const InputError&) {                           // empty, or not to be read
+    if (!fs::exists(path, ignored)) return std::nullopt;  // another run has removed it just now
+  } catch (const nlohmann::json::exception&) {
+  }
+  report_damaged(kind, key);
+  return std::nullopt;
+}
+
+void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& value) {
+  if (folder_.empty() || !writable_) return;
+  const std::vector<std::uint8_t> cbor = nlohmann::json::to_cbor(value);
+  const std::string content(cbor.begin(), cbor.end());
+  const fs::path path = entry_path(folder_, kind, key);
+  try {
+    std::error_code failure;
+    fs::create_directories(path.parent_path(), failure);
+    if (failure) throw InputError(fmt::format("cannot make {}: {}", path.parent_path().string(), failure.message()));
+    write_cache_tag(folder_);
+    // Only what takes long to compute is worth waiting for the disk; all else is soon made of it again.
+    const Flush flush = kind == EntryKind::field || kind == EntryKind::samples ? Flush::yes : Flush::no;
+    write_file_atomically(path, encode_entry(kind, key, content), flush);
+  } catch (const InputError& error) {
+    writable_ = false;
+    const std::scoped_lock lock(mutex_);
+    if (writing_error_.empty()) writing_error_ = error.what();
+  }
+}
+
+void Cache::report_damaged(EntryKind kind, const std::string& key) {
+  const std::scoped_lock lock(mutex_);
+  if (damaged_++ == 0) first_damaged_ = entry_path(folder_, kind, key);
+}
+
+void Cache::count(EntryKind kind, bool taken) {
+  const std::scoped_lock lock(mutex_);
+  CacheUse& use = uses_.at(static_cast<std::size_t>(kind));
+  ++(taken ? use.taken : use.computed);
+}
+
+CacheReport Cache::report() const {
+  const std::scoped_lock lock(mutex_);
+  return {.folder = folder_, .uses = uses_};
+}
+
+std::vector<std::string> Cache::warnings() const {
+  const std::scoped_lock lock(mutex_);
+  std::vector<std::string> warnings;
+  if (damaged_ > 0) {
+    const std::string others = damaged_ > 1 ? fmt::format(" and {} others", damaged_ - 1) : "";
+    warnings.push_back(fmt::format("damaged in the cache and computed anew: {}{}", first_damaged_.string(), others));
+  }
+  if (!writing_error_.empty()) {
+    warnings.push_back(
+        fmt::format("the cache is not written to any more: {}; the results are complete without it", writing_error_));
+  }
+  return warnings;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "shapegauge/experiments/cache/entry_kind.h"
+
+namespace shapegauge {
+
+/// Of how many results of one kind a run took from the cache and how many it computed.
+struct CacheUse {
+  std::size_t taken = 0;
+  std::size_t computed = 0;
+};
+
+/// What a run made of the cache.
+struct CacheReport {
+  std::filesystem::path folder;  ///< empty: there was none
+  std::array<CacheUse, number_of_entry_kinds> uses;
+};
+
+/// Results kept on disk under keys that stand for all that they depend on (cache_keys.h).
+///
+/// Each is a file of its own that is there whole or not at all, checked when it is read. Several threads and several
+/// runs may use one folder. Trouble with the disk is never an error: what cannot be found is computed, what cannot be
+/// kept is not kept, and warnings() says so.
+class Cache {
+ public:
+  /// Finds nothing and keeps nothing.
+  Cache() = default;
+  /// A cache in the folder, which is made when the first entry is kept; of an empty path: none. With `recompute` it
+  /// finds nothing and keeps what is computed in place of what was there.
+  explicit Cache(std::filesystem::path folder, bool recompute = false);
+
+  /// What `read` makes of the value under the key; nothing where there is none or where it is damaged, which becomes a
+  /// warning. `read` throws nlohmann::json::exception for a value that is not of its form.
+  template <typename Read>
+  auto find(EntryKind kind, const std::string& key, const Read& read)
+      -> std::optional<std::invoke_result_t<Read, const nlohmann::json&>> {
+    const std::optional<nlohmann::json> value = find_value(kind, key);
+    if (!value) return std::nullopt;
+    try {
+      return read(*value);
+    } catch (const nlohmann::json::exception&) {
+      report_damaged(kind, key);
+      return std::nullopt;
+    }
+  }
+
+  /// Keeps a value under the key. Binary values and numbers come back bit by bit.
+  void store(EntryKind kind, const std::string& key, const nlohmann::json& value);
+
+  /// Counts a result as taken from the cache or as computed, for the report.
+  void count(EntryKind kind, bool taken);
+
+  [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+  [[nodiscard]] CacheReport report() const;
+  /// One line each: damaged entries, a disk that cannot be written to.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+ private:
+  std::optional<nlohmann::json> find_value(EntryKind kind, const std::string& key);
+  void report_damaged(EntryKind kind, const std::string& key);
+
+  std::filesystem::path folder_;
+  bool recompute_ = false;
+  std::atomic<bool> writable_ = true;
+  mutable std::mutex mutex_;  ///< guards what follows
+  std::array<CacheUse, number_of_entry_kinds> uses_{};
+  std::size_t damaged_ = 0;
+  std::filesystem::path first_damaged_;
+  std::string writing_error_;
+};
+
+}  // namespace shapegauge

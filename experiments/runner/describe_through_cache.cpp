@@ -1,0 +1,193 @@
+#include "shapegauge/experiments/runner/describe_through_cache.h"
+
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/experiments/cache/cache_keys.h"
+#include "shapegauge/experiments/cache/cache_records.h"
+#include "shapegauge/experiments/results/sha256.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// A model whose description comes together, from the cache and by computing.
+class DescribedModel {
+ public:
+  DescribedModel(const Configuration& configuration, std::span<const PlannedField> plan, std::string shape_key,
+                 Cache& cache)
+      : configuration_(&configuration), shape_key_(std::move(shape_key)), cache_(&cache) {
+    histograms_.resize(configuration.signatures.size());
+    for (const PlannedField& field : plan) {
+      fields_.push_back({.rest = field, .key = field_key(shape_key_, field.field), .found = {}});
+    }
+  }
+
+  /// Takes what the cache has.
+  void take() {
+    shape_ = cache_->find(EntryKind::shape, shape_key_, read_shape_record);
+    cache_->count(EntryKind::shape, shape_.has_value());
+    for (PartlyKnownField& field : fields_) take_field(field);
+  }
+
+  /// What take() has not found, in the order of the plan.
+  [[nodiscard]] std::vector<PlannedField> missing() const {
+    std::vector<PlannedField> missing;
+    for (const PartlyKnownField& field : fields_) {
+      if (!field.found) missing.push_back(field.rest);
+    }
+    return missing;
+  }
+
+  [[nodiscard]] bool is_complete() const { return shape_ && missing().empty(); }
+
+  /// Keeps the values of the missing field of that index.
+  void keep_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
+    const std::optional<Interval> range = value_range({.values = computed.values, .weights = samples.weights});
+    if (cache_->folder().empty() || !range) return;  // without a value the model is a failure: nothing to keep
+    const PartlyKnownField& field = *missing_fields().at(index);
+    FieldDescription facts;
+    facts.range = *range;
+    facts.outcomes = computed.outcomes;
+    facts.offset = computed.offset;
+    facts.seconds = computed.build_seconds + computed.query_seconds;
+    const std::string weights = samples_key(shape_key_, field.rest.field.samples);
+    if (weights_kept_.insert(weights).second) {
+      cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
+    }
+    cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
+  }
+
+  /// Adds what was computed of the missing fields, and keeps it.
+  void complete(ModelDescription computed) {
+    const std::vector<PartlyKnownField*> missing = missing_fields();
+    for (std::size_t i = 0; i < missing.size(); ++i) {
+      cache_->count(EntryKind::field, false);
+      keep_histograms(*missing[i], computed.fields[i], computed.histograms);
+      missing[i]->found = std::move(computed.fields[i]);
+    }
+    if (shape_) return;
+    cache_->store(EntryKind::shape, shape_key_, shape_record(computed));
+    shape_ = std::move(computed);
+  }
+
+  /// The whole; once it is complete.
+  ModelDescription description() && {
+    ModelDescription description = std::move(shape_.value());
+    description.histograms = std::move(histograms_);
+    description.fields.clear();
+    for (PartlyKnownField& field : fields_) description.fields.push_back(std::move(field.found.value()));
+    return description;
+  }
+
+ private:
+  struct PartlyKnownField {
+    PlannedField rest;  ///< with the signatures that are still to be computed
+    std::string key;
+    std::optional<FieldDescription> found;
+  };
+
+  [[nodiscard]] const HistogramConfiguration& wanted(std::size_t signature) const {
+    return configuration_->signatures[signature].histogram;
+  }
+
+  std::vector<PartlyKnownField*> missing_fields() {
+    std::vector<PartlyKnownField*> missing;
+    for (PartlyKnownField& field : fields_) {
+      if (!field.found) missing.push_back(&field);
+    }
+    return missing;
+  }
+
+  void take_field(PartlyKnownField& field) {
+    std::optional<FieldDescription> facts;
+    std::erase_if(field.rest.signatures, [&](std::size_t signature) {
+      if (wanted(signature).range == HistogramRange::dataset) return false;  // depends on the other shapes
+      auto histogram =
+          cache_->find(EntryKind::histogram, histogram_key(field.key, wanted(signature)), read_histogram_record);
+      if (!histogram) return false;
+      cache_->count(EntryKind::histogram, true);
+      histograms_[signature] = std::move(histogram->bins);
+      facts = std::move(histogram->facts);
+      return true;
+    });
+    const bool values_wanted = field.rest.keep_values || !field.rest.signatures.empty();
+    field.found = values_wanted ? take_values(field) : std::move(facts);
+    if (field.found) cache_->count(EntryKind::field, true);
+  }
+
+  /// What the values in the cache tell of the field, with the histograms that are still to be computed.
+  std::optional<FieldDescription> take_values(PartlyKnownField& field) {
+    const std::string samples = samples_key(shape_key_, field.rest.field.samples);
+    const auto weights = cache_->find(EntryKind::samples, samples, read_numbers);
+    if (!weights) return std::nullopt;
+    auto cached = cache_->find(EntryKind::field, field.key, read_field_record);
+    if (!cached || cached->values.size() != weights->size()) return std::nullopt;
+    std::vector<Eigen::VectorXf> histograms(histograms_.size());
+    try {
+      describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
+                     cached->facts, histograms);
+    } catch (const std::invalid_argument&) {
+      return std::nullopt;  // no histogram of these values: whoever computes the field will say so
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+    keep_histograms(field, cached->facts, histograms);
+    return std::move(cached->facts);
+  }
+
+  /// Takes over the histograms that were computed of a field.
+  void keep_histograms(const PartlyKnownField& field, const FieldDescription& facts,
+                       std::vector<Eigen::VectorXf>& histograms) {
+    for (const std::size_t signature : field.rest.signatures) {
+      if (wanted(signature).range == HistogramRange::dataset) continue;
+      cache_->count(EntryKind::histogram, false);
+      histograms_[signature] = std::move(histograms[signature]);
+      FieldDescription without_values = facts;
+      without_values.values.resize(0);
+      without_values.weights.resize(0);
+      cache_->store(EntryKind::histogram, histogram_key(field.key, wanted(signature)),
+                    histogram_record({.facts = std::move(without_values), .bins = histograms_[signature]}));
+    }
+  }
+
+  const Configuration* configuration_;
+  std::string shape_key_;
+  Cache* cache_;
+  std::optional<ModelDescription> shape_;  ///< without fields and histograms
+  std::vector<PartlyKnownField> fields_;
+  std::vector<Eigen::VectorXf> histograms_;  ///< by signature
+  std::set<std::string> weights_kept_;       ///< by key
+};
+
+}  // namespace
+
+ModelDescription describe_through_cache(const Dataset& dataset, std::size_t model, const Configuration& configuration,
+                                        std::span<const PlannedField> plan, bool parallel, Cache& cache) {
+  const Model& source = dataset.models[model];
+  const std::string bytes = read_file_bytes(source.file);
+  const std::string hash = sha256(bytes);
+  const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
+  DescribedModel described(configuration, plan, shape_key(depends_on, configuration), cache);
+  described.take();
+  if (!described.is_complete()) {
+    described.complete(
+        describe_shape(perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed,
+                                     source.id, model),
+                       configuration.preparation, configuration.signatures, described.missing(), parallel,
+                       [&](std::size_t field, const PreparedShape& /*shape*/, const Samples& samples,
+                           const FieldValues& computed) { described.keep_values(field, samples, computed); }));
+  }
+  ModelDescription description = std::move(described).description();
+  description.sha256 = hash;
+  return description;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,162 @@
+#include <atomic>
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <gmock/gmock.h>
+#include <limits>
+#include <sys/resource.h>
+#include <thread>
+
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/cache/cache_contents.h"
+#include "tests/core/io/ordinary_user.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::string key(64, '0');
+
+json same(const json& value) { return value; }
+
+class CacheTest : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
+  [[nodiscard]] fs::path entry() const { return entry_path(folder(), EntryKind::field, key); }
+  void keep(const json& value) const { Cache(folder()).store(EntryKind::field, key, value); }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
+  keep({{"a", 1}});
+  Cache cache(folder());
+  EXPECT_EQ(cache.find(EntryKind::field, key, same), (json{{"a", 1}}));
+  EXPECT_EQ(cache.find(EntryKind::shape, key, same), std::nullopt);
+  EXPECT_EQ(cache.find(EntryKind::field, std::string(64, '1'), same), std::nullopt);
+  EXPECT_THAT(cache.warnings(), IsEmpty());
+}
+
+TEST_F(CacheTest, NumbersComeBackBitByBit) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double number : {0.1, -0.0, 1e-310, 1.0 / 3, infinity, -infinity, std::nextafter(0.5, 1)}) {
+    keep(number);
+    const auto found = Cache(folder()).find(EntryKind::field, key, same).value().get<double>();
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(number)) << number;
+  }
+  keep(std::nan(""));
+  EXPECT_TRUE(std::isnan(Cache(folder()).find(EntryKind::field, key, same).value().get<double>()));
+}
+
+TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
+  Cache none;
+  none.store(EntryKind::field, key, 1);
+  EXPECT_EQ(none.find(EntryKind::field, key, same), std::nullopt);
+  EXPECT_THAT(none.warnings(), IsEmpty());
+  EXPECT_FALSE(fs::exists(folder()));
+}
+
+TEST_F(CacheTest, RecomputingFindsNothingAndKeepsWhatIsNew) {
+  keep("old");
+  Cache cache(folder(), true);
+  EXPECT_EQ(cache.find(EntryKind::field, key, same), std::nullopt);
+  cache.store(EntryKind::field, key, "new");
+  EXPECT_EQ(Cache(folder()).find(EntryKind::field, key, same), "new");
+}
+
+TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
+  keep("value");
+  const std::string bytes = text_of(entry());
+  for (const std::string& damaged : {bytes.substr(0, bytes.size() / 2), std::string(), bytes + "x", std::string("x")}) {
+    write_text(entry(), damaged);
+    Cache cache(folder());
+    EXPECT_EQ(cache.find(EntryKind::field, key, same), std::nullopt);
+    EXPECT_EQ(cache.find(EntryKind::field, key, same), std::nullopt);
+    EXPECT_THAT(cache.warnings(),
+                ElementsAre("damaged in the cache and computed anew: " + entry().string() + " and 1 others"));
+    cache.store(EntryKind::field, key, "value");
+    EXPECT_EQ(Cache(folder()).find(EntryKind::field, key, same), "value");
+  }
+}
+
+TEST_F(CacheTest, ARecordOfAnotherFormIsDamagedToo) {
+  keep("a text");
+  Cache cache(folder());
+  EXPECT_EQ(cache.find(EntryKind::field, key, [](const json& value) { return value.get<double>(); }), std::nullopt);
+  EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged in the cache")));
+}
+
+TEST_F(CacheTest, UsesAreCounted) {
+  Cache cache(folder());
+  cache.count(EntryKind::field, true);
+  cache.count(EntryKind::field, true);
+  cache.count(EntryKind::field, false);
+  const CacheUse use = cache.report().uses.at(static_cast<std::size_t>(EntryKind::field));
+  EXPECT_EQ(use.taken, 2U);
+  EXPECT_EQ(use.computed, 1U);
+}
+
+TEST_F(CacheTest, AFullDiskIsOneWarning) {
+  Cache cache(folder());
+  cache.store(EntryKind::field, key, "small");
+  rlimit before = {};
+  ::getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit = {1000, before.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  cache.store(EntryKind::field, std::string(64, '1'), std::string(5000, 'x'));
+  cache.store(EntryKind::field, std::string(64, '2'), "small");
+  ::setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_THAT(cache.warnings(), ElementsAre(testing::AllOf(HasSubstr("File too large"), HasSubstr("not written to"))));
+  EXPECT_EQ(cache.find(EntryKind::field, key, same), "small") << "what is there is still found";
+  EXPECT_EQ(cache_contents(folder()).total().entries, 1U) << "nothing half-written, nothing more";
+}
+
+TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
+  keep("value");
+  fs::permissions(folder().parent_path(), fs::perms(0755));
+  fs::permissions(folder(), fs::perms(0555));
+  Cache cache(folder());
+  {
+    const test_io::OrdinaryUser ordinary_user;
+    cache.store(EntryKind::field, std::string(64, '1'), 1);
+    cache.store(EntryKind::field, std::string(64, '2'), 2);
+    EXPECT_EQ(cache.find(EntryKind::field, key, same), "value");
+  }
+  fs::permissions(folder(), fs::perms(0755));
+  EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));
+}
+
+TEST_F(CacheTest, SeveralRunsShareAFolder) {
+  const auto key_of = [](int i) { return std::string(62, 'c') + std::to_string(10 + i); };
+  std::vector<std::jthread> threads;
+  std::atomic<int> wrong = 0;
+  for (int run = 0; run < 4; ++run) {
+    threads.emplace_back([&] {
+      Cache cache(folder());
+      for (int i = 0; i < 80; ++i) {
+        const json value(std::string(20'000, static_cast<char>('a' + i % 8)));
+        if (const auto found = cache.find(EntryKind::field, key_of(i % 8), same); found && *found != value) ++wrong;
+        cache.store(EntryKind::field, key_of(i % 8), value);
+      }
+      wrong += static_cast<int>(cache.warnings().size());
+    });
+  }
+  threads.clear();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(cache_contents(folder()).total().entries, 8U);
+}
+
+}  // namespace
+}  // namespace shapegauge
