@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/results/write_results.h"
 
 #include <fmt/format.h>
+#include <span>
 #include <string>
 
 #include "shapegauge/core/io/atomic_file.h"
@@ -24,14 +25,14 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   std::vector<NamedEvaluation> all;
   for (const MethodResults& method : results.methods) {
     for (const Evaluation& evaluation : method.evaluations)
-      all.push_back({.method = method.name, .evaluation = &evaluation, .intervals = intervals_of(evaluation)});
+      all.push_back({.method = method.name, .evaluation = &evaluation});
   }
   return all;
 }
 
-std::string summary_json(const ExperimentResults& results) {
+std::string summary_json(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   OrderedJson rows = OrderedJson::array();
-  for (const auto& [method, evaluation, intervals] : all_evaluations(results)) {
+  for (const auto& [method, evaluation, intervals] : evaluations) {
     for (const bool micro : {true, false}) {
       OrderedJson row{
           {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
@@ -57,12 +58,13 @@ std::string summary_json(const ExperimentResults& results) {
 
 /// The text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
-  const std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
   const Table rounded = summary_table(evaluations);
   return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
-          {"summary.json", summary_json(results)},
+          {"summary.json", summary_json(results, evaluations)},
           {"summary.md", to_markdown(rounded)},
           {"summary.tex", to_latex(rounded)},
           {"intervals.csv", to_csv(intervals_table(evaluations))},
