@@ -1,6 +1,7 @@
 # Every library the project uses, found once. All of them are Debian 12 packages.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CGAL 5.5 REQUIRED)
+find_package(Boost 1.74 REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(hwy REQUIRED)

@@ -1,14 +1,32 @@
 #include "shapegauge/metrics/precision_recall.h"
 
+#include <algorithm>
+#include <array>
+
+#include "shapegauge/metrics/named_values.h"
+
 namespace shapegauge {
 namespace {
 
+constexpr std::array kinds = {
+    Named<CurveKind>{CurveKind::psb, "psb"},
+    Named<CurveKind>{CurveKind::paper, "paper"},
+    Named<CurveKind>{CurveKind::trec, "trec"},
+    Named<CurveKind>{CurveKind::raw, "raw"},
+};
+
 // Levels are the multiples of 1 / divisions, and are compared with recalls k / R in whole numbers: no rounding decides
 // whether a hit is in.
-constexpr std::size_t divisions_of(Protocol protocol) { return protocol == Protocol::psb ? 20 : 10; }
-constexpr std::size_t first_level_of(Protocol protocol) { return protocol == Protocol::psb ? 1 : 0; }
+std::size_t divisions_of(CurveKind kind, std::size_t largest_relevant) {
+  if (kind == CurveKind::raw) return largest_relevant;
+  return kind == CurveKind::psb ? 20 : 10;
+}
 
-double interpolated(const std::vector<double>& precision_at_hit, std::size_t level, std::size_t divisions) {
+std::size_t first_level_of(CurveKind kind) { return kind == CurveKind::psb || kind == CurveKind::raw ? 1 : 0; }
+
+using Precisions = std::vector<double>;  // at the hits
+
+double interpolated(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
   const std::size_t position = level * precision_at_hit.size();
   const std::size_t hits = position / divisions;
   if (hits == 0) return precision_at_hit.front();
@@ -18,9 +36,42 @@ double interpolated(const std::vector<double>& precision_at_hit, std::size_t lev
   return below + fraction * (precision_at_hit[hits] - below);
 }
 
-double last_reached(const std::vector<double>& precision_at_hit, std::size_t level, std::size_t divisions) {
+double last_reached(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
   const std::size_t hits = level * precision_at_hit.size() / divisions;
   return hits == 0 ? 1.0 : precision_at_hit[hits - 1];
+}
+
+// Index of the first hit with a recall of at least the level.
+std::size_t first_reaching(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
+  const std::size_t hits = (level * precision_at_hit.size() + divisions - 1) / divisions;
+  return std::max<std::size_t>(hits, 1) - 1;
+}
+
+double largest_from(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
+  const auto first = static_cast<std::ptrdiff_t>(first_reaching(precision_at_hit, level, divisions));
+  return *std::max_element(precision_at_hit.begin() + first, precision_at_hit.end());
+}
+
+double precision_at(const Precisions& precision_at_hit, CurveKind kind, std::size_t level, std::size_t divisions) {
+  switch (kind) {
+    case CurveKind::psb:
+      return interpolated(precision_at_hit, level, divisions);
+    case CurveKind::paper:
+      return last_reached(precision_at_hit, level, divisions);
+    case CurveKind::trec:
+      return largest_from(precision_at_hit, level, divisions);
+    case CurveKind::raw:
+      break;
+  }
+  return precision_at_hit[first_reaching(precision_at_hit, level, divisions)];
+}
+
+std::vector<double> levels_of(std::size_t first, std::size_t divisions) {
+  std::vector<double> levels;
+  for (std::size_t level = first; level <= divisions; ++level) {
+    levels.push_back(static_cast<double>(level) / static_cast<double>(divisions));
+  }
+  return levels;
 }
 
 // The mean of the chosen entries of a column, from the first row to the last; nothing chosen: 0 entries.
@@ -42,42 +93,40 @@ Mean mean_of_column(const Eigen::MatrixXd& table, Eigen::Index column, const Cho
 
 }  // namespace
 
-std::vector<double> recall_levels(Protocol protocol) {
-  const std::size_t divisions = divisions_of(protocol);
-  std::vector<double> levels;
-  for (std::size_t level = first_level_of(protocol); level <= divisions; ++level) {
-    levels.push_back(static_cast<double>(level) / static_cast<double>(divisions));
-  }
-  return levels;
+std::string name_of(CurveKind kind) { return name_in<CurveKind>(kinds, kind); }
+
+std::optional<CurveKind> curve_kind_of(std::string_view name) { return value_in<CurveKind>(kinds, name); }
+
+std::vector<std::string> curve_kind_names() { return names_in<CurveKind>(kinds); }
+
+CurveKind usual_curve(Protocol protocol) { return curve_kind_of(name_of(protocol)).value(); }
+
+std::vector<double> recall_levels(CurveKind kind, std::size_t largest_relevant) {
+  return levels_of(first_level_of(kind), divisions_of(kind, largest_relevant));
 }
 
-Eigen::VectorXd precision_at_levels(const RankedList& list, Protocol protocol) {
-  std::vector<double> precision_at_hit;
-  for (const std::size_t rank : ranks_of_hits(list)) {
-    precision_at_hit.push_back(static_cast<double>(precision_at_hit.size() + 1) / static_cast<double>(rank));
-  }
-  const std::size_t divisions = divisions_of(protocol);
-  const std::size_t first = first_level_of(protocol);
+Eigen::VectorXd precision_at_levels(const RankedList& list, CurveKind kind, std::size_t largest_relevant) {
+  const std::size_t divisions = divisions_of(kind, largest_relevant);
+  const std::size_t first = first_level_of(kind);
   Eigen::VectorXd precisions(static_cast<Eigen::Index>(divisions + 1 - first));
   for (std::size_t level = first; level <= divisions; ++level) {
-    precisions[static_cast<Eigen::Index>(level - first)] = protocol == Protocol::psb
-                                                               ? interpolated(precision_at_hit, level, divisions)
-                                                               : last_reached(precision_at_hit, level, divisions);
+    precisions[static_cast<Eigen::Index>(level - first)] = precision_at(list.precision_at_hit, kind, level, divisions);
   }
   return precisions;
 }
 
 PrecisionRecallCurve average_curve(const Eigen::MatrixXd& precisions, std::span<const std::size_t> relevant,
-                                   Protocol protocol) {
-  const std::size_t divisions = divisions_of(protocol);
+                                   CurveKind kind) {
+  const std::size_t first = first_level_of(kind);
+  const std::size_t divisions = static_cast<std::size_t>(precisions.cols()) + first - 1;
   PrecisionRecallCurve curve;
-  curve.recall = recall_levels(protocol);
+  curve.recall = levels_of(first, divisions);
   for (Eigen::Index column = 0; column < precisions.cols(); ++column) {
-    const std::size_t level = first_level_of(protocol) + static_cast<std::size_t>(column);
+    const std::size_t level = first + static_cast<std::size_t>(column);
     const auto reaches_a_hit = [&](std::size_t row) { return level * relevant[row] >= divisions; };
     const auto any = [](std::size_t) { return true; };
     Mean mean;
-    if (protocol == Protocol::psb) mean = mean_of_column(precisions, column, reaches_a_hit);
+    if (kind == CurveKind::psb) mean = mean_of_column(precisions, column, reaches_a_hit);
     if (mean.count == 0) mean = mean_of_column(precisions, column, any);
     curve.precision.push_back(mean.sum / static_cast<double>(mean.count));
   }

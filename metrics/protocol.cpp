@@ -1,38 +1,24 @@
 #include "shapegauge/metrics/protocol.h"
 
-#include <algorithm>
 #include <array>
+
+#include "shapegauge/metrics/named_values.h"
 
 namespace shapegauge {
 namespace {
 
-struct NamedProtocol {
-  Protocol protocol;
-  std::string_view name;
-};
-
 constexpr std::array protocols = {
-    NamedProtocol{Protocol::psb, "psb"},
-    NamedProtocol{Protocol::paper, "paper"},
+    Named<Protocol>{Protocol::psb, "psb"},
+    Named<Protocol>{Protocol::paper, "paper"},
+    Named<Protocol>{Protocol::trec, "trec"},
 };
 
 }  // namespace
 
-std::string name_of(Protocol protocol) {
-  return std::string(std::ranges::find(protocols, protocol, &NamedProtocol::protocol)->name);
-}
+std::string name_of(Protocol protocol) { return name_in<Protocol>(protocols, protocol); }
 
-std::optional<Protocol> protocol_of(std::string_view name) {
-  const auto* const found = std::ranges::find(protocols, name, &NamedProtocol::name);
-  if (found == protocols.end()) return std::nullopt;
-  return found->protocol;
-}
+std::optional<Protocol> protocol_of(std::string_view name) { return value_in<Protocol>(protocols, name); }
 
-std::vector<std::string> protocol_names() {
-  std::vector<std::string> names;
-  names.reserve(protocols.size());
-  for (const NamedProtocol& named : protocols) names.emplace_back(named.name);
-  return names;
-}
+std::vector<std::string> protocol_names() { return names_in<Protocol>(protocols); }
 
 }  // namespace shapegauge

@@ -2,35 +2,57 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "shapegauge/metrics/distance_table.h"
 #include "shapegauge/metrics/protocol.h"
+#include "shapegauge/metrics/retrieval_task.h"
+#include "shapegauge/metrics/ties.h"
 
 namespace shapegauge {
 
-/// All models but the query, the nearest first: by distance, and models at equal distance by index. This is the one
-/// place where ties are decided. Infinite distances rank last. The query is left out by its index, so a duplicate of it
-/// at distance 0 stays, and its own distance to itself plays no part. No distance may be NaN.
+/// All models but the query, the nearest first: by distance, and models at equal distance by index. Infinite distances
+/// rank last. The query is left out by its index, so a duplicate of it at distance 0 stays, and its own distance to
+/// itself plays no part. No distance may be NaN.
 std::vector<Eigen::Index> ranked_models(const DistanceTable& distances, Eigen::Index query);
 
-/// All that a measure may know about the answer to one query.
-struct RankedList {
-  std::vector<bool> hits;          ///< hits[i]: the model at rank i + 1 is of the query's class
-  std::size_t relevant = 0;        ///< number of hits in the whole list; at least 1
-  bool starts_with_query = false;  ///< rank 1 is the query itself, which counts as a hit
+/// Consecutive ranks, `size` of them with `hits` relevant models. Where both kinds are among them their order is open:
+/// every order is as likely as any other.
+struct RankRun {
+  std::size_t size = 0;
+  std::size_t hits = 0;
+
+  bool operator==(const RankRun&) const = default;
 };
 
-/// The list that a protocol judges: under psb all models but the query; under paper the query, by identity, and then
-/// the others.
-RankedList ranked_list(const DistanceTable& distances, std::span<const int> labels, Eigen::Index query,
-                       Protocol protocol);
+/// All that a measure may know about the answer to one query. A measure is the mean over all orders that the runs leave
+/// open; where they leave none open, which is so for all ties but Ties::expected, it is the measure of that one order.
+struct RankedList {
+  std::vector<RankRun> runs;       ///< the first ranks first; no two neighbours that are both all hits or both no hits
+  std::size_t length = 0;          ///< number of ranks
+  std::size_t relevant = 0;        ///< number of relevant models, those that are not in the list too; at least 1
+  bool starts_with_query = false;  ///< rank 1 is the query itself, which counts as a hit
+  bool tied = false;  ///< relevant and other models are at equal distance: their order could change a measure
+  /// The mean of k / rank of the k-th hit, by k - 1, for each of the relevant models; 0 for those not in the list.
+  std::vector<double> precision_at_hit;
+};
 
-/// Number of hits among the first `count` ranks, or in the whole list where that is shorter.
-std::size_t hits_among_first(const RankedList& list, std::size_t count);
+/// The list that a protocol judges: under psb and trec the targets without the query; under paper the query, by
+/// identity, and then the others. Distances are those of the task's rows and columns; none may be NaN unless lists may
+/// end early.
+RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
+                       Ties ties);
 
-/// The ranks of all hits, counted from 1, ascending.
-std::vector<std::size_t> ranks_of_hits(const RankedList& list);
+/// The list in which rank i + 1 is a hit where hits[i] is true, with further relevant models that are not in it.
+RankedList list_of_hits(const std::vector<bool>& hits, bool starts_with_query = false, std::size_t not_in_list = 0);
+
+/// The list of the runs; they may be neighbours of the same kind.
+RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query = false, std::size_t not_in_list = 0);
+
+/// Mean number of hits among the first `count` ranks, or in the whole list where that is shorter.
+double hits_among_first(const RankedList& list, std::size_t count);
+
+/// Mean of the sum of gain(rank) over all hits; ranks count from 1.
+double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
 
 }  // namespace shapegauge

@@ -36,6 +36,19 @@ void check_finite(const Signatures& signatures) {
   }
 }
 
+void check_domain(const Signatures& signatures, const NamedDistance& distance) {
+  const bool may_be_negative = distance.domain == DistanceDomain::any || distance.domain == DistanceDomain::not_zero;
+  const bool may_be_zero = distance.domain == DistanceDomain::any || distance.domain == DistanceDomain::not_negative;
+  for (Eigen::Index row = 0; row < signatures.rows(); ++row) {
+    const bool negative = (signatures.row(row).array() < 0).any();
+    const bool zero = (signatures.row(row).array() == 0).all();
+    if ((may_be_negative || !negative) && (may_be_zero || !zero)) continue;
+    throw std::invalid_argument("the distance " + std::string(distance.name) + " is not defined for signature " +
+                                std::to_string(row) + " (counted from 0), which " +
+                                (zero ? "is zero" : "has a negative entry") + "; l1 and l2 take any signature");
+  }
+}
+
 /// Signatures that follow each other, as one span.
 std::span<const float> rows_of(const Signatures& signatures, Eigen::Index first, Eigen::Index count) {
   return {signatures.data() + first * signatures.cols(), static_cast<std::size_t>(count * signatures.cols())};
@@ -66,6 +79,7 @@ std::vector<std::string> distance_names() {
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
   const NamedDistance& between = distance_of(distance);
   check_finite(signatures);
+  check_domain(signatures, between);
   const Eigen::Index count = signatures.rows();
   DistanceMatrix matrix = DistanceMatrix::Zero(count, count);
   const tbb::blocked_range2d<Eigen::Index> all(0, count, tile_size, 0, count, tile_size);
@@ -93,6 +107,7 @@ DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, E
                                 " in a distance matrix of " + std::to_string(signatures.rows()));
   }
   check_finite(signatures);
+  check_domain(signatures, between);
   DistanceMatrix rows(count, signatures.rows());
   const tbb::blocked_range2d<Eigen::Index> all(0, count, tile_size, 0, signatures.rows(), tile_size);
   tbb::parallel_for(all, [&](const tbb::blocked_range2d<Eigen::Index>& tile) {

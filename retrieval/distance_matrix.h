@@ -20,7 +20,7 @@ std::vector<std::string> distance_names();
 
 /// All pairwise distances of the signatures by the named distance, in parallel, the same bytes for any number of
 /// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
-/// that is not finite.
+/// that is not finite, or for which the distance is not defined (distances/registry.h).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
 /// Some of the matrix's rows, `count` from `first` on, bit by bit: for sets of signatures too large for all of it. In

@@ -1,21 +1,19 @@
 #include "shapegauge/experiments/command_line/evaluate_command.h"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
+#include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <optional>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/command_line/evaluation_options.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
-#include "shapegauge/experiments/datasets/classification_file.h"
-#include "shapegauge/experiments/matrices/distance_matrix_file.h"
 #include "shapegauge/experiments/report/report_page.h"
 #include "shapegauge/experiments/results/evaluation_json.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/experiments/text/lines.h"
-#include "shapegauge/metrics/evaluation.h"
 
 namespace shapegauge {
 
@@ -25,122 +23,140 @@ namespace fs = std::filesystem;
 
 struct EvaluateArguments {
   fs::path distances;
-  fs::path labels;
-  fs::path ids;
-  std::string order = "natural";
-  std::string protocol = "psb";
+  EvaluationArguments evaluation;
+  ResamplingArguments resampling;
   std::string format = "table";
-  int minimum_class_size = 2;
+  std::string unit = "percent";
+  std::optional<int> digits;
   fs::path curve;
   fs::path report;
+  fs::path class_curves;
+  fs::path per_query;
+  fs::path per_class;
 };
 
-/// The ids in a file, one a line; empty lines do not count.
-std::vector<std::string> read_ids(const fs::path& path) {
-  const std::string text = read_file_bytes(path);
-  std::vector<std::string> ids;
-  for (const std::string_view line : split_lines(text)) {
-    const std::string_view id = without_outer_blanks(line);
-    if (!id.empty()) ids.emplace_back(id);
-  }
-  return ids;
+constexpr int csv_digits = 4;
+constexpr int table_digits = 2;
+
+FigureStyle style_of(const EvaluateArguments& arguments) {
+  const bool percent = arguments.unit == "percent";
+  const int usual = (arguments.format == "csv" ? csv_digits : table_digits) + (percent ? 0 : 2);
+  return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
 }
 
-/// The id of each row: as --ids says, else as the matrix says, else the classification's models in the order asked for.
-std::vector<std::string> row_ids(const EvaluateArguments& arguments, const LabelledDistances& matrix,
-                                 const Classification& classification) {
-  if (!arguments.ids.empty()) return read_ids(arguments.ids);
-  if (!matrix.ids.empty()) return matrix.ids;
-  return arguments.order == "natural" ? models_in_natural_order(classification) : models_in_file_order(classification);
-}
-
-std::string formatted(const Evaluation& evaluation, const std::vector<std::string>& class_names,
+std::string formatted(const NamedEvaluation& named, const std::vector<std::string>& class_names,
                       const EvaluateArguments& arguments) {
-  if (arguments.format == "json") return evaluation_json(evaluation, class_names).dump(2) + "\n";
-  const std::vector<NamedEvaluation> one{{.method = arguments.distances.stem().string(), .evaluation = &evaluation}};
-  if (arguments.format == "csv") return to_csv(summary_table(one, 4));
-  const Table table = summary_table(one, 2);
+  if (arguments.format == "json") {
+    return evaluation_json(*named.evaluation, class_names, named.intervals).dump(2) + "\n";
+  }
+  const std::vector<NamedEvaluation> one{named};
+  const FigureStyle style = style_of(arguments);
+  if (arguments.format == "csv") return to_csv(summary_table(one, style, IntervalCells::columns));
+  const Table table =
+      summary_table(one, style, named.intervals.micro.empty() ? IntervalCells::none : IntervalCells::beside);
   if (arguments.format == "markdown") return to_markdown(table);
   return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
 }
 
-void write_report(const EvaluateArguments& arguments, const LabelledDistances& matrix,
-                  const std::vector<std::string>& ids, const std::vector<int>& labels,
-                  const std::vector<std::string>& class_names, const Evaluation& evaluation) {
-  const std::string name = arguments.distances.stem().string();
+void write_report(const NamedEvaluation& named, const EvaluationInput& input, const fs::path& path) {
   Report report;
-  report.title = name;
-  report.classes = class_names;
-  report.ids = ids;
-  report.labels = labels;
-  report.methods.push_back({.name = name,
+  report.title = named.method;
+  report.classes = input.class_names;
+  report.ids = input.query_ids;
+  report.labels = input.task.query_classes;
+  report.methods.push_back({.name = named.method,
                             .description = {},
-                            .distances = &matrix.distances,
-                            .evaluations = {&evaluation, 1},
+                            .distances = &input.distances,
+                            .evaluations = {named.evaluation, 1},
                             .histograms = {}});
-  write_file_atomically(arguments.report, report_page(report));
+  write_file_atomically(path, report_page(report));
+}
+
+/// A report shows models that are all queries to all others.
+void check_fit_for_report(const EvaluationInput& input) {
+  const RetrievalTask& task = input.task;
+  const bool all_classified = std::ranges::find(task.query_classes, no_class) == task.query_classes.end() &&
+                              task.query_classes == task.target_classes;
+  if (input.same_rows_and_columns && all_classified && task.judged.empty() && !task.lists_may_end_early) return;
+  throw InputError(
+      "--report takes a square matrix of models that are all queries and targets, each with a class; leave it out for "
+      "separate queries and targets, judgements and ranked lists");
+}
+
+void write_files(const NamedEvaluation& named, const EvaluationInput& input, const EvaluateArguments& arguments) {
+  const std::vector<NamedEvaluation> one{named};
+  if (!arguments.curve.empty()) {
+    const bool plot = arguments.curve.extension() == ".plot";
+    write_file_atomically(arguments.curve,
+                          plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
+  }
+  const auto write_table = [](const fs::path& path, const Table& table) { write_file_atomically(path, to_csv(table)); };
+  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, input.class_names));
+  if (!arguments.per_query.empty()) {
+    write_table(arguments.per_query, per_query_table(one, input.query_ids, input.class_names));
+  }
+  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, input.class_names));
 }
 
 int run(const EvaluateArguments& arguments) {
-  const Classification classification = read_classification(arguments.labels);
-  const LabelledDistances matrix = read_distance_matrix(arguments.distances);
-  const std::vector<std::string> ids = row_ids(arguments, matrix, classification);
-  if (static_cast<std::size_t>(matrix.distances.rows()) != ids.size()) {
-    throw InputError(fmt::format("{} has {} rows, but there are {} models in {}", arguments.distances.string(),
-                                 matrix.distances.rows(), ids.size(),
-                                 (arguments.ids.empty() ? arguments.labels : arguments.ids).string()));
+  const EvaluatedMatrix evaluated = evaluate_file(arguments.distances, arguments.evaluation);
+  if (!arguments.report.empty()) check_fit_for_report(evaluated.input);
+  std::vector<std::string> notes = evaluated.notes;
+  NamedEvaluation named{.method = arguments.distances.stem().string(), .evaluation = &evaluated.evaluation};
+  if (arguments.resampling.confidence > 0) {
+    named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
+                                                          .blocks = blocks_of(arguments.resampling.blocks).value(),
+                                                          .resampling = arguments.resampling.resampling});
+    if (named.intervals.micro.empty()) {
+      notes.push_back(
+          fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
+    }
   }
-  const std::vector<int> labels = class_labels(classification, ids, arguments.labels.string());
-  const Evaluation evaluation = evaluate(
-      matrix.distances, labels,
-      {.protocol = protocol_of(arguments.protocol).value(), .minimum_class_size = arguments.minimum_class_size});
-  std::vector<std::string> class_names;
-  for (const ModelClass& model_class : classification.classes) class_names.push_back(model_class.name);
-
-  if (!arguments.curve.empty()) {
-    const std::vector<NamedEvaluation> one{{.method = arguments.distances.stem().string(), .evaluation = &evaluation}};
-    write_file_atomically(arguments.curve, to_csv(precision_recall_table(one)));
-  }
-  if (!arguments.report.empty()) write_report(arguments, matrix, ids, labels, class_names, evaluation);
-  fmt::print("{}", formatted(evaluation, class_names, arguments));
-  if (evaluation.models_left_out > 0) {
-    fmt::print(stderr, "shapegauge: note: {} models are never queries, as their classes have fewer than {} models\n",
-               evaluation.models_left_out, arguments.minimum_class_size);
-  }
+  write_files(named, evaluated.input, arguments);
+  if (!arguments.report.empty()) write_report(named, evaluated.input, arguments.report);
+  fmt::print("{}", formatted(named, evaluated.input.class_names, arguments));
+  tell(notes);
+  if (arguments.format != "json") tell(notes_of_ties(evaluated.evaluation));  // JSON has their number
   return exit_success;
+}
+
+void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
+  command.add_option("--format", arguments.format, "Format of the result")
+      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
+      ->capture_default_str();
+  command.add_option("--unit", arguments.unit, "Unit of the figures in tables; JSON is always in fractions")
+      ->check(CLI::IsMember({"percent", "fraction"}))
+      ->capture_default_str();
+  command.add_option("--digits", arguments.digits, "Digits behind the point in tables")->check(CLI::Range(0, 15));
+  command.add_option("--pr", arguments.curve, "File for the precision-recall curve: .csv, or .plot as psbPlot has it");
+  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the curves of the classes");
+  command.add_option("--curve", arguments.evaluation.curve, "How curves are drawn (default: the protocol's own way)")
+      ->check(CLI::IsMember(curve_kind_names()));
+  command.add_option("--per-query", arguments.per_query,
+                     "CSV file for the figures of each query, as 'compare' reads it");
+  command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
+  command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
 }
 
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("evaluate", "Evaluate a distance matrix, of any method, against a classification");
+      app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists, of any method, against classes");
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
       "Row i of the matrix is the i-th model of the classification in natural order (2 before 10), unless the matrix\n"
       "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does.\n"
-      "Tables are in percent, JSON in fractions.");
+      "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateArguments>();
-  command->add_option("distances", arguments->distances, "Distance matrix: .matrix (PSB), .npy, .csv, .txt or .dat")
-      ->required();
-  command->add_option("--labels", arguments->labels, "Classification (.cla)")->required();
-  command->add_option("--ids", arguments->ids, "Ids of the rows, one a line");
   command
-      ->add_option("--order", arguments->order,
-                   "Which model a row is where no ids say so: the i-th in natural order, or in the classification's")
-      ->check(CLI::IsMember({"natural", "classification"}))
-      ->capture_default_str();
-  command->add_option("--protocol", arguments->protocol, "Evaluation protocol")
-      ->check(CLI::IsMember(protocol_names()))
-      ->capture_default_str();
-  command->add_option("--min-class-size", arguments->minimum_class_size, "Models of smaller classes are never queries")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  command->add_option("--format", arguments->format, "Format of the result")
-      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
-      ->capture_default_str();
-  command->add_option("--pr", arguments->curve, "CSV file for the precision-recall curve");
-  command->add_option("--report", arguments->report, "HTML file for a page that shows the result");
+      ->add_option(
+          "distances", arguments->distances,
+          "Distances or features: .matrix (PSB), .npy, .csv, .txt or .dat; or ranked lists: .run, .trec, .lists")
+      ->required();
+  add_evaluation_options(*command, arguments->evaluation);
+  add_output_options(*command, *arguments);
+  add_resampling_options(*command, arguments->resampling);
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

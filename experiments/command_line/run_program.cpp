@@ -10,10 +10,12 @@
 
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/command_line/cache_command.h"
+#include "shapegauge/experiments/command_line/compare_command.h"
 #include "shapegauge/experiments/command_line/dataset_command.h"
 #include "shapegauge/experiments/command_line/evaluate_command.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/info_command.h"
+#include "shapegauge/experiments/command_line/measures_command.h"
 #include "shapegauge/experiments/command_line/normals_command.h"
 #include "shapegauge/experiments/command_line/perturb_command.h"
 #include "shapegauge/experiments/command_line/run_command.h"
@@ -81,6 +83,8 @@ int run_program(std::span<const std::string> arguments) {
   add_info_command(app, status);
   add_perturb_command(app, status);
   add_evaluate_command(app, status);
+  add_compare_command(app, status);
+  add_measures_command(app, status);
   add_dataset_command(app, status);
   add_cache_command(app, status);
   try {

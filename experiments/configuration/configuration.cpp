@@ -100,13 +100,25 @@ Json to_json(const GeneratorOptions& generator) {
           {"seed", generator.seed}};
 }
 
+namespace {
+
+Json evaluation_to_json(const Configuration& configuration) {
+  Json measures = Json::array();
+  for (const Measure& measure : configuration.measures) measures.push_back(measure.name);
+  return {{"measures", std::move(measures)},
+          {"ties", name_of(configuration.ties)},
+          {"minimum_class_size", configuration.minimum_class_size}};
+}
+
+}  // namespace
+
 Json to_json(const Configuration& configuration) {
   Json json{{"name", configuration.name},
             {"dataset", dataset_to_json(configuration)},
             {"perturbations", to_json(configuration.perturbations)},
             {"seed", configuration.seed},
             {"preparation", to_json(configuration.preparation)},
-            {"evaluation", {{"minimum_class_size", configuration.minimum_class_size}}},
+            {"evaluation", evaluation_to_json(configuration)},
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance},

@@ -12,7 +12,9 @@
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/perturbations/perturbation.h"
 #include "shapegauge/experiments/report/model_picture.h"
+#include "shapegauge/metrics/measures/registry.h"
 #include "shapegauge/metrics/protocol.h"
+#include "shapegauge/metrics/ties.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -57,6 +59,8 @@ struct Configuration {
   std::uint64_t seed = 1;                     ///< of the perturbations
   PreparationOptions preparation;             ///< of every model, then
   std::vector<Protocol> protocols{Protocol::psb};
+  std::vector<Measure> measures;  ///< those of the protocols, unless others are named
+  Ties ties = Ties::index;
   int minimum_class_size = 2;
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/printable.h"
@@ -71,6 +72,17 @@ std::vector<Protocol> protocols_of(const Json& setting) {
   return protocols;
 }
 
+void read_evaluation(const Json& setting, Configuration& configuration) {
+  configuration.minimum_class_size = setting.value("minimum_class_size", configuration.minimum_class_size);
+  configuration.ties = ties_of(setting.value("ties", name_of(configuration.ties))).value();
+  if (!setting.contains("measures")) return;
+  try {
+    configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
+  } catch (const std::invalid_argument& error) {
+    throw MisplacedValue{"measures", error.what()};
+  }
+}
+
 Configuration checked_configuration(const Json& document, const fs::path& folder) {
   Configuration configuration;
   configuration.name = document.at("name");
@@ -85,10 +97,9 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
-  if (document.contains("evaluation")) {
-    configuration.minimum_class_size =
-        document["evaluation"].value("minimum_class_size", configuration.minimum_class_size);
-  }
+  configuration.measures = default_measures(configuration.protocols);
+  if (document.contains("evaluation"))
+    at("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
   configuration.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
   configuration.distance = document.value("distance", configuration.distance);
   configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/matrices/csv_matrix.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
 #include <stdexcept>
@@ -8,7 +9,7 @@
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/matrices/square_rows.h"
+#include "shapegauge/experiments/matrices/number_rows.h"
 #include "shapegauge/experiments/text/csv.h"
 #include "shapegauge/experiments/text/parse_number.h"
 #include "shapegauge/experiments/text/quoted_word.h"
@@ -52,7 +53,7 @@ LabelledDistances parse_csv_matrix(std::string_view text, const std::string& sou
   const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
   if (has_ids) result.ids = read_ids(table.front(), source);
   const std::size_t first_row = has_ids ? 1 : 0;
-  SquareRows rows(source);
+  NumberRows rows(source, TableShape::square);
   for (std::size_t i = first_row; i < table.size(); ++i) {
     const CsvRow& row = table[i];
     if (has_ids) check_row_id(row, i - first_row, result.ids, source);
@@ -63,6 +64,48 @@ LabelledDistances parse_csv_matrix(std::string_view text, const std::string& sou
   if (has_ids && result.ids.size() != static_cast<std::size_t>(result.distances.cols())) {
     throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
                                  result.ids.size(), result.distances.rows(), result.distances.cols()));
+  }
+  return result;
+}
+
+namespace {
+
+bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
+
+bool names_ids(const std::string& cell) { return cell.empty() || cell == "id"; }
+
+bool has_header(const std::vector<CsvRow>& table) {
+  if (table.empty()) return false;
+  const std::vector<std::string>& cells = table.front().cells;
+  if (is_number(cells.front())) return false;
+  return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
+}
+
+}  // namespace
+
+LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source);
+  const bool header = has_header(table);
+  const std::size_t first_row = header ? 1 : 0;
+  const bool row_ids = (header && names_ids(table.front().cells.front())) ||
+                       (table.size() > first_row && !is_number(table[first_row].cells.front()));
+  const std::ptrdiff_t first_column = row_ids ? 1 : 0;
+  LabelledTable result;
+  NumberRows rows(source, TableShape::any);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (row_ids) result.row_ids.push_back(row.cells.front());
+    for (auto cell = row.cells.begin() + first_column; cell != row.cells.end(); ++cell)
+      rows.add_number(*cell, row.line);
+    rows.end_row(row.line);
+  }
+  result.numbers = rows.matrix();
+  check_ids(result.row_ids, source);
+  if (!header) return result;
+  result.column_ids.assign(table.front().cells.begin() + first_column, table.front().cells.end());
+  if (result.column_ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
+    throw InputError(fmt::format("{}:{}: the header row has {} names, but the rows have {} numbers", source,
+                                 table.front().line, result.column_ids.size(), result.numbers.cols()));
   }
   return result;
 }

@@ -18,6 +18,12 @@ LabelledDistances read_csv_matrix(const std::filesystem::path& path);
 /// The same for the text of a file; `source` stands in front of messages.
 LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source);
 
+/// Reads any table of comma-separated numbers with rows of equal length, with or without ids. The first row is a header
+/// where its first cell is no number, unless all its other cells are numbers and that cell is neither empty nor "id".
+/// The first column holds the ids of the rows where the header begins with an empty cell or "id", or where the first
+/// cell of the first row of numbers is no number. Throws InputError as read_csv_matrix.
+LabelledTable parse_csv_table(std::string_view text, const std::string& source);
+
 /// Writes a matrix as CSV, with ids where it has them; every distance with as many digits as it takes to read back the
 /// same number. Throws InputError where the file cannot be written or an id is empty, occurs twice or contains a line
 /// break, and std::invalid_argument where there are ids but not one for each row.

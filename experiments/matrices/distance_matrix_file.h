@@ -12,4 +12,8 @@ namespace shapegauge {
 /// format refuses, a distance that is NaN.
 LabelledDistances read_distance_matrix(const std::filesystem::path& path);
 
+/// Reads any table of numbers in the same way: distances between two sets of models, or features. The ids of rows and
+/// columns come with CSV (csv_matrix.h). Throws InputError as read_distance_matrix, but for the shape.
+LabelledTable read_number_table(const std::filesystem::path& path);
+
 }  // namespace shapegauge

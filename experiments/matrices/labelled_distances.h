@@ -13,4 +13,11 @@ struct LabelledDistances {
   std::vector<std::string> ids;  ///< of row and column i; empty where they are not known
 };
 
+/// A table of numbers: distances from the rows' models to the columns', or a row of features for each model.
+struct LabelledTable {
+  DistanceMatrix numbers;
+  std::vector<std::string> row_ids;     ///< empty where they are not known
+  std::vector<std::string> column_ids;  ///< so too
+};
+
 }  // namespace shapegauge

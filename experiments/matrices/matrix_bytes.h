@@ -12,11 +12,12 @@
 
 namespace shapegauge {
 
-/// The square matrix of the given size whose entries lie one after the other in the bytes, row by row or column by
-/// column. There are exactly size * size * sizeof(Number) bytes.
+/// The matrix of the given size whose entries lie one after the other in the bytes, row by row or column by column.
+/// There are exactly rows * columns * sizeof(Number) bytes.
 template <typename Number>
-DistanceMatrix matrix_of_bytes(std::string_view bytes, Eigen::Index size, std::endian order, bool column_by_column) {
-  DistanceMatrix matrix(size, size);
+DistanceMatrix matrix_of_bytes(std::string_view bytes, Eigen::Index rows, Eigen::Index columns, std::endian order,
+                               bool column_by_column) {
+  DistanceMatrix matrix(column_by_column ? columns : rows, column_by_column ? rows : columns);
   ByteScanner scanner(bytes, order);
   for (Eigen::Index i = 0; i < matrix.size(); ++i) {
     Number value = 0;

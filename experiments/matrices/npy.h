@@ -17,6 +17,9 @@ DistanceMatrix read_npy(const std::filesystem::path& path);
 /// The same for the bytes of a file; `source` stands in front of messages.
 DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
 
+/// Reads any matrix, square or not, in the same way. An array of one dimension is one column.
+DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source);
+
 /// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where
 /// the file cannot be written.
 void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix);

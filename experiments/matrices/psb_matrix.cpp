@@ -25,7 +25,7 @@ std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_
 
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
   const auto size = size_of_square(bytes.size(), sizeof(float));
-  if (size) return matrix_of_bytes<float>(bytes, *size, std::endian::little, false);
+  if (size) return matrix_of_bytes<float>(bytes, *size, *size, std::endian::little, false);
   // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
   if (const auto size_in_doubles = size_of_square(bytes.size(), sizeof(double))) {
     throw InputError(

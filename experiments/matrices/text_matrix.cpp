@@ -1,13 +1,12 @@
 #include "shapegauge/experiments/matrices/text_matrix.h"
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/matrices/square_rows.h"
 #include "shapegauge/experiments/text/lines.h"
 
 namespace shapegauge {
 
-DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source) {
-  SquareRows rows(source);
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
+  NumberRows rows(source, shape);
   std::size_t number = 0;
   for (std::string_view line : split_lines(text)) {
     ++number;

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "shapegauge/experiments/matrices/number_rows.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
@@ -13,7 +14,9 @@ namespace shapegauge {
 /// is not a number, a row of another length, not as many rows as columns.
 DistanceMatrix read_text_matrix(const std::filesystem::path& path);
 
-/// The same for the text of a file; `source` stands in front of messages.
-DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source);
+/// The same for the text of a file; `source` stands in front of messages. With TableShape::any the rows need only be of
+/// equal length.
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source,
+                                 TableShape shape = TableShape::square);
 
 }  // namespace shapegauge

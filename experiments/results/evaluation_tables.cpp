@@ -8,7 +8,7 @@ namespace shapegauge {
 namespace {
 
 using Row = std::vector<std::string>;
-constexpr int csv_decimals = 4;  // percent: a hundredth of what a query of 10,000 is worth
+constexpr FigureStyle csv_style{.percent = true, .decimals = 4};  // a hundredth of what a query of 10,000 is worth
 
 Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row words) {
   Table table{.header = std::move(words), .rows = {}, .text_columns = 0};
@@ -19,33 +19,95 @@ Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row word
   return table;
 }
 
-void append_percent(Row& row, const Eigen::VectorXd& fractions, int decimals) {
-  for (const double fraction : fractions) row.push_back(fmt::format("{:.{}f}", 100 * fraction, decimals));
+std::string figure(double fraction, const FigureStyle& style) {
+  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+}
+
+void append_figures(Row& row, const Eigen::VectorXd& fractions, const FigureStyle& style) {
+  for (const double fraction : fractions) row.push_back(figure(fraction, style));
+}
+
+void add_beside(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals, const FigureStyle& style) {
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    row[first + i] += fmt::format(" [{}, {}]", figure(intervals[i].low, style), figure(intervals[i].high, style));
+  }
+}
+
+void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const FigureStyle& style) {
+  for (const ConfidenceInterval& interval : intervals) {
+    row.push_back(figure(interval.low, style));
+    row.push_back(figure(interval.high, style));
+  }
+}
+
+bool all_have_intervals(std::span<const NamedEvaluation> evaluations) {
+  return std::ranges::none_of(evaluations, [](const NamedEvaluation& named) { return named.intervals.micro.empty(); });
 }
 
 }  // namespace
 
-Table summary_table(std::span<const NamedEvaluation> evaluations, int decimals) {
+EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options) {
+  const std::size_t units = options.blocks == Blocks::classes ? evaluation.classes.size() : evaluation.queries.size();
+  if (units < 2) return {};
+  const auto of = [&](Average average) {
+    return bootstrap_intervals(units_of(evaluation.per_query, evaluation.query_classes, options.blocks, average),
+                               options.confidence, options.resampling);
+  };
+  return {.micro = of(Average::micro), .macro = of(Average::macro)};
+}
+
+Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style, IntervalCells intervals) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "average"});
-  for (const auto& [method, evaluation] : evaluations) {
+  const std::size_t text_columns = table.text_columns;
+  const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
+  if (columns && !evaluations.empty()) {
+    for (const std::string& measure : evaluations.front().evaluation->measures) {
+      table.header.push_back(measure + "_low");
+      table.header.push_back(measure + "_high");
+    }
+  }
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {
-      Row row{method, name_of(evaluation->protocol), micro ? "micro" : "macro"};
-      append_percent(row, micro ? evaluation->micro : evaluation->macro, decimals);
+      Row row{named.method, name_of(evaluation.protocol), micro ? "micro" : "macro"};
+      append_figures(row, micro ? evaluation.micro : evaluation.macro, style);
+      const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
+      if (columns) add_columns(row, of_average, style);
+      if (intervals == IntervalCells::beside) add_beside(row, text_columns, of_average, style);
       table.rows.push_back(std::move(row));
+    }
+  }
+  embolden_best(table, 1);
+  return table;
+}
+
+Table intervals_table(std::span<const NamedEvaluation> evaluations) {
+  Table table{
+      .header = {"method", "protocol", "average", "measure", "value", "low", "high"}, .rows = {}, .text_columns = 4};
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    for (const bool micro : {true, false}) {
+      const std::vector<ConfidenceInterval>& intervals = micro ? named.intervals.micro : named.intervals.macro;
+      for (std::size_t i = 0; i < intervals.size(); ++i) {
+        const double value = (micro ? evaluation.micro : evaluation.macro)[static_cast<Eigen::Index>(i)];
+        table.rows.push_back({named.method, name_of(evaluation.protocol), micro ? "micro" : "macro",
+                              evaluation.measures[i], figure(value, csv_style), figure(intervals[i].low, csv_style),
+                              figure(intervals[i].high, csv_style)});
+      }
     }
   }
   return table;
 }
 
-Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const int> labels,
-                      std::span<const std::string> class_names) {
+Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "class", "queries"});
-  for (const auto& [method, evaluation] : evaluations) {
-    for (std::size_t i = 0; i < evaluation->classes.size(); ++i) {
-      const int label = evaluation->classes[i];
-      Row row{method, name_of(evaluation->protocol), class_names[static_cast<std::size_t>(label)],
-              fmt::format("{}", std::ranges::count(labels, label))};
-      append_percent(row, evaluation->per_class.row(static_cast<Eigen::Index>(i)), csv_decimals);
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
+      const int label = evaluation.classes[i];
+      Row row{named.method, name_of(evaluation.protocol), class_names[static_cast<std::size_t>(label)],
+              fmt::format("{}", std::ranges::count(evaluation.query_classes, label))};
+      append_figures(row, evaluation.per_class.row(static_cast<Eigen::Index>(i)), csv_style);
       table.rows.push_back(std::move(row));
     }
   }
@@ -53,23 +115,48 @@ Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<co
 }
 
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const int> labels, std::span<const std::string> class_names) {
+                      std::span<const std::string> class_names) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "id", "class"});
-  for (const auto& [method, evaluation] : evaluations) {
-    for (std::size_t i = 0; i < evaluation->queries.size(); ++i) {
-      const auto query = static_cast<std::size_t>(evaluation->queries[i]);
-      Row row{method, name_of(evaluation->protocol), ids[query], class_names[static_cast<std::size_t>(labels[query])]};
-      append_percent(row, evaluation->per_query.row(static_cast<Eigen::Index>(i)), csv_decimals);
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
+      Row row{named.method, name_of(evaluation.protocol), ids[static_cast<std::size_t>(evaluation.queries[i])],
+              class_names[static_cast<std::size_t>(evaluation.query_classes[i])]};
+      append_figures(row, evaluation.per_query.row(static_cast<Eigen::Index>(i)), csv_style);
       table.rows.push_back(std::move(row));
     }
   }
   return table;
 }
 
+Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names) {
+  Table table{.header = {"method", "protocol", "class", "recall", "precision"}, .rows = {}, .text_columns = 3};
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
+      const PrecisionRecallCurve& curve = evaluation.class_curves[i];
+      const std::string& class_name = class_names[static_cast<std::size_t>(evaluation.classes[i])];
+      for (std::size_t level = 0; level < curve.recall.size(); ++level) {
+        table.rows.push_back({named.method, name_of(evaluation.protocol), class_name,
+                              fmt::format("{}", curve.recall[level]), fmt::format("{:.6f}", curve.precision[level])});
+      }
+    }
+  }
+  return table;
+}
+
+std::string psb_plot(const PrecisionRecallCurve& curve) {
+  std::string text;
+  for (std::size_t level = 0; level < curve.recall.size(); ++level) {
+    text += fmt::format("{:.6f}\t{:.6f}\n", curve.recall[level], curve.precision[level]);
+  }
+  return text;
+}
+
 Table precision_recall_table(std::span<const NamedEvaluation> evaluations) {
   Table table{
       .header = {"method", "protocol", "recall", "precision", "macro_precision"}, .rows = {}, .text_columns = 2};
-  for (const auto& [method, evaluation] : evaluations) {
+  for (const auto& [method, evaluation, intervals] : evaluations) {
     const PrecisionRecallCurve& micro = evaluation->micro_curve;
     for (std::size_t i = 0; i < micro.recall.size(); ++i) {
       table.rows.push_back({method, name_of(evaluation->protocol), fmt::format("{}", micro.recall[i]),

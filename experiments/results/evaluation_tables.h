@@ -6,29 +6,68 @@
 
 #include "shapegauge/experiments/text/table.h"
 #include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/statistics/bootstrap.h"
 
 namespace shapegauge {
+
+/// How figures are written.
+struct FigureStyle {
+  bool percent = true;  ///< else fractions
+  int decimals = 2;
+};
+
+/// How confidence intervals are made (metrics/statistics/bootstrap.h).
+struct IntervalOptions {
+  double confidence = 0.95;
+  Blocks blocks = Blocks::classes;
+  ResamplingOptions resampling{};
+};
+
+/// Intervals of an evaluation's averages, by measure. Empty where there are none.
+struct EvaluationIntervals {
+  std::vector<ConfidenceInterval> micro;
+  std::vector<ConfidenceInterval> macro;
+};
+
+/// The intervals; none where there are fewer than two classes, or queries, to draw from.
+EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options = {});
 
 /// An evaluation and the name of the method that it is of.
 struct NamedEvaluation {
   std::string method;
   const Evaluation* evaluation = nullptr;
+  EvaluationIntervals intervals{};
 };
 
-/// A row for each evaluation and average (micro, macro): method, protocol, average, then the measures in percent with
-/// so many decimals. The measures are those of the first evaluation.
-Table summary_table(std::span<const NamedEvaluation> evaluations, int decimals);
+/// Where a table has the confidence intervals: nowhere, in the cell of each figure, or as further columns NN_low,
+/// NN_high, ... behind all figures, where every evaluation has intervals.
+enum class IntervalCells { none, beside, columns };
+
+/// A row for each evaluation and average (micro, macro): method, protocol, average, then the measures. The measures are
+/// those of the first evaluation. The best of each protocol and average is bold.
+Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style = {},
+                    IntervalCells intervals = IntervalCells::none);
+
+/// A row for each evaluation, average and measure: method, protocol, average, measure, value, low, high; percent. No
+/// rows for evaluations without intervals.
+Table intervals_table(std::span<const NamedEvaluation> evaluations);
 
 /// A row for each evaluation and class: method, protocol, class, number of queries, measures in percent.
-Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const int> labels,
-                      std::span<const std::string> class_names);
+Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
-/// A row for each evaluation and query: method, protocol, id of the query, its class, measures in percent.
+/// A row for each evaluation and query: method, protocol, id of the query, its class, measures in percent. ids are by
+/// row of the matrix.
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const int> labels, std::span<const std::string> class_names);
+                      std::span<const std::string> class_names);
 
 /// A row for each evaluation and level of recall: method, protocol, recall, precision averaged over queries, precision
 /// averaged over classes; fractions.
 Table precision_recall_table(std::span<const NamedEvaluation> evaluations);
+
+/// A row for each evaluation, class and level of recall: method, protocol, class, recall, precision; fractions.
+Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
+
+/// A curve as psbPlot writes it, for gnuplot: recall and precision, a level a line.
+std::string psb_plot(const PrecisionRecallCurve& curve);
 
 }  // namespace shapegauge

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/results/write_results.h"
 
 #include <fmt/format.h>
+#include <span>
 #include <string>
 
 #include "shapegauge/core/io/atomic_file.h"
@@ -30,9 +31,9 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   return all;
 }
 
-std::string summary_json(const ExperimentResults& results) {
+std::string summary_json(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   OrderedJson rows = OrderedJson::array();
-  for (const auto& [method, evaluation] : all_evaluations(results)) {
+  for (const auto& [method, evaluation, intervals] : evaluations) {
     for (const bool micro : {true, false}) {
       OrderedJson row{
           {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
@@ -40,29 +41,36 @@ std::string summary_json(const ExperimentResults& results) {
       for (std::size_t i = 0; i < evaluation->measures.size(); ++i) {
         row[evaluation->measures[i]] = 100 * values[static_cast<Eigen::Index>(i)];
       }
+      const std::vector<ConfidenceInterval>& of_average = micro ? intervals.micro : intervals.macro;
+      for (std::size_t i = 0; i < of_average.size(); ++i) {
+        row["intervals"][evaluation->measures[i]] = {100 * of_average[i].low, 100 * of_average[i].high};
+      }
       rows.push_back(std::move(row));
     }
   }
-  return OrderedJson{{"name", results.configuration.name}, {"unit", "percent"}, {"rows", std::move(rows)}}.dump(2) +
+  return OrderedJson{{"name", results.configuration.name},
+                     {"unit", "percent"},
+                     {"ties", name_of(results.configuration.ties)},
+                     {"confidence", IntervalOptions().confidence},
+                     {"rows", std::move(rows)}}
+             .dump(2) +
          "\n";
 }
 
 /// The text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
-  const std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
   std::vector<std::string> ids;
-  std::vector<int> labels;
-  for (const Model& model : results.models) {
-    ids.push_back(model.id);
-    labels.push_back(model.label);
-  }
-  const Table rounded = summary_table(evaluations, 2);
-  return {{"summary.csv", to_csv(summary_table(evaluations, 4))},
-          {"summary.json", summary_json(results)},
+  for (const Model& model : results.models) ids.push_back(model.id);
+  const Table rounded = summary_table(evaluations);
+  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
+          {"summary.json", summary_json(results, evaluations)},
           {"summary.md", to_markdown(rounded)},
           {"summary.tex", to_latex(rounded)},
-          {"per_class.csv", to_csv(per_class_table(evaluations, labels, results.classes))},
-          {"per_query.csv", to_csv(per_query_table(evaluations, ids, labels, results.classes))},
+          {"intervals.csv", to_csv(intervals_table(evaluations))},
+          {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
+          {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
           {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
           {"shapes.csv", to_csv(shapes_table(results))},
           {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
@@ -101,7 +109,7 @@ void write_results(const fs::path& destination, const ExperimentResults& results
 }
 
 std::string summary_text(const ExperimentResults& results) {
-  return to_plain_text(summary_table(all_evaluations(results), 2));
+  return to_plain_text(summary_table(all_evaluations(results)));
 }
 
 }  // namespace shapegauge

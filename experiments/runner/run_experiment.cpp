@@ -39,7 +39,10 @@ std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::v
   std::vector<Evaluation> evaluations;
   for (const Protocol protocol : configuration.protocols) {
     evaluations.push_back(evaluate(method.distances, labels,
-                                   {.protocol = protocol, .minimum_class_size = configuration.minimum_class_size}));
+                                   {.protocol = protocol,
+                                    .ties = configuration.ties,
+                                    .measures = configuration.measures,
+                                    .minimum_class_size = configuration.minimum_class_size}));
   }
   return evaluations;
 }

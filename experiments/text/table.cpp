@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <functional>
+#include <map>
+#include <optional>
 
 #include "shapegauge/experiments/text/csv.h"
+#include "shapegauge/experiments/text/parse_number.h"
 
 namespace shapegauge {
 
@@ -87,7 +90,69 @@ std::string latex_cell(const std::string& text) {
   return escaped;
 }
 
+// The cells with their emphases, written as a format has them.
+using Emphasise = std::function<std::string(const std::string& cell, const Emphasis& emphasis)>;
+
+Table with_emphases(Table table, const Emphasise& emphasise) {
+  for (const Emphasis& emphasis : table.emphases) {
+    std::string& cell = table.rows[emphasis.row][emphasis.column];
+    cell = emphasise(cell, emphasis);
+  }
+  return table;
+}
+
+std::string with_plain_mark(const std::string& cell, const Emphasis& emphasis) {
+  return emphasis.mark.empty() ? cell : cell + " " + emphasis.mark;
+}
+
+std::string with_markdown(const std::string& cell, const Emphasis& emphasis) {
+  const std::string mark = emphasis.mark.empty() ? "" : fmt::format(" <sup>{}</sup>", emphasis.mark);
+  return (emphasis.bold ? fmt::format("**{}**", cell) : cell) + mark;
+}
+
+std::string with_latex(const std::string& cell, const Emphasis& emphasis) {
+  const std::string mark = emphasis.mark.empty() ? "" : fmt::format("\\textsuperscript{{{}}}", emphasis.mark);
+  return (emphasis.bold ? fmt::format("\\textbf{{{}}}", cell) : cell) + mark;
+}
+
+// The number that the cell begins with.
+std::optional<double> leading_number(const std::string& cell) { return parse_number(cell.substr(0, cell.find(' '))); }
+
+// Marks the best of some rows in one column.
+void embolden_best_of(Table& table, const std::vector<std::size_t>& rows, std::size_t column) {
+  std::optional<double> best;
+  for (const std::size_t row : rows) {
+    const auto number = leading_number(table.rows[row][column]);
+    if (number && (!best || *number > *best)) best = number;
+  }
+  for (const std::size_t row : rows) {
+    if (!best || leading_number(table.rows[row][column]) != best) continue;
+    const auto same_cell = [&](const Emphasis& e) { return e.row == row && e.column == column; };
+    const auto known = std::ranges::find_if(table.emphases, same_cell);
+    if (known != table.emphases.end()) {
+      known->bold = true;
+    } else {
+      table.emphases.push_back({.row = row, .column = column, .bold = true, .mark = {}});
+    }
+  }
+}
+
 }  // namespace
+
+void embolden_best(Table& table, std::size_t first_key) {
+  std::map<Row, std::vector<std::size_t>> groups;
+  for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    const auto cells = table.rows[row].begin();
+    groups[Row(cells + static_cast<std::ptrdiff_t>(first_key), cells + static_cast<std::ptrdiff_t>(table.text_columns))]
+        .push_back(row);
+  }
+  for (const auto& [key, rows] : groups) {
+    if (rows.size() < 2) continue;
+    for (std::size_t column = table.text_columns; column < table.header.size(); ++column) {
+      embolden_best_of(table, rows, column);
+    }
+  }
+}
 
 std::string to_csv(const Table& table) {
   std::string text = csv_line(table.header);
@@ -95,7 +160,8 @@ std::string to_csv(const Table& table) {
   return text;
 }
 
-std::string to_plain_text(const Table& table) {
+std::string to_plain_text(const Table& marked) {
+  const Table table = with_emphases(marked, with_plain_mark);
   const std::vector<std::size_t> widths = column_widths(table);
   std::string text = line(table.header, widths, table.text_columns, "  ") + "\n";
   for (const Row& row : table.rows) text += line(row, widths, table.text_columns, "  ") + "\n";
@@ -103,7 +169,7 @@ std::string to_plain_text(const Table& table) {
 }
 
 std::string to_markdown(const Table& table) {
-  const Table escaped = with_cells(table, markdown_cell);
+  const Table escaped = with_emphases(with_cells(table, markdown_cell), with_markdown);
   std::vector<std::size_t> widths = column_widths(escaped);
   std::string rule = "|";
   for (std::size_t i = 0; i < widths.size(); ++i) {
@@ -123,14 +189,14 @@ std::string to_markdown(const Table& table) {
 }
 
 std::string to_latex(const Table& table) {
-  const Table escaped = with_cells(table, latex_cell);
+  const Table escaped = with_emphases(with_cells(table, latex_cell), with_latex);
   const std::vector<std::size_t> widths = column_widths(escaped);
   const std::string columns =
       std::string(table.text_columns, 'l') + std::string(widths.size() - table.text_columns, 'r');
-  std::string text = fmt::format("\\begin{{tabular}}{{{}}}\n\\hline\n", columns);
-  text += line(escaped.header, widths, table.text_columns, " & ") + " \\\\\n\\hline\n";
+  std::string text = fmt::format("\\begin{{tabular}}{{{}}}\n\\toprule\n", columns);
+  text += line(escaped.header, widths, table.text_columns, " & ") + " \\\\\n\\midrule\n";
   for (const Row& row : escaped.rows) text += line(row, widths, table.text_columns, " & ") + " \\\\\n";
-  return text + "\\hline\n\\end{tabular}\n";
+  return text + "\\bottomrule\n\\end{tabular}\n";
 }
 
 }  // namespace shapegauge

@@ -4,8 +4,7 @@ namespace shapegauge {
 
 double average_precision(const RankedList& list) {
   double sum = 0;
-  std::size_t hits = 0;
-  for (const std::size_t rank : ranks_of_hits(list)) sum += static_cast<double>(++hits) / static_cast<double>(rank);
+  for (const double precision : list.precision_at_hit) sum += precision;
   return sum / static_cast<double>(list.relevant);
 }
 

@@ -1,16 +1,25 @@
 #pragma once
 
-#include "shapegauge/metrics/ranked_list.h"
+#include "shapegauge/metrics/measures/measure.h"
 
 namespace shapegauge {
 
-/// AP, average precision: the mean over all R relevant models of the precision at the rank where each is found. Its
-/// mean over queries is mAP.
-///
-/// Source: Buckley and Voorhees, "Evaluating evaluation measure stability", SIGIR 2000; no interpolation.
-/// Caveat: under psb (and in text retrieval) the query is not in the list. Under paper, by analogy with that protocol's
-/// other measures, the query is the first of R = C relevant models and found at rank 1 with precision 1, which makes
-/// the figure larger.
+/// mAP; see its definition below.
 double average_precision(const RankedList& list);
+
+inline constexpr MeasureDefinition average_precision_definition{
+    .name = "mAP",
+    .title = "mean average precision",
+    .definition =
+        "Of one query (AP): the mean over all R relevant models of the precision at the rank where each "
+        "is found, 0 for one that is not in the list.",
+    .source =
+        "Buckley and Voorhees, Evaluating evaluation measure stability, SIGIR 2000; trec_eval, NIST's "
+        "program of the TREC conferences (map).",
+    .caveat =
+        "No interpolation. Under paper the query is the first of R = C relevant models, found at rank 1 "
+        "with precision 1, which makes the figure larger.",
+    .value = average_precision,
+};
 
 }  // namespace shapegauge

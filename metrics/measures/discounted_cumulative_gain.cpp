@@ -10,15 +10,10 @@ double gain_at(std::size_t rank) { return rank == 1 ? 1.0 : 1.0 / std::log2(stat
 }  // namespace
 
 double discounted_cumulative_gain(const RankedList& list) {
-  double gained = 0;
   double ideal = 0;
-  std::size_t hits = 0;
   // Both sums grow in the same order, so that a perfect list gives exactly 1.
-  for (const std::size_t rank : ranks_of_hits(list)) {
-    gained += gain_at(rank);
-    ideal += gain_at(++hits);
-  }
-  return gained / ideal;
+  for (std::size_t rank = 1; rank <= list.relevant; ++rank) ideal += gain_at(rank);
+  return gain_of_hits(list, gain_at) / ideal;
 }
 
 }  // namespace shapegauge

@@ -2,6 +2,8 @@
 
 namespace shapegauge {
 
-double nearest_neighbour(const RankedList& list) { return list.hits.at(list.starts_with_query ? 1 : 0) ? 1.0 : 0.0; }
+double nearest_neighbour(const RankedList& list) {
+  return list.starts_with_query ? hits_among_first(list, 2) - 1 : hits_among_first(list, 1);
+}
 
 }  // namespace shapegauge

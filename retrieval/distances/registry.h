@@ -13,14 +13,19 @@ using DistanceFunction = double (*)(std::span<const float> a, std::span<const fl
 using DistancesFunction = void (*)(std::span<const float> a, std::span<const float> others,
                                    std::span<double> distances);
 
-/// A distance with the name that configurations know it by.
+/// The signatures for which a distance is defined.
+enum class DistanceDomain { any, not_zero, not_negative, histograms };
+
+/// A distance with the name that configurations know it by. histograms: not negative and not all zero.
 struct NamedDistance {
   std::string_view name;
   DistanceFunction function;
+  DistanceDomain domain = DistanceDomain::any;
   DistancesFunction to_several = nullptr;  ///< where there is a faster way than one by one
 };
 
-/// All distances. A new one is one file in this folder and one line in registry.cpp.
+/// All distances. A new one is one file in this folder, one line in registry.cpp, and its name in
+/// configs/experiment.schema.json.
 std::span<const NamedDistance> distances();
 
 }  // namespace shapegauge

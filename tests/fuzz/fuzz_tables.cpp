@@ -1,4 +1,5 @@
 #include "shapegauge/experiments/datasets/classification_file.h"
+#include "shapegauge/experiments/evaluation/ranked_answers.h"
 #include "shapegauge/experiments/matrices/csv_matrix.h"
 #include "shapegauge/experiments/matrices/npy.h"
 #include "shapegauge/experiments/matrices/psb_matrix.h"
@@ -12,6 +13,13 @@ namespace {
 
 void promise_square(const DistanceMatrix& matrix) {
   promise(matrix.rows() > 0 && matrix.rows() == matrix.cols(), "a matrix is square and not empty");
+}
+
+void promise_answers(const RankedAnswers& answers) {
+  promise(!answers.answers.empty(), "there are answers");
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    promise(!answer.query.empty() && !answer.models.empty(), "an answer has a query and models");
+  }
 }
 
 }  // namespace
@@ -42,6 +50,32 @@ bool csv_matrix(std::string_view bytes) {
 
 bool psb_matrix(std::string_view bytes) {
   return is_accepted("matrix:", [&] { promise_square(parse_psb_matrix(bytes, "matrix")); });
+}
+
+bool npy_table(std::string_view bytes) {
+  return is_accepted("matrix:", [&] { promise(parse_npy_table(bytes, "matrix").size() > 0, "a table is not empty"); });
+}
+
+bool csv_table(std::string_view bytes) {
+  return is_accepted("matrix:", [&] {
+    const LabelledTable table = parse_csv_table(bytes, "matrix");
+    promise(table.numbers.size() > 0, "a table is not empty");
+    promise(table.row_ids.empty() || std::ssize(table.row_ids) == table.numbers.rows(), "there is an id for each row");
+    promise(table.column_ids.empty() || std::ssize(table.column_ids) == table.numbers.cols(),
+            "there is an id for each column");
+  });
+}
+
+bool trec_run(std::string_view bytes) {
+  return is_accepted("run:", [&] { promise_answers(parse_trec_run(bytes, "run")); });
+}
+
+bool ranked_lists(std::string_view bytes) {
+  return is_accepted("lists:", [&] { promise_answers(parse_ranked_lists(bytes, "lists")); });
+}
+
+bool qrels(std::string_view bytes) {
+  return is_accepted("qrels:", [&] { promise(!parse_qrels(bytes, "qrels").queries.empty(), "there are queries"); });
 }
 
 }  // namespace shapegauge::fuzz

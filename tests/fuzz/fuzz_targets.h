@@ -26,6 +26,19 @@ bool csv_matrix(std::string_view bytes);
 bool psb_matrix(std::string_view bytes);
 /// @}
 
+/// Tables of numbers that need not be square: what is read is not empty, and has an id for each row and column or none.
+/// @{
+bool npy_table(std::string_view bytes);
+bool csv_table(std::string_view bytes);
+/// @}
+
+/// Ranked lists and judgements: what is read has queries, and lists have models.
+/// @{
+bool trec_run(std::string_view bytes);
+bool ranked_lists(std::string_view bytes);
+bool qrels(std::string_view bytes);
+/// @}
+
 /// A configuration, and after each line end followed by `--set ` an override. What is read, with all defaults filled
 /// in, is a configuration again.
 bool configuration(std::string_view bytes);

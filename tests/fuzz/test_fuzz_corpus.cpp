@@ -39,6 +39,11 @@ constexpr std::array targets = {Target{"read_off", read_off},
                                 Target{"text_matrix", text_matrix},
                                 Target{"csv_matrix", csv_matrix},
                                 Target{"psb_matrix", psb_matrix},
+                                Target{"npy_table", npy_table},
+                                Target{"csv_table", csv_table},
+                                Target{"trec_run", trec_run},
+                                Target{"ranked_lists", ranked_lists},
+                                Target{"qrels", qrels},
                                 Target{"configuration", configuration}};
 
 class FuzzCorpus : public ::testing::TestWithParam<Target> {

@@ -8,7 +8,11 @@ namespace shapegauge::naive {
 namespace {
 
 // h[i], for ranks i = 1 ... of the list without the query. h[0] is not used.
-std::vector<int> hits_without_query(const Matrix& distances, const std::vector<int>& labels, int query) {
+std::vector<int> hits_without_query(const Matrix& distances, const std::vector<int>& labels, int query,
+                                    const std::vector<int>& tie_order) {
+  const auto place = [&](int model) {
+    return tie_order.empty() ? model : tie_order.at(static_cast<std::size_t>(model));
+  };
   const int count = static_cast<int>(labels.size());
   std::vector<int> h(labels.size(), 0);
   for (int model = 0; model < count; ++model) {
@@ -17,7 +21,7 @@ std::vector<int> hits_without_query(const Matrix& distances, const std::vector<i
     for (int other = 0; other < count; ++other) {
       if (other == query || other == model) continue;
       const bool nearer = distances(query, other) < distances(query, model);
-      const bool tied_and_earlier = distances(query, other) == distances(query, model) && other < model;
+      const bool tied_and_earlier = distances(query, other) == distances(query, model) && place(other) < place(model);
       if (nearer || tied_and_earlier) ++rank;
     }
     h.at(static_cast<std::size_t>(rank)) =
@@ -117,23 +121,75 @@ double last_reached(const std::vector<Point>& points, double recall) {
   return precision;
 }
 
+double largest_from(const std::vector<Point>& points, double recall) {
+  double precision = 0;
+  for (const Point& point : points) {
+    if (point.recall >= recall - rounding) precision = std::max(precision, point.precision);
+  }
+  return precision;
+}
+
+int first(const std::vector<int>& h, int count) { return std::min(count, static_cast<int>(h.size()) - 1); }
+
+// P@1, P@5, R@3, R@9, F1@4, MRR, nDCG, R-prec, AUC-PR.
+std::vector<double> text_retrieval_measures(const std::vector<int>& h, int relevant) {
+  const int last = static_cast<int>(h.size()) - 1;
+  const auto precision = [&](int k) { return sum_of_first(h, first(h, k)) / k; };
+  const auto recall = [&](int k) { return sum_of_first(h, first(h, k)) / relevant; };
+  const bool found = precision(4) > 0;
+  int first_hit = 1;
+  while (h.at(static_cast<std::size_t>(first_hit)) == 0) ++first_hit;
+  double gained = 0;
+  double ideal = 0;
+  for (int i = 1; i <= last; ++i) gained += h.at(static_cast<std::size_t>(i)) / std::log2(i + 1);
+  for (int i = 1; i <= relevant; ++i) ideal += 1 / std::log2(i + 1);
+  const std::vector<Point> points = points_at_hits(h, relevant);
+  double area = points.front().recall * points.front().precision;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    area += (points[i].recall - points[i - 1].recall) * (points[i].precision + points[i - 1].precision) / 2;
+  }
+  return {
+      precision(1),    precision(5),   recall(3),        recall(9), found ? 2 / (1 / precision(4) + 1 / recall(4)) : 0,
+      1.0 / first_hit, gained / ideal, recall(relevant), area};
+}
+
+// `h` is the list with the query in front.
+double bulls_eye(const std::vector<int>& h, int class_size) {
+  return sum_of_first(h, first(h, 2 * class_size)) / class_size;
+}
+
 }  // namespace
 
-std::vector<double> measures_of(const Matrix& distances, const std::vector<int>& labels, int query, Protocol protocol) {
-  const std::vector<int> h = hits_without_query(distances, labels, query);
+std::vector<std::string> measure_names() {
+  return {"NN",  "FT",  "ST",   "E",   "DCG",  "mAP",    "P@1",    "P@5",
+          "R@3", "R@9", "F1@4", "MRR", "nDCG", "R-prec", "AUC-PR", "BEP"};
+}
+
+std::vector<double> measures_of(const Matrix& distances, const std::vector<int>& labels, int query, Protocol protocol,
+                                const std::vector<int>& tie_order) {
+  const std::vector<int> h = hits_without_query(distances, labels, query, tie_order);
   const int models = static_cast<int>(labels.size());
   const int class_size = size_of_class(labels, query);
-  return protocol == Protocol::psb ? psb_measures(h, models, class_size)
-                                   : paper_measures(with_query_in_front(h), models, class_size);
+  const bool paper = protocol == Protocol::paper;
+  const std::vector<int> judged = paper ? with_query_in_front(h) : h;
+  const int relevant = paper ? class_size : class_size - 1;
+  std::vector<double> values = paper ? paper_measures(judged, models, class_size) : psb_measures(h, models, class_size);
+  for (const double value : text_retrieval_measures(judged, relevant)) values.push_back(value);
+  values.push_back(bulls_eye(with_query_in_front(h), class_size));
+  return values;
 }
 
 std::vector<double> precisions_of(const Matrix& distances, const std::vector<int>& labels, int query,
                                   Protocol protocol) {
-  const std::vector<int> h = hits_without_query(distances, labels, query);
+  const std::vector<int> h = hits_without_query(distances, labels, query, {});
   const int class_size = size_of_class(labels, query);
   std::vector<double> precisions;
   if (protocol == Protocol::psb) {
     for (int j = 1; j <= 20; ++j) precisions.push_back(interpolated(points_at_hits(h, class_size - 1), 0.05 * j));
+    return precisions;
+  }
+  if (protocol == Protocol::trec) {
+    for (int j = 0; j <= 10; ++j) precisions.push_back(largest_from(points_at_hits(h, class_size - 1), 0.1 * j));
     return precisions;
   }
   const std::vector<Point> points = points_at_hits(with_query_in_front(h), class_size);

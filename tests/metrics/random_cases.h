@@ -14,11 +14,12 @@ struct EvaluationCase {
   Protocol protocol = Protocol::psb;
 };
 
-/// Random cases of 2 to 60 models in classes of very unequal sizes, at least one of two models or more. Distances are
-/// drawn from a few values, so that most are tied, infinity among them; symmetric or not; the diagonal too is random.
-rc::Gen<EvaluationCase> cases_with_ties();
+/// Random cases of 2 to so many models in classes of very unequal sizes, at least one of two models or more. Distances
+/// are drawn from a few values, so that most are tied, infinity among them; symmetric or not; the diagonal too is
+/// random.
+rc::Gen<EvaluationCase> cases_with_ties(std::size_t most_models = 60);
 
-/// The same with all distances different.
+/// The same, of 60 models at most, with all distances different.
 rc::Gen<EvaluationCase> cases_without_ties();
 
 }  // namespace shapegauge

@@ -31,7 +31,12 @@ EvaluationOptions under(Protocol protocol, int minimum_class_size = 2) {
   return options;
 }
 
-Evaluation evaluate(const EvaluationCase& data) { return evaluate(data.distances, data.labels, under(data.protocol)); }
+Evaluation evaluate(const EvaluationCase& data, Ties ties = Ties::index) {
+  EvaluationOptions options = under(data.protocol);
+  options.measures = measures_of(naive::measure_names());
+  options.ties = ties;
+  return evaluate(data.distances, data.labels, options);
+}
 
 std::string error_of(const naive::Matrix& distances, const std::vector<int>& labels, const EvaluationOptions& options) {
   try {
@@ -209,6 +214,7 @@ TEST(Evaluation, SameBytesForAnyNumberOfThreads) {
 TEST(Evaluation, NamesProtocolAndMeasures) {
   const Evaluation result = evaluate(naive::Matrix::Zero(2, 2), std::vector<int>{4, 4}, under(Protocol::paper));
   EXPECT_EQ(result.protocol, Protocol::paper);
+  EXPECT_EQ(result.curve, CurveKind::paper);
   EXPECT_THAT(result.measures, testing::ElementsAre("NN", "FT", "ST", "E", "DCG", "mAP"));
 }
 

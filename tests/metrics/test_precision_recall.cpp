@@ -13,23 +13,23 @@ using testing::ElementsAre;
 constexpr double rounding = 1e-15;
 
 TEST(RecallLevels, ArePsbTwentyAndPaperTenWithZero) {
-  const auto psb = recall_levels(Protocol::psb);
+  const auto psb = recall_levels(CurveKind::psb);
   ASSERT_EQ(psb.size(), 20U);
   EXPECT_EQ(psb.front(), 0.05);
   EXPECT_EQ(psb[2], 0.15);
   EXPECT_EQ(psb.back(), 1.0);
-  EXPECT_THAT(recall_levels(Protocol::paper), ElementsAre(0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0));
+  EXPECT_THAT(recall_levels(CurveKind::paper), ElementsAre(0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0));
 }
 
 // The example of psbPlot's documentation: a class of six, hits at ranks 1, 4, 10, 41, 44.
 RankedList psb_plot_example() {
-  RankedList list{std::vector<bool>(60, false), 5, false};
-  for (const std::size_t rank : {1, 4, 10, 41, 44}) list.hits[rank - 1] = true;
-  return list;
+  std::vector<bool> hits(60, false);
+  for (const std::size_t rank : {1, 4, 10, 41, 44}) hits[rank - 1] = true;
+  return list_of_hits(hits);
 }
 
 TEST(PrecisionAtLevels, PsbMeetsTheHitsAndIsLinearBetweenThem) {
-  const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), Protocol::psb);
+  const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), CurveKind::psb);
   const auto at_recall = [&](int percent) { return precision[percent / 5 - 1]; };
   EXPECT_NEAR(at_recall(20), 1, rounding);
   EXPECT_NEAR(at_recall(40), 0.5, rounding);
@@ -42,16 +42,16 @@ TEST(PrecisionAtLevels, PsbMeetsTheHitsAndIsLinearBetweenThem) {
 }
 
 TEST(PrecisionAtLevels, PsbKeepsTheFirstHitsPrecisionBelowIt) {
-  const RankedList list{{false, true, true}, 2, false};
-  const Eigen::VectorXd precision = precision_at_levels(list, Protocol::psb);
+  const RankedList list = list_of_hits({false, true, true});
+  const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::psb);
   for (int level = 0; level < 10; ++level) EXPECT_EQ(precision[level], 0.5);
   EXPECT_GT(precision[10], 0.5);
 }
 
 TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
   // Hits at ranks 1, 2, 4, 8: recall 0.25, 0.5, 0.75, 1; precision 1, 1, 3/4, 1/2.
-  const RankedList list{{true, true, false, true, false, false, false, true, false}, 4, true};
-  const Eigen::VectorXd precision = precision_at_levels(list, Protocol::paper);
+  const RankedList list = list_of_hits({true, true, false, true, false, false, false, true, false}, true);
+  const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::paper);
   const std::vector<double> values(precision.begin(), precision.end());
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0.75, 0.75, 0.5));
 }
@@ -59,11 +59,41 @@ TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
 TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
   // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must count at level 0.3 all the
   // same.
-  RankedList list{std::vector<bool>(100, false), 10, true};
-  for (std::size_t hit = 0; hit < 10; ++hit) list.hits[hit * hit] = true;
-  const Eigen::VectorXd precision = precision_at_levels(list, Protocol::paper);
+  std::vector<bool> hits_at(100, false);
+  for (std::size_t hit = 0; hit < 10; ++hit) hits_at[hit * hit] = true;
+  const Eigen::VectorXd precision = precision_at_levels(list_of_hits(hits_at, true), CurveKind::paper);
   for (int hits = 1; hits <= 10; ++hits) {
     EXPECT_THAT(precision[hits], DoubleNear(static_cast<double>(hits) / ((hits - 1) * (hits - 1) + 1), rounding));
+  }
+}
+
+TEST(PrecisionAtLevels, TrecTakesTheLargestFromTheLevelOn) {
+  // Precision 1/2, 2/3, 3/6 at recall 1/3, 2/3, 1.
+  const RankedList list = list_of_hits({false, true, true, false, false, true});
+  const Eigen::VectorXd precision = precision_at_levels(list, CurveKind::trec);
+  ASSERT_EQ(precision.size(), 11);
+  for (int level = 0; level <= 10; ++level) EXPECT_EQ(precision[level], level <= 6 ? 2.0 / 3 : 0.5) << level;
+}
+
+TEST(PrecisionAtLevels, RawMeetsTheHitsOfTheLongestAndTheFirstToReachTheLevelOfOthers) {
+  const RankedList list = list_of_hits({true, false, false, true});
+  const Eigen::VectorXd longest = precision_at_levels(list, CurveKind::raw, 2);
+  EXPECT_THAT(std::vector<double>(longest.begin(), longest.end()), ElementsAre(1, 0.5));
+  const Eigen::VectorXd shorter = precision_at_levels(list, CurveKind::raw, 5);
+  EXPECT_THAT(std::vector<double>(shorter.begin(), shorter.end()), ElementsAre(1, 1, 0.5, 0.5, 0.5));
+}
+
+TEST(PrecisionAtLevels, ModelsThatAreNotInTheListHaveNoPrecision) {
+  const Eigen::VectorXd precision = precision_at_levels(list_of_hits({true, false}, false, 1), CurveKind::trec);
+  for (int level = 0; level <= 10; ++level) EXPECT_EQ(precision[level], level <= 5 ? 1 : 0) << level;
+}
+
+TEST(CurveKind, HasItsNamesBothWaysAndIsUsualForAProtocol) {
+  EXPECT_THAT(curve_kind_names(), ElementsAre("psb", "paper", "trec", "raw"));
+  for (const std::string& name : curve_kind_names()) EXPECT_EQ(name_of(curve_kind_of(name).value()), name);
+  EXPECT_FALSE(curve_kind_of("smooth"));
+  for (const std::string& name : protocol_names()) {
+    EXPECT_EQ(name_of(usual_curve(protocol_of(name).value())), name);
   }
 }
 
@@ -72,8 +102,8 @@ TEST(AverageCurve, PsbLeavesOutListsWithoutAHitBelowTheLevel) {
   precisions.row(0).setConstant(0.2);
   precisions.row(1).setConstant(0.6);
   const std::vector<std::size_t> relevant = {20, 4};
-  const PrecisionRecallCurve curve = average_curve(precisions, relevant, Protocol::psb);
-  EXPECT_EQ(curve.recall, recall_levels(Protocol::psb));
+  const PrecisionRecallCurve curve = average_curve(precisions, relevant, CurveKind::psb);
+  EXPECT_EQ(curve.recall, recall_levels(CurveKind::psb));
   for (std::size_t level = 0; level < 20; ++level) {
     // The second list has its first hit at recall 0.25, the level of index 4.
     EXPECT_NEAR(curve.precision[level], level < 4 ? 0.2 : 0.4, rounding) << level;
@@ -85,7 +115,7 @@ TEST(AverageCurve, PsbUsesAllListsWhereNoneHasAHitBelowTheLevel) {
   precisions.row(0).setConstant(0.5);
   precisions.row(1).setConstant(0.25);
   const std::vector<std::size_t> relevant = {19, 19};
-  EXPECT_EQ(average_curve(precisions, relevant, Protocol::psb).precision[0], 0.375);
+  EXPECT_EQ(average_curve(precisions, relevant, CurveKind::psb).precision[0], 0.375);
 }
 
 TEST(AverageCurve, PaperUsesAllLists) {
@@ -93,7 +123,7 @@ TEST(AverageCurve, PaperUsesAllLists) {
   precisions.row(0).setConstant(0.5);
   precisions.row(1).setConstant(0.25);
   const std::vector<std::size_t> relevant = {20, 2};
-  for (const double precision : average_curve(precisions, relevant, Protocol::paper).precision) {
+  for (const double precision : average_curve(precisions, relevant, CurveKind::paper).precision) {
     EXPECT_EQ(precision, 0.375);
   }
 }

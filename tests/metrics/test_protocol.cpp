@@ -7,7 +7,7 @@ namespace shapegauge {
 namespace {
 
 TEST(Protocol, HasItsNamesBothWays) {
-  EXPECT_THAT(protocol_names(), testing::ElementsAre("psb", "paper"));
+  EXPECT_THAT(protocol_names(), testing::ElementsAre("psb", "paper", "trec"));
   for (const std::string& name : protocol_names()) {
     const auto protocol = protocol_of(name);
     ASSERT_TRUE(protocol) << name;

@@ -1,6 +1,8 @@
+#include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "shapegauge/metrics/ranked_list.h"
@@ -35,29 +37,88 @@ TEST(RankedModels, BothZerosAreEqual) {
   EXPECT_THAT(ranked_models(every_row({9, 0.0, -0.0, 0.0}), 0), ElementsAre(1, 2, 3));
 }
 
+RankedList ranked(const std::vector<double>& row, const std::vector<int>& labels, Protocol protocol,
+                  Ties ties = Ties::index) {
+  return ranked_list(every_row(row), leave_one_out(labels), 2, protocol, ties);
+}
+
+const std::vector<int> labels = {5, 8, 5, 8, 5};
+
 TEST(RankedList, UnderPsbIsWithoutTheQuery) {
-  const std::vector<int> labels = {5, 8, 5, 8, 5};
-  const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), labels, 2, Protocol::psb);
-  EXPECT_THAT(list.hits, ElementsAre(true, false, false, true));
+  const RankedList list = ranked({0, 1, 2, 3, 4}, labels, Protocol::psb);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
+  EXPECT_EQ(list.length, 4U);
   EXPECT_EQ(list.relevant, 2U);
   EXPECT_FALSE(list.starts_with_query);
+  EXPECT_FALSE(list.tied);
+  EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0.5));
 }
 
 TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
-  const std::vector<int> labels = {5, 8, 5, 8, 5};
-  const RankedList list = ranked_list(every_row({0, 1, infinity, 3, 4}), labels, 2, Protocol::paper);
-  EXPECT_THAT(list.hits, ElementsAre(true, true, false, false, true));
+  const RankedList list = ranked({0, 1, infinity, 3, 4}, labels, Protocol::paper);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);
   EXPECT_TRUE(list.starts_with_query);
 }
 
-TEST(RankedList, CountsAndRanksOfHits) {
-  const RankedList list{{false, true, true, false, true}, 3, false};
-  EXPECT_EQ(hits_among_first(list, 0), 0U);
-  EXPECT_EQ(hits_among_first(list, 2), 1U);
-  EXPECT_EQ(hits_among_first(list, 5), 3U);
-  EXPECT_EQ(hits_among_first(list, 99), 3U);
-  EXPECT_THAT(ranks_of_hits(list), ElementsAre(2, 3, 5));
+TEST(RankedList, TiesAreDecidedAsAsked) {
+  const std::vector<double> row = {2, 2, 9, 2, 2};
+  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::index).runs,
+              ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
+  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::optimistic).runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
+  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::pessimistic).runs, ElementsAre(RankRun{2, 0}, RankRun{2, 2}));
+  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::expected).runs, ElementsAre(RankRun{4, 2}));
+  for (const std::string& name : ties_names()) {
+    EXPECT_TRUE(ranked(row, labels, Protocol::psb, ties_of(name).value()).tied) << name;
+  }
+}
+
+TEST(RankedList, ModelsOfOneKindAtEqualDistanceChangeNothing) {
+  const RankedList list = ranked({1, 2, 9, 2, 1}, labels, Protocol::psb, Ties::expected);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
+  EXPECT_FALSE(list.tied);
+}
+
+TEST(RankedList, TargetsAndQueriesMayDiffer) {
+  RetrievalTask task = leave_one_out(labels);
+  task.target_classes = {5, no_class, 5, 8, 5};
+  task.own_column = {-1, -1, -1, -1, -1};
+  const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{1, 0}, RankRun{1, 1}));
+}
+
+TEST(RankedList, JudgementsSayWhatIsRelevant) {
+  RetrievalTask task = leave_one_out(labels);
+  task.judged = {{}, {}, {1, 3}, {}, {}};
+  const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 0}, RankRun{2, 2}, RankRun{1, 0}));
+}
+
+TEST(RankedList, MayEndEarly) {
+  RetrievalTask task = leave_one_out(labels);
+  task.lists_may_end_early = true;
+  const RankedList list =
+      ranked_list(every_row({0, 1, 2, std::nan(""), std::nan("")}), task, 2, Protocol::psb, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{1, 0}));
+  EXPECT_EQ(list.length, 2U);
+  EXPECT_EQ(list.relevant, 2U);
+  EXPECT_THAT(list.precision_at_hit, ElementsAre(1, 0));
+}
+
+TEST(RankedList, CountsHits) {
+  const RankedList list = list_of_hits({false, true, true, false, true});
+  EXPECT_EQ(hits_among_first(list, 0), 0);
+  EXPECT_EQ(hits_among_first(list, 2), 1);
+  EXPECT_EQ(hits_among_first(list, 5), 3);
+  EXPECT_EQ(hits_among_first(list, 99), 3);
+  EXPECT_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 2 + 3 + 5);
+}
+
+TEST(RankedList, TakesTheMeanOverOpenOrders) {
+  // Ranks 2 to 4 with two hits in any order.
+  const RankedList list = list_of_runs({{1, 1}, {3, 2}});
+  EXPECT_DOUBLE_EQ(hits_among_first(list, 3), 1 + 2 * 2.0 / 3);
+  EXPECT_DOUBLE_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 1 + 2 * 3.0);
 }
 
 }  // namespace

@@ -23,7 +23,10 @@ DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
   return distance_matrix(signatures);
 }
 
-TEST(DistanceMatrix, KnowsL1) { EXPECT_THAT(distance_names(), testing::ElementsAre("l1")); }
+TEST(DistanceMatrix, KnowsItsDistances) {
+  EXPECT_THAT(distance_names(),
+              testing::ElementsAre("l1", "l2", "cosine", "chi2", "hellinger", "jensen-shannon", "emd"));
+}
 
 TEST(DistanceMatrix, SmallExample) {
   Signatures signatures(3, 2);
@@ -71,6 +74,30 @@ TEST(DistanceMatrix, NotFiniteSaysWhere) {
       EXPECT_THAT(error.what(), testing::HasSubstr("entry 1 of signature 2"));
     }
   }
+}
+
+std::string error_of(const Signatures& signatures, const std::string& distance) {
+  try {
+    distance_matrix(signatures, distance);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(DistanceMatrix, OutsideOfADistancesDomainSaysWhichSignature) {
+  Signatures signatures = Signatures::Ones(3, 2);
+  signatures.row(1).setZero();
+  for (const char* name : {"cosine", "hellinger", "jensen-shannon", "emd"}) {
+    EXPECT_THAT(error_of(signatures, name),
+                testing::HasSubstr("not defined for signature 1 (counted from 0), which is"));
+  }
+  for (const char* name : {"l1", "l2", "chi2"}) EXPECT_EQ(error_of(signatures, name), "no error");
+  signatures.row(1) << 2, -1;
+  for (const char* name : {"chi2", "hellinger", "jensen-shannon", "emd"}) {
+    EXPECT_THAT(error_of(signatures, name), testing::HasSubstr("signature 1 (counted from 0), which has a negative"));
+  }
+  for (const char* name : {"l1", "l2", "cosine"}) EXPECT_EQ(error_of(signatures, name), "no error");
 }
 
 RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {

@@ -70,7 +70,7 @@ TEST_F(EvaluateCommand, TablesArePercent) {
       evaluate_toy("--format csv").output,
       StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\ntoy,psb,micro,57.1429,42.8571,92.8571,59.5238,71.8910,"));
   EXPECT_THAT(evaluate_toy("--format markdown --protocol paper").output, HasSubstr("| toy    | paper    | micro   |"));
-  EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}"));
+  EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}\n\\toprule"));
 }
 
 TEST_F(EvaluateCommand, TheCurveGoesToItsFile) {
@@ -117,6 +117,77 @@ TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
   EXPECT_THAT(outcome.errors, HasSubstr("note: 3 models are never queries"));
 }
 
+TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
+  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.plot") + "' --curve trec --pr-per-class '" + at("classes.csv") +
+                         "' --per-query '" + at("queries.csv") + "' --per-class '" + at("per_class.csv") + "'")
+                .status,
+            0);
+  EXPECT_THAT(text_of(at("pr.plot")), MatchesRegex("0.000000\t[^\n]*\n(.*\n)*1.000000\t[^\n]*\n"));
+  EXPECT_THAT(text_of(at("classes.csv")), StartsWith("method,protocol,class,recall,precision\ntoy,psb,A,0,"));
+  EXPECT_THAT(text_of(at("queries.csv")), StartsWith("method,protocol,id,class,NN,FT,ST,E,DCG,mAP\ntoy,psb,0,A,100"));
+  EXPECT_THAT(text_of(at("per_class.csv")), StartsWith("method,protocol,class,queries,NN"));
+}
+
+TEST_F(EvaluateCommand, MeasuresUnitDigitsAndIntervalsAsAsked) {
+  EXPECT_THAT(evaluate_toy("--measures P@2,FT --unit fraction --digits 3 --format csv").output,
+              StartsWith("method,protocol,average,P@2,FT\ntoy,psb,micro,0."));
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json --confidence 0.9 --measures FT").output);
+  EXPECT_LE(json["intervals"]["micro"]["FT"][0], json["micro"]["FT"]);
+  EXPECT_GE(json["intervals"]["micro"]["FT"][1], json["micro"]["FT"]);
+  EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
+}
+
+TEST_F(EvaluateCommand, TheTrecProtocolHasItsMeasures) {
+  EXPECT_THAT(evaluate_toy("--protocol trec --format csv").output,
+              StartsWith("method,protocol,average,mAP,P@10,R@10,MRR,nDCG,R-prec\ntoy,trec,micro,"));
+}
+
+TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
+  write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
+  write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
+  const auto nn = [&](const std::string& ties) {
+    const Outcome outcome = run_executable("evaluate '" + at("tied.txt") + "' --labels '" + at("three.csv") +
+                                           "' --format json --ties " + ties);
+    EXPECT_THAT(outcome.errors, HasSubstr("3 rows have all distances equal"));
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json["ties"], ties);
+    EXPECT_EQ(json["queries_with_ties"], 2);
+    return json["micro"]["NN"].get<double>();
+  };
+  EXPECT_THAT(evaluate_toy("").errors, HasSubstr("note: the answers to 3 of 7 queries have relevant and other models"));
+  EXPECT_EQ(nn("index"), 1);
+  EXPECT_EQ(nn("pessimistic"), 0);
+  EXPECT_EQ(nn("expected"), 0.5);
+}
+
+TEST_F(EvaluateCommand, WhatIsOddIsTold) {
+  write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
+  write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
+  const Outcome outcome = run_executable("evaluate '" + at("odd.txt") + "' --labels '" + at("three.csv") + "'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors,
+              testing::AllOf(HasSubstr("note: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
+}
+
+TEST_F(EvaluateCommand, OneModelHasNoQueries) {
+  write_text(at("one.txt"), "0\n");
+  write_text(at("one.csv"), "id,class\n1,a\n");
+  const Outcome outcome = run_executable("evaluate '" + at("one.txt") + "' --labels '" + at("one.csv") + "'");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("no class has 2 models or more, so there are no queries"));
+}
+
+TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
+  write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
+  const Outcome outcome = run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("same.csv") +
+                                         "' --confidence 0.95 --format json");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["micro"]["mAP"], 1);
+  EXPECT_FALSE(json.contains("intervals"));
+}
+
 TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   write_text(at("short.txt"), "0 1\n1 0\n");
   write_text(at("nan.txt"), "0 nan\n1 0\n");
@@ -125,7 +196,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   const std::string toy = "evaluate '" + at("toy.npy") + "' ";
   const std::string labels = "--labels '" + at("toy.cla") + "' ";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {toy, "--labels is required"},
+      {toy, "give either --labels"},
       {toy + "--labels /nowhere.cla", "/nowhere.cla"},
       {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
       {"evaluate /nowhere.npy " + labels, "/nowhere.npy"},
@@ -135,6 +206,9 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
       {toy + labels + "--protocol pbs", "--protocol"},
       {toy + labels + "--format xml", "--format"},
       {toy + labels + "--min-class-size 5", "class"},
+      {toy + labels + "--measures FT,F", "no measure \"F\""},
+      {toy + labels + "--similarity --distance l1", "--similarity"},
+      {toy + labels + "--level 1", "no level 1 to take"},
       {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
       {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
   for (const auto& [arguments, words] : cases) {

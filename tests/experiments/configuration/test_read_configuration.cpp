@@ -38,6 +38,8 @@ TEST(Configuration, FillsInDefaults) {
   const Configuration configuration = configuration_from_json(document(), "x.json", "/configs");
   EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
   EXPECT_EQ(configuration.minimum_class_size, 2);
+  EXPECT_EQ(configuration.ties, Ties::index);
+  EXPECT_EQ(configuration.measures.size(), 6U);
   EXPECT_EQ(configuration.on_error, OnError::stop);
   EXPECT_EQ(configuration.distance, "l1");
   EXPECT_EQ(configuration.seed, 1U);
@@ -57,7 +59,7 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
   full["report"]["pictures"] = {{"of", "b"}, {"range", {0, 0.25}}};
-  full["evaluation"]["minimum_class_size"] = 3;
+  full["evaluation"] = {{"minimum_class_size", 3}, {"ties", "expected"}, {"measures", {"P@10", "FT"}}};
   full["description"] = "why";
   full["seed"] = 7;
   full["perturbations"] = Json::parse(R"([
@@ -67,9 +69,17 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
   const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
   EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
+  EXPECT_EQ(filled["evaluation"]["ties"], "expected");
+  EXPECT_EQ(filled["evaluation"]["measures"], Json::parse(R"(["P@10", "FT"])"));
   EXPECT_EQ(filled["seed"], 7);
   EXPECT_EQ(filled["perturbations"][1]["choices"][1][0]["radius"], 0.05);
   EXPECT_EQ(filled["protocol"], Json::parse(R"(["paper", "psb"])"));
+}
+
+TEST(Configuration, UnknownMeasuresAndTiesAreErrors) {
+  EXPECT_THAT(message_with("/evaluation", {{"measures", {"FT", "P@x"}}}),
+              HasSubstr("evaluation.measures: the measure \"P@x\" needs a number of ranks"));
+  EXPECT_THAT(message_with("/evaluation", {{"ties", "expect"}}), HasSubstr("expected"));
 }
 
 TEST(Configuration, MistakesInPerturbationsGiveThePlaceAndTheNearestWord) {

@@ -6,6 +6,7 @@
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/metrics/protocol.h"
+#include "shapegauge/metrics/ties.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/experiments/input_error.h"
 
@@ -139,6 +140,7 @@ TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
   EXPECT_EQ(words_at("/definitions/dataset/properties/layout/enum"), names_of(dataset_layouts()));
   EXPECT_EQ(words_at("/definitions/protocol/enum"), protocol_names());
   EXPECT_EQ(words_at("/definitions/retrieval_experiment/properties/distance/enum"), distance_names());
+  EXPECT_EQ(words_at("/definitions/retrieval_experiment/properties/evaluation/properties/ties/enum"), ties_names());
 }
 
 }  // namespace

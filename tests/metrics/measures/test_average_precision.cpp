@@ -7,12 +7,12 @@ namespace {
 
 // The textbook example of Manning, Raghavan and Schuetze's kind: hits at ranks 1, 3, 6.
 TEST(AveragePrecision, IsTheMeanPrecisionAtTheHits) {
-  EXPECT_DOUBLE_EQ(average_precision({{true, false, true, false, false, true}, 3, false}),
+  EXPECT_DOUBLE_EQ(average_precision(list_of_hits({true, false, true, false, false, true})),
                    (1.0 / 1 + 2.0 / 3 + 3.0 / 6) / 3);
 }
 
 TEST(AveragePrecision, IsOneForAPerfectList) {
-  EXPECT_EQ(average_precision({{true, true, true, false, false}, 3, false}), 1);
+  EXPECT_EQ(average_precision(list_of_hits({true, true, true, false, false})), 1);
 }
 
 }  // namespace

@@ -6,13 +6,13 @@ namespace shapegauge {
 namespace {
 
 TEST(NearestNeighbour, LooksAtTheFirstRank) {
-  EXPECT_EQ(nearest_neighbour({{true, false}, 1, false}), 1);
-  EXPECT_EQ(nearest_neighbour({{false, true}, 1, false}), 0);
+  EXPECT_EQ(nearest_neighbour(list_of_hits({true, false})), 1);
+  EXPECT_EQ(nearest_neighbour(list_of_hits({false, true})), 0);
 }
 
 TEST(NearestNeighbour, PassesOverTheQuery) {
-  EXPECT_EQ(nearest_neighbour({{true, false, true}, 2, true}), 0);
-  EXPECT_EQ(nearest_neighbour({{true, true, false}, 2, true}), 1);
+  EXPECT_EQ(nearest_neighbour(list_of_hits({true, false, true}, true)), 0);
+  EXPECT_EQ(nearest_neighbour(list_of_hits({true, true, false}, true)), 1);
 }
 
 }  // namespace

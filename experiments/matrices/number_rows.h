@@ -9,11 +9,14 @@
 
 namespace shapegauge {
 
-/// Puts a square matrix together from the rows of a text file and refuses what does not fit, with file and line.
-class SquareRows {
+/// What a reader takes: the square matrix of a distance, or any table of numbers.
+enum class TableShape { square, any };
+
+/// Puts a matrix together from the rows of a text file and refuses what does not fit, with file and line.
+class NumberRows {
  public:
   /// `source` stands in front of error messages and must outlive this.
-  explicit SquareRows(const std::string& source) : source_(&source) {}
+  NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
 
   /// Adds the next number to the row that is being read. Throws InputError where the word is not a number.
   void add_number(std::string_view word, std::size_t line);
@@ -21,11 +24,12 @@ class SquareRows {
   /// Ends the row. Throws InputError where it is not as long as the first one, or has no numbers.
   void end_row(std::size_t line);
 
-  /// The matrix. Throws InputError where there are no rows, or not as many as columns.
+  /// The matrix. Throws InputError where there are no rows, or, where it must be square, not as many as columns.
   [[nodiscard]] DistanceMatrix matrix() const;
 
  private:
   const std::string* source_;
+  TableShape shape_;
   std::vector<double> numbers_;
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;

@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/matrices/square_rows.h"
+#include "shapegauge/experiments/matrices/number_rows.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-void SquareRows::add_number(std::string_view word, std::size_t line) {
+void NumberRows::add_number(std::string_view word, std::size_t line) {
   const auto number = parse_number(word);
   if (!number) {
     throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row)", *source_, line, quoted_word(word),
@@ -17,7 +17,7 @@ void SquareRows::add_number(std::string_view word, std::size_t line) {
   numbers_.push_back(*number);
 }
 
-void SquareRows::end_row(std::size_t line) {
+void NumberRows::end_row(std::size_t line) {
   const std::size_t length = numbers_.size() - row_begin_;
   if (length == 0) throw InputError(fmt::format("{}:{}: the row has no numbers", *source_, line));
   if (rows_ == 0) {
@@ -28,7 +28,7 @@ void SquareRows::end_row(std::size_t line) {
     throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line, length,
                                  first_line_, columns_));
   }
-  if (rows_ == columns_) {
+  if (shape_ == TableShape::square && rows_ == columns_) {
     throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
                                  *source_, line, rows_ + 1, columns_));
   }
@@ -36,16 +36,16 @@ void SquareRows::end_row(std::size_t line) {
   row_begin_ = numbers_.size();
 }
 
-DistanceMatrix SquareRows::matrix() const {
+DistanceMatrix NumberRows::matrix() const {
   if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
-  if (rows_ != columns_) {
+  if (shape_ == TableShape::square && rows_ != columns_) {
     throw InputError(
         fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
                     "cut off",
                     *source_, rows_, columns_));
   }
-  const auto size = static_cast<Eigen::Index>(columns_);
-  return Eigen::Map<const DistanceMatrix>(numbers_.data(), size, size);
+  return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
+                                          static_cast<Eigen::Index>(columns_));
 }
 
 }  // namespace shapegauge

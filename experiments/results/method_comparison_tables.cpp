@@ -1,0 +1,135 @@
+#include "shapegauge/experiments/results/method_comparison_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t letters = 26;
+
+std::string mark_of(std::size_t method, std::size_t methods) {
+  return methods <= letters ? std::string(1, static_cast<char>('a' + method)) : fmt::format("{}", method + 1);
+}
+
+std::string figure(double fraction, const FigureStyle& style) {
+  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+}
+
+std::string signed_figure(double fraction, const FigureStyle& style) {
+  return fmt::format("{:+.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+}
+
+std::string p_value(double p, bool exact) {
+  constexpr double smallest = 0.0001;  // with the four digits of a table
+  if (exact) return fmt::format("{}", p);
+  return p < smallest ? "<0.0001" : fmt::format("{:.4f}", p);
+}
+
+// The marks of the methods that the method is significantly better than.
+std::string marks_behind(std::size_t method, const MethodComparison& comparison, double alpha) {
+  const auto methods = static_cast<std::size_t>(comparison.averages.size());
+  std::vector<std::size_t> worse;
+  for (const PairDifference& pair : comparison.pairs) {
+    if (pair.p_holm > alpha) continue;
+    if (pair.first == method && pair.difference > 0) worse.push_back(pair.second);
+    if (pair.second == method && pair.difference < 0) worse.push_back(pair.first);
+  }
+  std::ranges::sort(worse);
+  std::string marks;
+  for (const std::size_t other : worse) {
+    if (methods > letters && !marks.empty()) marks += ',';
+    marks += mark_of(other, methods);
+  }
+  return marks;
+}
+
+Json json_number(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+
+Json pair_json(const PairDifference& pair, const AlignedMethods& methods) {
+  return {{"first", methods.methods[pair.first]},
+          {"second", methods.methods[pair.second]},
+          {"difference", pair.difference},
+          {"interval", {pair.interval.low, pair.interval.high}},
+          {"p", pair.p},
+          {"p_holm", pair.p_holm},
+          {"p_tukey", pair.p_tukey},
+          {"effect_size", json_number(pair.effect_size)},
+          {"wins", pair.queries.wins},
+          {"ties", pair.queries.ties},
+          {"losses", pair.queries.losses}};
+}
+
+}  // namespace
+
+Table comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                         const ComparisonOptions& options, const FigureStyle& style) {
+  Table table{.header = {"", "method"}, .rows = {}, .text_columns = 2};
+  table.header.insert(table.header.end(), methods.measures.begin(), methods.measures.end());
+  const double alpha = 1 - options.confidence;
+  for (std::size_t method = 0; method < methods.methods.size(); ++method) {
+    table.rows.push_back({mark_of(method, methods.methods.size()), methods.methods[method]});
+    for (std::size_t k = 0; k < comparisons.size(); ++k) {
+      const ConfidenceInterval& interval = comparisons[k].intervals[method];
+      table.rows.back().push_back(fmt::format("{} [{}, {}]",
+                                              figure(comparisons[k].averages[static_cast<Eigen::Index>(method)], style),
+                                              figure(interval.low, style), figure(interval.high, style)));
+      const std::string marks = marks_behind(method, comparisons[k], alpha);
+      if (!marks.empty()) table.emphases.push_back({.row = method, .column = 2 + k, .bold = false, .mark = marks});
+    }
+  }
+  embolden_best(table, table.text_columns);
+  return table;
+}
+
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                  const FigureStyle& style, bool exact) {
+  Table table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
+                         "effect_size", "wins", "ties", "losses"},
+              .rows = {},
+              .text_columns = 3};
+  for (std::size_t k = 0; k < comparisons.size(); ++k) {
+    for (const PairDifference& pair : comparisons[k].pairs) {
+      table.rows.push_back({methods.measures[k], methods.methods[pair.first], methods.methods[pair.second],
+                            signed_figure(pair.difference, style), signed_figure(pair.interval.low, style),
+                            signed_figure(pair.interval.high, style), p_value(pair.p, exact),
+                            p_value(pair.p_holm, exact), p_value(pair.p_tukey, exact),
+                            fmt::format("{:.2f}", pair.effect_size), fmt::format("{}", pair.queries.wins),
+                            fmt::format("{}", pair.queries.ties), fmt::format("{}", pair.queries.losses)});
+    }
+  }
+  return table;
+}
+
+Json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                     const ComparisonOptions& options) {
+  Json measures = Json::object();
+  for (std::size_t k = 0; k < comparisons.size(); ++k) {
+    Json averages = Json::array();
+    for (std::size_t method = 0; method < methods.methods.size(); ++method) {
+      const ConfidenceInterval& interval = comparisons[k].intervals[method];
+      averages.push_back({{"method", methods.methods[method]},
+                          {"average", comparisons[k].averages[static_cast<Eigen::Index>(method)]},
+                          {"interval", {interval.low, interval.high}}});
+    }
+    Json pairs = Json::array();
+    for (const PairDifference& pair : comparisons[k].pairs) pairs.push_back(pair_json(pair, methods));
+    measures[methods.measures[k]] = {{"methods", std::move(averages)}, {"pairs", std::move(pairs)}};
+  }
+  return {{"protocol", methods.protocol},
+          {"average", name_of(options.average)},
+          {"test", name_of(options.test)},
+          {"blocks", name_of(options.blocks)},
+          {"units", comparisons.empty() ? 0 : comparisons[0].units},
+          {"queries", methods.classes.size()},
+          {"confidence", options.confidence},
+          {"resamples", options.resampling.resamples},
+          {"seed", options.resampling.seed},
+          {"measures", std::move(measures)}};
+}
+
+}  // namespace shapegauge

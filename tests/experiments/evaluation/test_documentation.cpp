@@ -1,0 +1,121 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+
+#include "shapegauge/experiments/evaluation/evaluation_input.h"
+#include "shapegauge/experiments/text/lines.h"
+#include "shapegauge/experiments/text/parse_number.h"
+#include "shapegauge/metrics/evaluation.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/text_files.h"
+
+// The worked example of docs/evaluation.md: what stands there is what the library gives.
+
+namespace shapegauge {
+namespace {
+
+using test_experiments::text_of;
+
+const std::string& guide() {
+  static const std::string text = text_of(SHAPEGAUGE_EVALUATION_GUIDE);
+  return text;
+}
+
+// The indented block behind the first line with these words, without the indentation.
+std::string block_behind(const std::string& words) {
+  std::string block;
+  bool found = false;
+  for (const std::string_view line : split_lines(std::string_view(guide()).substr(guide().find(words)))) {
+    const bool indented = line.starts_with("    ");
+    if (found && !indented) break;
+    found = found || indented;
+    if (indented) block += std::string(line.substr(4)) + '\n';
+  }
+  return block;
+}
+
+// The rows of the Markdown table behind a heading, cells without their blanks.
+std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::string_view line : split_lines(std::string_view(guide()).substr(guide().find(heading)))) {
+    if (!line.starts_with('|')) {
+      if (rows.empty()) continue;
+      break;
+    }
+    rows.emplace_back();
+    line.remove_prefix(1);
+    while (line.find('|') != std::string_view::npos) {
+      rows.back().emplace_back(without_outer_blanks(line.substr(0, line.find('|'))));
+      line.remove_prefix(line.find('|') + 1);
+    }
+  }
+  rows.erase(rows.begin(), rows.begin() + 2);  // names and rule
+  return rows;
+}
+
+class FiveShapes : public testing::Test {
+ protected:
+  FiveShapes() {
+    test_experiments::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
+    test_experiments::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
+    input = read_evaluation_input({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
+  }
+
+  // The measure of the query a1.
+  [[nodiscard]] double value(const std::string& measure, const std::string& protocol = "psb",
+                             const std::string& ties = "index") const {
+    EvaluationOptions options;
+    options.protocol = protocol_of(protocol).value();
+    options.ties = ties_of(ties).value();
+    options.measures = {measure_of(measure)};
+    return evaluate(input.distances, input.task, options).per_query(0, 0);
+  }
+
+  EvaluationInput input;
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+void expect_printed(const std::string& printed, double value, const std::string& what) {
+  const auto number = parse_number(printed);
+  ASSERT_TRUE(number) << what << ": " << printed;
+  EXPECT_NEAR(*number, value, 0.00005) << what;
+}
+
+TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
+  const auto rows = table_behind("## Measures");
+  std::size_t worked = 0;
+  for (const MeasureDefinition& definition : measure_definitions()) {
+    for (const auto& row : rows) {
+      const bool same =
+          row[0] == definition.name ||
+          (definition.value_at != nullptr && row[0].starts_with(definition.name.substr(0, definition.name.size() - 1)));
+      if (!same) continue;
+      ++worked;
+      expect_printed(row.back(), value(row[0]), row[0]);
+    }
+  }
+  EXPECT_EQ(worked, measure_definitions().size());
+  EXPECT_EQ(rows.size(), worked);
+}
+
+TEST_F(FiveShapes, UnderThePaperProtocol) {
+  for (const auto& row : table_behind("## Protocols")) {
+    expect_printed(row[1], value(row[0], "psb"), row[0] + " psb");
+    expect_printed(row[2], value(row[0], "paper"), row[0] + " paper");
+  }
+}
+
+TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
+  const auto rows = table_behind("## Ties");
+  EXPECT_EQ(rows.size(), ties_names().size());
+  for (const auto& row : rows) {
+    const std::string ties = row[0].substr(1, row[0].size() - 2);  // between backticks
+    expect_printed(row[2], value("mAP", "psb", ties), "mAP " + ties);
+    expect_printed(row[3], value("DCG", "psb", ties), "DCG " + ties);
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge

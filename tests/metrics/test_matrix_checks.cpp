@@ -1,0 +1,78 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+#include "shapegauge/metrics/matrix_checks.h"
+
+namespace shapegauge {
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+
+// Distances of points on a line: nothing is odd about them.
+Matrix sound(Eigen::Index count) {
+  return Matrix::NullaryExpr(count, count, [](Eigen::Index i, Eigen::Index j) {
+    return std::abs(static_cast<double>(i * i) - static_cast<double>(j * j));
+  });
+}
+
+TEST(MatrixChecks, FindNothingWhereNothingIs) {
+  const MatrixFindings found = check_matrix(sound(200), true);
+  EXPECT_EQ(found.infinite, 0);
+  EXPECT_EQ(found.negative, 0);
+  EXPECT_EQ(found.asymmetric_pairs, 0);
+  EXPECT_EQ(found.nonzero_diagonal, 0);
+  EXPECT_EQ(found.rows_nearest_to_others, 0);
+  EXPECT_THAT(found.equal_rows, IsEmpty());
+  EXPECT_THAT(found.constant_rows, IsEmpty());
+}
+
+TEST(MatrixChecks, CountWhatIsOdd) {
+  Matrix distances = sound(200);
+  distances(3, 150) = -2;
+  distances(7, 9) = std::numeric_limits<double>::infinity();
+  distances(4, 4) = 0.5;
+  const MatrixFindings found = check_matrix(distances, true);
+  EXPECT_EQ(found.negative, 1);
+  EXPECT_EQ(found.infinite, 1);
+  EXPECT_EQ(found.asymmetric_pairs, 2);
+  EXPECT_EQ(found.largest_asymmetry, 150 * 150 - 9 + 2);
+  EXPECT_EQ(found.nonzero_diagonal, 1);
+}
+
+TEST(MatrixChecks, FindRowsThatRepeatOthers) {
+  Matrix distances = sound(100);
+  for (const Eigen::Index copy : {60, 80}) {
+    distances.row(copy) = distances.row(10).eval();
+    distances.col(copy) = distances.col(10).eval();
+  }
+  EXPECT_THAT(check_matrix(distances, true).equal_rows, ElementsAre(Pair(60, 10), Pair(80, 10)));
+}
+
+TEST(MatrixChecks, FindRowsWithoutOrder) {
+  Matrix distances = sound(50);
+  distances.row(20).setConstant(3);
+  distances(20, 20) = 0;
+  EXPECT_THAT(check_matrix(distances, true).constant_rows, ElementsAre(20));
+  EXPECT_THAT(check_matrix(distances, false).constant_rows, IsEmpty());
+  EXPECT_THAT(check_matrix(Matrix::Zero(2, 2), true).constant_rows, IsEmpty());
+}
+
+TEST(MatrixChecks, FindSimilarities) {
+  const Matrix similarities = 10000.0 - sound(50).array();
+  EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);
+  EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
+}
+
+TEST(MatrixChecks, KnowNoDiagonalBetweenTwoSets) {
+  const MatrixFindings found = check_matrix(Matrix::Random(4, 9), false);
+  EXPECT_EQ(found.asymmetric_pairs, 0);
+  EXPECT_EQ(found.nonzero_diagonal, 0);
+}
+
+}  // namespace
+}  // namespace shapegauge

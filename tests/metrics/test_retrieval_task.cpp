@@ -1,0 +1,34 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapegauge/metrics/retrieval_task.h"
+
+namespace shapegauge {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(RetrievalTask, LeaveOneOutCountsAllOthersOfTheClass) {
+  const RetrievalTask task = leave_one_out(std::vector<int>{3, 5, 3, 3});
+  EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 2, 2));
+  EXPECT_TRUE(is_relevant(task, 0, 2));
+  EXPECT_FALSE(is_relevant(task, 0, 1));
+}
+
+TEST(RetrievalTask, QueriesThatAreNoTargetsCountTheWholeClass) {
+  RetrievalTask task;
+  task.query_classes = {3, no_class, 5};
+  task.target_classes = {3, 3, no_class, 5};
+  task.own_column = {-1, -1, 3};
+  EXPECT_THAT(relevant_counts(task), ElementsAre(2, 0, 0));
+}
+
+TEST(RetrievalTask, JudgementsCountWithoutTheQuery) {
+  RetrievalTask task = leave_one_out(std::vector<int>{0, 1, 2});
+  task.judged = {{0, 2}, {0, 2}, {}};
+  EXPECT_THAT(relevant_counts(task), ElementsAre(1, 2, 0));
+  EXPECT_TRUE(is_relevant(task, 1, 2));
+}
+
+}  // namespace
+}  // namespace shapegauge
