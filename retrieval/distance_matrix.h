@@ -8,7 +8,7 @@ namespace shapegauge {
 
 /// To be raised with every change of a distance that changes a value: what a cache holds of earlier versions is then
 /// computed anew.
-inline constexpr int distances_version = 1;
+inline constexpr int distances_version = 2;
 
 /// Signatures, one shape a row.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

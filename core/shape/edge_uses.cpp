@@ -2,29 +2,25 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <tuple>
+#include <utility>
+
+#include "shapegauge/core/shape/counting_sort.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// The uses by (low, high, triangle), of which they are by triangle already: counted into their low vertices' places,
-/// which hold few each.
+/// The uses by (low, high, triangle).
 std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
-  std::vector<std::size_t> begin(vertices + 1, 0);
-  for (const EdgeUse& use : uses) ++begin[static_cast<std::size_t>(use.low) + 1];
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<EdgeUse> result(uses.size());
-  std::vector<std::size_t> next = begin;
-  for (const EdgeUse& use : uses) result[next[static_cast<std::size_t>(use.low)]++] = use;
+  CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
   for (std::size_t v = 0; v < vertices; ++v) {
-    const auto place = [&](std::size_t i) { return result.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::sort(place(begin[v]), place(begin[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+    const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
       return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
     });
   }
-  return result;
+  return std::move(counted.values);
 }
 
 }  // namespace

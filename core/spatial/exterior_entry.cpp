@@ -1,6 +1,7 @@
 #include "shapegauge/core/spatial/exterior_entry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "shapegauge/core/spatial/offset_tolerance.h"
@@ -14,7 +15,7 @@ namespace {
 double exit_from_cube(const ExteriorCell& cell, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
   double exit = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    if (direction[k] == 0) continue;
+    if (std::abs(direction[k]) < 1e-12) continue;  // never gets to the face, which it may run in
     const double face = cell.centre[k] + (direction[k] > 0 ? cell.half : -cell.half);
     exit = std::min(exit, (face - origin[k]) / direction[k]);
   }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <span>
 
 namespace shapegauge {
@@ -24,11 +23,12 @@ class LeafGraph {
  public:
   LeafGraph(const OffsetExterior& exterior)
       : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
-    pairs_.reserve(3 * nodes_.size());
+    for (auto& pairs : pairs_) pairs.reserve(nodes_.size());
     visit(exterior.root());
   }
 
-  [[nodiscard]] const std::vector<FacePair>& pairs() const { return pairs_; }
+  /// Those that share a face across the axis.
+  [[nodiscard]] const std::vector<FacePair>& pairs(int axis) const { return pairs_[static_cast<std::size_t>(axis)]; }
   [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const {
     return centres_[static_cast<std::size_t>(leaf)];
   }
@@ -55,7 +55,7 @@ class LeafGraph {
     const bool low_divided = node(low).kind == CellKind::divided;
     const bool high_divided = node(high).kind == CellKind::divided;
     if (!low_divided && !high_divided) {
-      pairs_.push_back({low, high, axis});
+      pairs_[static_cast<std::size_t>(axis)].push_back({low, high, axis});
       return;
     }
     for (int i = 0; i < 8; ++i) {
@@ -68,28 +68,7 @@ class LeafGraph {
   const std::vector<ExteriorNode>& nodes_;
   std::vector<Eigen::Vector3d> centres_;
   std::vector<double> halves_;
-  std::vector<FacePair> pairs_;
-};
-
-/// Disjoint sets of leaves.
-class Parts {
- public:
-  explicit Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::int32_t find(std::int32_t i) {
-    while (parent(i) != i) i = parent(i) = parent(parent(i));
-    return i;
-  }
-
-  void join(std::int32_t i, std::int32_t j) {
-    i = find(i);
-    j = find(j);
-    if (i != j) parent(std::max(i, j)) = std::min(i, j);
-  }
-
- private:
-  std::int32_t& parent(std::int32_t i) { return parent_[static_cast<std::size_t>(i)]; }
-  std::vector<std::int32_t> parent_;
+  std::array<std::vector<FacePair>, 3> pairs_;
 };
 
 bool is_open(const ExteriorNode& node) {
@@ -130,7 +109,7 @@ Way way_between(const LeafGraph& graph, const std::vector<ExteriorNode>& nodes, 
 
 /// Joins the leaves of those ways that are proven free. Takes a few neighbouring ones, whose middles are looked at
 /// together.
-void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts& parts) {
+void join_over(const OffsetExterior& exterior, std::span<const Way> ways, DisjointSets& parts) {
   constexpr int most_halvings = 2;
   std::array<Eigen::Vector3d, SurfaceTree::most_points_at_once> middles;
   double longest = 0;
@@ -154,23 +133,25 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Parts&
 
 /// Joins the open leaves across faces where the way is proven free: the proofs that cost nothing first, the others only
 /// where they would join different parts.
-void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, Parts& parts) {
+/// Ways between two of the first `tried` nodes were tried before.
+void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::int32_t tried, DisjointSets& parts) {
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
   std::vector<FacePair> uncertain;
-  for (const FacePair& pair : graph.pairs()) {
+  const auto join_or_keep = [&](const FacePair& pair) {
     const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
     const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
-    if (!is_open(low) || !is_open(high)) continue;
+    if (!is_open(low) || !is_open(high)) return;
     const double way = (low.kind == CellKind::free ? 0 : graph.half(pair.low)) +
                        (high.kind == CellKind::free ? 0 : graph.half(pair.high));
     const double clearance = (low.kind == CellKind::free ? 0 : static_cast<double>(low.clearance)) +
                              (high.kind == CellKind::free ? 0 : static_cast<double>(high.clearance));
     if (clearance >= way) {
       parts.join(pair.low, pair.high);
-    } else {
+    } else if (pair.low >= tried || pair.high >= tried) {
       uncertain.push_back(pair);
     }
-  }
+  };
+  for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
@@ -189,7 +170,7 @@ struct PartSummary {
   bool holds_free_cube = false;
 };
 
-std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, Parts& parts) {
+std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, DisjointSets& parts) {
   std::vector<PartSummary> summaries(nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!is_open(nodes[i])) continue;
@@ -228,8 +209,7 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
       if (node.kind == CellKind::free || 2 * graph.half(to) > 1.5 * resolution) return;
       node.space = merged(node.space, before[static_cast<std::size_t>(from)]);
     };
-    for (const FacePair& pair : graph.pairs()) {
-      if (pair.axis != axis) continue;
+    for (const FacePair& pair : graph.pairs(axis)) {
       spread(pair.low, pair.high);
       spread(pair.high, pair.low);
     }
@@ -258,14 +238,15 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
 
 }  // namespace
 
-void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
+void ExteriorFlood::run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
   const LeafGraph graph(exterior);
-  Parts parts(nodes.size());
-  join_leaves(exterior, graph, parts);
-  const std::vector<PartSummary> summaries = summarise(nodes, parts);
+  const auto tried = static_cast<std::int32_t>(parts_.size());
+  parts_.grow_to(nodes.size());
+  join_leaves(exterior, graph, tried, parts_);
+  const std::vector<PartSummary> summaries = summarise(nodes, parts_);
   const ExteriorCell root = exterior.root();
   const auto corner = exterior.leaf_at(root.centre - 0.999 * Eigen::Vector3d::Constant(root.half));
-  const std::int32_t outside = parts.find(corner->node);
+  const std::int32_t outside = parts_.find(corner->node);
   std::vector<FreeSpace> spaces(nodes.size(), FreeSpace::none);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (summaries[i].representative < 0) continue;
@@ -274,7 +255,7 @@ void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& n
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes[i].centre_space = is_open(nodes[i])
-                                ? spaces[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))]
+                                ? spaces[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))]
                                 : FreeSpace::none;
   }
   spread_to_mixed(graph, exterior.resolution(), nodes);

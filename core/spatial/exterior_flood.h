@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "shapegauge/core/spatial/disjoint_sets.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 
 namespace shapegauge {
@@ -12,6 +13,14 @@ namespace shapegauge {
 /// root's border is the exterior. Any other part that holds a free cube is enclosed. A part without one is too small to
 /// be sure that it is not joined to another: on a closed surface, the crossings of a ray decide between enclosed and
 /// exterior (a slit that leads outside); otherwise it stays undecided.
-void flood_exterior(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
+///
+/// Run again when leaves have been divided, it looks only at ways to and from the new ones.
+class ExteriorFlood {
+ public:
+  void run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
+
+ private:
+  DisjointSets parts_;  ///< of the nodes' centres
+};
 
 }  // namespace shapegauge

@@ -36,8 +36,9 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   while (mixed.front().half > smallest / 2 * 1.5 && divide(mixed)) {
   }
   resolution_ = 2 * mixed.front().half;
-  flood_exterior(*this, nodes_);
-  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal));
+  ExteriorFlood flood;
+  flood.run(*this, nodes_);
+  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal), flood);
   mark_exterior(0);
 }
 
@@ -71,7 +72,7 @@ bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
     std::array<Eigen::Vector3d, 8> centres;
     for (int i = 0; i < 8; ++i) centres[static_cast<std::size_t>(i)] = octant(cell, i, first + i).centre;
     const double radius = root_of_three * cell.half / 2;
-    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius);
+    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius, std::max(0.0, r_ - radius));
     for (int i = 0; i < 8; ++i) {
       const ExteriorCell child = octant(cell, i, first + i);
       classify(child, nearest[static_cast<std::size_t>(i)]);
@@ -92,12 +93,12 @@ void OffsetExterior::find_unsettled(const ExteriorCell& cell, double smallest, s
   if (node.kind == CellKind::mixed && unsettled && 2 * cell.half > smallest) found.push_back(cell);
 }
 
-void OffsetExterior::settle_pockets(double smallest) {
+void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
   while (true) {
     std::vector<ExteriorCell> unsettled;
     find_unsettled(root(), smallest, unsettled);
     if (!divide(unsettled)) break;
-    flood_exterior(*this, nodes_);
+    flood.run(*this, nodes_);
   }
   for (ExteriorNode& node : nodes_) {
     if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;

@@ -40,6 +40,8 @@ struct ExteriorNode {
   bool may_hold_exterior = false;            ///< some exterior point may lie in the cube
 };
 
+class ExteriorFlood;
+
 /// The space around a shape, sorted into offset solid O(r), exterior E(r) and enclosed free space (the design, section
 /// 2.1): an octree, refined where the boundary of O(r) runs, flooded from outside.
 ///
@@ -93,7 +95,7 @@ class OffsetExterior {
   /// The mixed leaves larger than the smallest of which it is not known what free space is in them.
   void find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const;
   /// Divides unsettled leaves further; what remains unsettled then is taken for enclosed.
-  void settle_pockets(double smallest);
+  void settle_pockets(double smallest, ExteriorFlood& flood);
   bool mark_exterior(std::int32_t node);
   [[nodiscard]] bool may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const;
   /// What the centre of the leaf around x belongs to, where the ball of free space around x holds it.

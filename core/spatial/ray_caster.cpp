@@ -109,6 +109,7 @@ RayCaster::RayCaster(const Shape& shape) : scene_(std::make_unique<Scene>()) {
   scene_->frame = unit_frame(shape);
   rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no gaps between triangles that share an edge
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
+  rtcSetSceneBuildQuality(scene_->scene.get(), RTC_BUILD_QUALITY_HIGH);  // pays from a few rays a triangle on
   rtcCommitScene(scene_->scene.get());
 }
 

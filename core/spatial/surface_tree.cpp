@@ -94,14 +94,14 @@ std::optional<SurfaceHit> SurfaceTree::closest(const Eigen::Vector3d& x, double 
 }
 
 std::array<SurfaceTree::Nearest, SurfaceTree::most_points_at_once> SurfaceTree::closest_to_each(
-    std::span<const Eigen::Vector3d> points, double max_distance) const {
+    std::span<const Eigen::Vector3d> points, double max_distance, double enough) const {
   std::array<Nearest, most_points_at_once> result;
   if (layout_->nodes.empty() || points.empty()) return result;
   std::array<float, most_points_at_once> limits{};
   std::array<std::int32_t, most_points_at_once> triangles{};
   limits.fill(widened_square(max_distance));
   triangles.fill(-1);
-  closest_triangles(layout_->nodes, layout_->leaves, points, std::span(limits).first(points.size()),
+  closest_triangles(layout_->nodes, layout_->leaves, points, static_cast<float>(enough * enough), std::span(limits).first(points.size()),
                     std::span(triangles).first(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (triangles[i] >= 0) result[i] = {triangles[i], std::sqrt(limits[i])};

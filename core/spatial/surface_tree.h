@@ -58,9 +58,9 @@ class SurfaceTree {
   static constexpr std::size_t most_points_at_once = 8;
 
   /// The closest triangle to each of a few points that are near each other, among those nearer than max_distance: finds
-  /// the leaves within reach once for all.
+  /// the leaves within reach once for all. Where some triangle is nearer than `enough`, it will do.
   [[nodiscard]] std::array<Nearest, most_points_at_once> closest_to_each(std::span<const Eigen::Vector3d> points,
-                                                                         double max_distance) const;
+                                                                         double max_distance, double enough = 0) const;
 
   /// Some triangle nearer than the distance, or nothing. Cheaper than the closest one.
   [[nodiscard]] std::optional<std::int32_t> any_within(const Eigen::Vector3d& x, double distance,

@@ -37,7 +37,11 @@ class Builder {
       : nodes_(nodes), leaves_(leaves), triangles_(triangles), order_(triangles.size()) {
     std::iota(order_.begin(), order_.end(), 0);
     boxes_.reserve(triangles.size());
-    for (const Triangle& triangle : triangles) boxes_.push_back(box_of(triangle));
+    crosses_.reserve(triangles.size());
+    for (const Triangle& triangle : triangles) {
+      boxes_.push_back(box_of(triangle));
+      crosses_.emplace_back((triangle.b - triangle.a).cross(triangle.c - triangle.a));
+    }
   }
 
   void build() { add_node(std::span(order_)); }
@@ -126,6 +130,7 @@ class Builder {
     const std::vector<Part> parts = split_in_eight(part);
     for (std::size_t i = 0; i < children_per_node; ++i) {
       set_box(index, i, i < parts.size() ? box_of_part(parts[i]) : Box());
+      if (i < parts.size()) set_disk(index, i, parts[i]);
       std::int32_t child = 0;
       if (i < parts.size()) child = parts[i].size() <= triangles_per_leaf ? add_leaf(parts[i]) : add_node(parts[i]);
       nodes_[index].child[i] = child;
@@ -146,6 +151,31 @@ class Builder {
       nodes_[node].low[k][child] = low;
       nodes_[node].high[k][child] = high;
     }
+  }
+
+  void set_disk(std::size_t node, std::size_t child, Part part) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const std::int32_t i : part) sum += crosses_[static_cast<std::size_t>(i)];
+    const Eigen::Vector3f normal = sum.stableNormalized().cast<float>();
+    const Eigen::Vector3f centre = box_of_part(part).center().cast<float>();
+    double height = 0;
+    double radius2 = 0;
+    for (const std::int32_t i : part) {
+      const Triangle& triangle = triangles_[static_cast<std::size_t>(i)];
+      for (const Eigen::Vector3d* corner : {&triangle.a, &triangle.b, &triangle.c}) {
+        const Eigen::Vector3d from_centre = *corner - centre.cast<double>();
+        const double along = normal.cast<double>().dot(from_centre);
+        height = std::max(height, std::abs(along));
+        radius2 = std::max(radius2, (from_centre - along * normal.cast<double>()).squaredNorm());
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      nodes_[node].normal[k][child] = normal[static_cast<Eigen::Index>(k)];
+      nodes_[node].centre[k][child] = centre[static_cast<Eigen::Index>(k)];
+    }
+    const double margin = box_margin * (1 + centre.cast<double>().norm());
+    nodes_[node].half_height[child] = static_cast<float>(height + margin);
+    nodes_[node].radius[child] = static_cast<float>(std::sqrt(radius2) + margin);
   }
 
   std::int32_t add_leaf(Part part) {
@@ -198,6 +228,7 @@ class Builder {
   const std::vector<Triangle>& triangles_;
   std::vector<std::int32_t> order_;
   std::vector<Box> boxes_;
+  std::vector<Eigen::Vector3d> crosses_;  ///< along the triangles' normals, twice their areas long
 };
 
 }  // namespace

@@ -13,11 +13,16 @@ namespace shapegauge {
 inline constexpr int children_per_node = 8;
 inline constexpr int triangles_per_leaf = 16;
 
-/// The boxes of eight children, coordinate by coordinate. Unused places hold an empty box, infinitely far from
-/// anything.
+/// The boxes of eight children, coordinate by coordinate, and for each a disk: a flat cylinder about the mean normal of
+/// its triangles. On a smooth surface it is much thinner than the box, the more so the finer the triangles. Unused
+/// places hold an empty box, infinitely far from anything.
 struct alignas(64) SurfaceTreeNode {
   std::array<std::array<float, children_per_node>, 3> low;
   std::array<std::array<float, children_per_node>, 3> high;
+  std::array<std::array<float, children_per_node>, 3> centre;  ///< of the disk
+  std::array<std::array<float, children_per_node>, 3> normal;  ///< zero where there is none; then the disk is a ball
+  std::array<float, children_per_node> half_height;
+  std::array<float, children_per_node> radius;
   std::array<std::int32_t, children_per_node> child;  ///< a node's index, or ~index of a leaf
 };
 
@@ -58,9 +63,9 @@ std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const s
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
 
 /// For each of a few points the triangle of smallest squared distance below its limit, which it becomes; triangles are
-/// left as they are where there is none.
+/// left as they are where there is none. One of a squared distance below `enough` will do.
 void closest_triangles(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
-                       std::span<const Eigen::Vector3d> points, std::span<float> squared_limits,
+                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
                        std::span<std::int32_t> triangles);
 
 /// Some triangle of squared distance to x below the limit, or -1.

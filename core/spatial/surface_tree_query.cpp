@@ -95,20 +95,29 @@ HWY_INLINE std::int32_t closest_in_leaf(const SurfaceTreeLeaf& leaf, const Eigen
   }
 }
 
-/// Squared distances from x to the boxes of the node's children. Returns which are below the limit, a bit each.
+/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which are below the limit, a bit each.
 HWY_INLINE std::uint32_t squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float limit,
                                            std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;
   std::uint32_t below_limit = 0;
   for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
     auto sum = hn::Zero(d);
+    auto height = hn::Zero(d);
+    auto from_centre2 = hn::Zero(d);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+      const auto from_centre = hn::Sub(coordinate, hn::Load(d, node.centre[k].data() + lane));
+      height = hn::MulAdd(from_centre, hn::Load(d, node.normal[k].data() + lane), height);
+      from_centre2 = hn::MulAdd(from_centre, from_centre, from_centre2);
       const auto below = hn::Sub(hn::Load(d, node.low[k].data() + lane), coordinate);
       const auto above = hn::Sub(coordinate, hn::Load(d, node.high[k].data() + lane));
       const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
       sum = hn::MulAdd(outside, outside, sum);
     }
+    const auto off_axis = hn::Sqrt(hn::Max(hn::NegMulAdd(height, height, from_centre2), hn::Zero(d)));
+    const auto above = hn::Max(hn::Sub(hn::Abs(height), hn::Load(d, node.half_height.data() + lane)), hn::Zero(d));
+    const auto beside = hn::Max(hn::Sub(off_axis, hn::Load(d, node.radius.data() + lane)), hn::Zero(d));
+    sum = hn::Max(sum, hn::MulAdd(above, above, hn::Mul(beside, beside)));
     hn::Store(sum, d, result.data() + lane);
     std::array<std::uint8_t, 8> bits{};
     hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
@@ -167,11 +176,38 @@ struct Reached {
   std::size_t count = 0;
   alignas(64) std::array<std::array<float, most>, 3> low, high;
   std::array<std::int32_t, most> leaf;
+  float nearest = std::numeric_limits<float>::infinity();
+
+  /// The nearest comes first: what is found in it rules out most of the others.
+  void add(const SurfaceTreeNode& node, std::size_t child, float distance) {
+    const bool first = count > 0 && distance < nearest;
+    nearest = std::min(nearest, distance);
+    if (first) move(0, count);
+    put(node, child, first ? 0 : count);
+    ++count;
+  }
+
+ private:
+  void move(std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][to] = low[k][from];
+      high[k][to] = high[k][from];
+    }
+    leaf[to] = leaf[from];
+  }
+
+  void put(const SurfaceTreeNode& node, std::size_t child, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][place] = node.low[k][child];
+      high[k][place] = node.high[k][child];
+    }
+    leaf[place] = node.child[child];
+  }
 };
 
 /// Looks into the leaves, for each point into those whose boxes are within its limit.
 HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeLeaf>& leaves,
-                          std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                          std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
                           std::span<std::int32_t> triangles) {
   const hn::CappedTag<float, triangles_per_leaf> d;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -189,7 +225,7 @@ HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeL
       hn::Store(sum, d, distances.data());
       const std::size_t lanes = std::min(hn::Lanes(d), reached.count - first);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (!(distances[lane] < limits[i])) continue;
+        if (!(distances[lane] < limits[i]) || limits[i] < enough) continue;
         const std::int32_t found =
             closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
         if (found >= 0) triangles[i] = found;
@@ -199,7 +235,7 @@ HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeL
 }
 
 void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
-                     std::span<const Eigen::Vector3d> points, std::span<float> limits,
+                     std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
                      std::span<std::int32_t> triangles) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
@@ -222,17 +258,13 @@ void closest_to_each(const std::vector<SurfaceTreeNode>& nodes, const std::vecto
         stack[static_cast<std::size_t>(top++)] = node.child[i];
         continue;
       }
-      for (std::size_t k = 0; k < 3; ++k) {
-        reached.low[k][reached.count] = node.low[k][i];
-        reached.high[k][reached.count] = node.high[k][i];
-      }
-      reached.leaf[reached.count++] = node.child[i];
+      reached.add(node, i, distances[i]);
       if (reached.count < Reached::most) continue;
-      look_into(reached, leaves, points, limits, triangles);
+      look_into(reached, leaves, points, enough, limits, triangles);
       reached.count = 0;
     }
   }
-  look_into(reached, leaves, points, limits, triangles);
+  look_into(reached, leaves, points, enough, limits, triangles);
 }
 
 std::int32_t any_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
@@ -262,9 +294,9 @@ std::int32_t closest_triangle(const std::vector<SurfaceTreeNode>& nodes, const s
 }
 
 void closest_triangles(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,
-                       std::span<const Eigen::Vector3d> points, std::span<float> squared_limits,
+                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
                        std::span<std::int32_t> triangles) {
-  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, squared_limits, triangles);
+  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, enough, squared_limits, triangles);
 }
 
 std::int32_t any_triangle_within(const std::vector<SurfaceTreeNode>& nodes, const std::vector<SurfaceTreeLeaf>& leaves,

@@ -81,7 +81,8 @@ Computed compute(const SdfArguments& arguments, std::optional<double> given_offs
     if (arguments.method == "offset") computed.chosen = choose_offset(given_offset, shape);
     const Field field = make_field(field_settings(arguments, computed.chosen));
     computed.samples = take_samples(shape, field.samples);
-    computed.field = field.compute(shape, computed.samples, true);
+    FieldSource source(shape);
+    computed.field = field.compute(source, computed.samples, true);
     return computed;
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", arguments.input.string(), error.what()));

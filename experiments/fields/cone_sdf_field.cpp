@@ -36,10 +36,10 @@ Field cone_sdf_field(const nlohmann::json& settings) {
                        {"at", to_json(samples_wanted)}},
           .versions = {{"cone_sdf", cone_sdf_version}},
           .samples = samples_wanted,
-          .compute = [options](const Shape& shape, const Samples& samples, bool parallel) {
+          .compute = [options](const FieldSource& source, const Samples& samples, bool parallel) {
             ConeSdfOptions now = options;
             now.parallel = parallel;
-            ConeSdfResult result = cone_sdf(shape, samples, now);
+            ConeSdfResult result = cone_sdf(source.shape(), samples, now);
             const auto total = static_cast<std::size_t>(result.values.size());
             return FieldValues{.values = std::move(result.values),
                                .outcomes = {{"total", total}, {"missing", result.missing}},

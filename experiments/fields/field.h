@@ -9,7 +9,7 @@
 #include <string>
 
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/fields/field_source.h"
 #include "shapegauge/experiments/fields/sample_plan.h"
 
 namespace shapegauge {
@@ -24,7 +24,7 @@ struct FieldValues {
   Points normals = {};     ///< of fields that estimate them: outward unit normals, one a sample; else empty
   FieldOutcomes outcomes;
   std::optional<double> offset;  ///< r as a fraction of the diagonal, where the field chose it for the shape
-  double build_seconds = 0;      ///< spatial structures
+  double build_seconds = 0;      ///< spatial structures, those shared with other fields of the shape included
   double query_seconds = 0;      ///< all samples
 };
 
@@ -34,7 +34,7 @@ struct Field {
   nlohmann::json versions;  ///< of the algorithms that the values depend on besides the samples, by name
   SamplePlan samples;
   /// The values at the samples of a shape; parallel: spread the samples over the threads of the calling TBB arena.
-  std::function<FieldValues(const Shape&, const Samples&, bool parallel)> compute;
+  std::function<FieldValues(FieldSource&, const Samples&, bool parallel)> compute;
 };
 
 /// What a run did with a field, over all models used.

@@ -15,10 +15,11 @@ Field offset_sdf_field(const nlohmann::json& settings) {
   return {.settings = {{"type", "offset_sdf"}, {"offset", offset}, {"at", to_json(samples_wanted)}},
           .versions = versions,
           .samples = samples_wanted,
-          .compute = [automatic, given](const Shape& shape, const Samples& samples, bool parallel) {
-            const double r = automatic ? automatic_offset(shape).offset : given;
+          .compute = [automatic, given](FieldSource& source, const Samples& samples, bool parallel) {
+            const double r = automatic ? automatic_offset(source.shape()).offset : given;
             const OffsetSdfOptions now{.offset = r, .parallel = parallel};
-            OffsetSdfResult result = offset_sdf(shape, samples, now);
+            const OffsetSdfSolver& solver = source.offset_sdf_solver();
+            OffsetSdfResult result = solver.solve(samples, now);
             const OffsetSdfOutcomes& outcomes = result.outcomes;
             return FieldValues{.values = std::move(result.values),
                                .normals = std::move(result.normals),
@@ -28,7 +29,7 @@ Field offset_sdf_field(const nlohmann::json& settings) {
                                             {"undecided", outcomes.undecided},
                                             {"missing", outcomes.missing}},
                                .offset = automatic ? std::optional(r) : std::nullopt,
-                               .build_seconds = result.build_seconds,
+                               .build_seconds = solver.build_seconds() + result.build_seconds,
                                .query_seconds = result.query_seconds};
           }};
 }

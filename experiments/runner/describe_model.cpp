@@ -66,10 +66,11 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
   description.noise = prepared.noise.relative();
   description.pass_band = prepared.pass_band;
   SamplesByPlan samples(prepared.shape);
+  FieldSource source(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto start = std::chrono::steady_clock::now();
     const Samples& sites = samples.at(plan[i].field.samples);
-    FieldValues computed = plan[i].field.compute(prepared.shape, sites, parallel);
+    FieldValues computed = plan[i].field.compute(source, sites, parallel);
     const auto end = std::chrono::steady_clock::now();
     if (observe) observe(i, prepared, sites, computed);
 

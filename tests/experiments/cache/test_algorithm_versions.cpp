@@ -9,6 +9,7 @@
 #include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/experiments/results/build_information.h"
 #include "shapegauge/experiments/results/sha256.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/core/test_shapes.h"
 
@@ -47,8 +48,8 @@ struct Recorded {
 TEST(AlgorithmVersions, WithOtherValuesComesAnotherVersion) {
   if (!is_as_recorded()) GTEST_SKIP() << "the hashes were taken with another processor, compiler or build type";
   const std::vector<Recorded> fields{
-      {{{"type", "offset_sdf"}, {"offset", 0.05}}, {{"offset_sdf", 1}}, "6214dac734212632"},
-      {{{"type", "offset_sdf"}, {"offset", "auto"}}, {{"offset_sdf", 1}, {"automatic_offset", 1}}, "cfa65c91ab64ac16"},
+      {{{"type", "offset_sdf"}, {"offset", 0.05}}, {{"offset_sdf", 2}}, "3f71eb3e0bac2faa"},
+      {{{"type", "offset_sdf"}, {"offset", "auto"}}, {{"offset_sdf", 2}, {"automatic_offset", 1}}, "9cb0af5e2ec0d591"},
       {{{"type", "cone_sdf"}, {"at", "vertices"}}, {{"cone_sdf", 1}}, "3994f7ae6cc0f57b"},
       {{{"type", "cone_sdf"}, {"engine", "cgal"}}, {{"cone_sdf", 1}}, "25dbfe15ab2dcd0c"},
       {{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}}, {{"cone_sdf", 1}}, "ad40e7c67919d611"}};
@@ -58,7 +59,8 @@ TEST(AlgorithmVersions, WithOtherValuesComesAnotherVersion) {
     for (const Shape& shape : shapes()) {
       const PreparedShape prepared = prepare_shape(shape, {});
       const Samples samples = take_samples(prepared.shape, field.samples);
-      const FieldValues computed = field.compute(prepared.shape, samples, false);
+      FieldSource source(prepared.shape);
+      const FieldValues computed = field.compute(source, samples, false);
       hashes += hash_of(computed.values) + hash_of(samples.weights);
     }
     EXPECT_EQ(sha256(hashes).substr(0, 16), recorded.hash)
@@ -78,6 +80,16 @@ TEST(AlgorithmVersions, WithOtherHistogramsComesAnotherVersion) {
   EXPECT_EQ(hash_of(plain) + hash_of(smooth), "b2a42a1950c87390707f4b17b301a33e")
       << "raise histogram_version and correct what is recorded here";
   EXPECT_EQ(histogram_version, 1);
+}
+
+TEST(AlgorithmVersions, WithOtherDistancesComesAnotherVersion) {
+  if (!is_as_recorded()) GTEST_SKIP() << "the hash was taken with another processor, compiler or build type";
+  Signatures signatures(5, 37);
+  for (Eigen::Index i = 0; i < signatures.size(); ++i) signatures.data()[i] = 1.0F / static_cast<float>(i + 3);
+  const DistanceMatrix distances = distance_matrix(signatures, "l1");
+  EXPECT_EQ(hash_of(distances.reshaped()), "b64ff96411d0b11a")
+      << "raise distances_version and correct what is recorded here";
+  EXPECT_EQ(distances_version, 2);
 }
 
 }  // namespace

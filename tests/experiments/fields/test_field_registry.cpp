@@ -17,7 +17,8 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
   const Shape shape = test_shapes::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
-  const FieldValues computed = field.compute(shape, samples, false);
+  FieldSource source(shape);
+  const FieldValues computed = field.compute(source, samples, false);
   EXPECT_EQ(computed.values, offset_sdf(shape, samples, {.offset = 0.03, .parallel = false}).values);
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
 }
@@ -28,7 +29,8 @@ TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const Shape shape = test_shapes::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   const ConeSdfOptions options{.opening_angle_degrees = 40, .rays = 9, .parallel = false};
-  const FieldValues computed = field.compute(shape, samples, true);
+  FieldSource source(shape);
+  const FieldValues computed = field.compute(source, samples, true);
   EXPECT_EQ(computed.values, cone_sdf(shape, samples, options).values);
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
 }
@@ -39,7 +41,8 @@ TEST(MakeField, AMissingValueIsCounted) {
   shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   shape.triangles = Triangles{{0, 1, 2}};
   const Field field = make_field({{"type", "cone_sdf"}});
-  EXPECT_EQ(field.compute(shape, take_samples(shape, field.samples), false).outcomes.at("missing"), 1U);
+  FieldSource source(shape);
+  EXPECT_EQ(field.compute(source, take_samples(shape, field.samples), false).outcomes.at("missing"), 1U);
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {

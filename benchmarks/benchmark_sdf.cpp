@@ -1,0 +1,112 @@
+// The SDF of given meshes at all faces, every way there is, side by side in one process:
+//
+//     benchmark_sdf [options of Google Benchmark] MESH...
+//
+// Names are MESH/what. Unless they say otherwise, times are of one thread and include building all structures.
+// scripts/benchmark makes a table of ratios of them.
+
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <tbb/task_arena.h>
+#include <vector>
+
+#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/perturbation/remove_faces.h"
+#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/spatial/ray_caster.h"
+
+namespace {
+
+using namespace shapegauge;
+
+/// A shape with its samples.
+struct Input {
+  explicit Input(Shape given, SampleSite site) : shape(std::move(given)), samples(sample_shape(shape, site)) {}
+  Shape shape;
+  Samples samples;
+};
+
+/// One inward ray for each face: the least that any SDF costs.
+void cast_one_ray_each(const Input& input) {
+  const RayCaster caster(input.shape);
+  double sum = 0;
+  for (Eigen::Index f = 0; f < input.samples.points.rows(); ++f) {
+    const std::vector<std::int32_t> own{static_cast<std::int32_t>(f)};
+    sum += caster.first_hit(input.samples.points.row(f), -input.samples.normals.row(f), own).distance;
+  }
+  benchmark::DoNotOptimize(sum);
+}
+
+void measure_cone(const Input& input, ConeSdfEngine engine) {
+  ConeSdfOptions options;
+  options.engine = engine;
+  options.parallel = false;
+  benchmark::DoNotOptimize(cone_sdf(input.shape, input.samples, options));
+}
+
+void measure_offsets(const Input& input, const std::vector<double>& offsets, bool parallel = false) {
+  const OffsetSdfSolver solver(input.shape);
+  for (const double offset : offsets) {
+    benchmark::DoNotOptimize(solver.solve(input.samples, {.offset = offset, .parallel = parallel}));
+  }
+}
+
+void add(const std::string& name, const std::function<void()>& work) {
+  benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
+    for ([[maybe_unused]] const auto iteration : state) work();
+  })->Unit(benchmark::kMillisecond)
+      ->UseRealTime();
+}
+
+void add_damaged(const std::string& mesh, const Shape& shape) {
+  RandomNumbers random(1);
+  const auto cracked = std::make_shared<Input>(remove_faces(shape, 0.15, random), SampleSite::faces);
+  const SampleSurfaceOptions points{.points = shape.triangles.rows()};
+  const auto cloud = std::make_shared<Input>(sample_surface(shape, points, random), SampleSite::vertices);
+  add(mesh + "/offset 5 % cracked", [cracked] { measure_offsets(*cracked, {0.05}); });
+  add(mesh + "/offset 5 % cloud", [cloud] { measure_offsets(*cloud, {0.05}); });
+}
+
+void add(const std::filesystem::path& path) {
+  const std::string mesh = path.stem().string();
+  const auto input = std::make_shared<Input>(read_shape(path), SampleSite::faces);
+  add(mesh + "/read", [path] { benchmark::DoNotOptimize(read_shape(path)); });
+  add(mesh + "/one ray", [input] { cast_one_ray_each(*input); });
+  add(mesh + "/cone embree", [input] { measure_cone(*input, ConeSdfEngine::embree); });
+  add(mesh + "/cone cgal", [input] { measure_cone(*input, ConeSdfEngine::cgal); });
+  add(mesh + "/offset 1 %", [input] { measure_offsets(*input, {0.01}); });
+  add(mesh + "/offset 3 %", [input] { measure_offsets(*input, {0.03}); });
+  add(mesh + "/offset 5 %", [input] { measure_offsets(*input, {0.05}); });
+  add(mesh + "/offsets 1, 3, 5 %", [input] { measure_offsets(*input, {0.01, 0.03, 0.05}); });
+  add(mesh + "/offset 5 % two threads",
+      [input] { tbb::task_arena(2).execute([&] { measure_offsets(*input, {0.05}, true); }); });
+  add_damaged(mesh, input->shape);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (argc < 2) {
+    std::cerr << "usage: benchmark_sdf [options of Google Benchmark] MESH...\n";
+    return 2;
+  }
+  try {
+    for (int i = 1; i < argc; ++i) add(std::filesystem::path(argv[i]));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 2;
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
