@@ -232,7 +232,7 @@ TEST_F(RunWithCache, AFullDiskUnderTheCacheIsOneWarningAndTheRunGoesOn) {
 }
 
 TEST_F(RunWithCache, AFullDiskUnderTheResultsLeavesTheEarlierOnes) {
-  const SmallDisk disk(at("out"), "112k");
+  const SmallDisk disk(at("out"), "640k");
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
   ASSERT_EQ(run_with_cache("out").status, 0) << "one set of results fits";
   const auto earlier = results_in(at("out"));
