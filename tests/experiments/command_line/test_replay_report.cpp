@@ -56,7 +56,7 @@ TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
 
 TEST_F(ReplayReport, NothingComesFromTheCache) {
   const std::string cache = " --cache " + quoted("cache");
-  EXPECT_THAT(replay(cache).output, HasSubstr("All 13"));
+  EXPECT_THAT(replay(cache).output, HasSubstr("All 14"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
 }
 
