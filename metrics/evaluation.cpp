@@ -25,9 +25,7 @@ void check_square(const DistanceTable& distances, std::span<const int> labels) {
   }
 }
 
-void check_task(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
-  const auto rows = static_cast<std::size_t>(distances.rows());
-  const auto columns = static_cast<std::size_t>(distances.cols());
+void check_task(std::size_t rows, std::size_t columns, const RetrievalTask& task, const EvaluationOptions& options) {
   const bool fits = task.query_classes.size() == rows && task.own_column.size() == rows &&
                     task.target_classes.size() == columns && (task.judged.empty() || task.judged.size() == rows);
   if (!fits) {
@@ -43,11 +41,12 @@ void check_task(const DistanceTable& distances, const RetrievalTask& task, const
   }
 }
 
-void check_numbers(const DistanceTable& distances) {
+// The first of the rows is the matrix's row `first`.
+void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   for (Eigen::Index row = 0; row < distances.rows(); ++row) {
     for (Eigen::Index column = 0; column < distances.cols(); ++column) {
       if (!std::isnan(distances(row, column))) continue;
-      throw std::invalid_argument("the distance in row " + std::to_string(row) + ", column " + std::to_string(column) +
+      throw std::invalid_argument("the distance in row " + std::to_string(first + row) + ", column " + std::to_string(column) +
                                   " (counted from 0) is not a number");
     }
   }
@@ -98,29 +97,69 @@ struct QueryResults {
   std::vector<char> tied;             // of each query; no vector<bool>, whose neighbours two threads cannot write
 };
 
-QueryResults judge_queries(const DistanceTable& distances, const RetrievalTask& task, std::span<const Measure> measures,
-                           const Evaluation& evaluation) {
-  const auto count = static_cast<Eigen::Index>(evaluation.queries.size());
-  const bool paper = evaluation.protocol == Protocol::paper;
-  const std::vector<std::size_t> relevant = relevant_counts(task);
-  const std::size_t largest = *std::ranges::max_element(relevant) + (paper ? 1 : 0);
-  QueryResults results;
-  results.measures.resize(count, static_cast<Eigen::Index>(measures.size()));
-  results.precisions.resize(count, static_cast<Eigen::Index>(recall_levels(evaluation.curve, largest).size()));
-  results.relevant.resize(evaluation.queries.size());
-  results.tied.resize(evaluation.queries.size());
-  tbb::parallel_for(std::size_t{0}, evaluation.queries.size(), [&](std::size_t i) {
-    const auto row = static_cast<Eigen::Index>(i);
-    const RankedList list = ranked_list(distances, task, evaluation.queries[i], evaluation.protocol, evaluation.ties);
-    for (std::size_t j = 0; j < measures.size(); ++j) {
-      results.measures(row, static_cast<Eigen::Index>(j)) = measures[j].value(list);
-    }
-    results.precisions.row(row) = precision_at_levels(list, evaluation.curve, largest).transpose();
-    results.relevant[i] = list.relevant;
-    results.tied[i] = list.tied ? 1 : 0;
-  });
-  return results;
+// The part of a task for `count` of its rows from `first` on.
+RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Index count) {
+  RetrievalTask part{.query_classes = {},
+                     .target_classes = task.target_classes,
+                     .own_column = {},
+                     .judged = {},
+                     .lists_may_end_early = task.lists_may_end_early};
+  const auto copy = [&](const auto& from, auto& to) {
+    if (!from.empty()) to.assign(from.begin() + first, from.begin() + first + count);
+  };
+  copy(task.query_classes, part.query_classes);
+  copy(task.own_column, part.own_column);
+  copy(task.judged, part.judged);
+  return part;
 }
+
+// Judges the queries of one evaluation, some rows after the other.
+class Judge {
+ public:
+  Judge(const RetrievalTask& task, std::span<const Measure> measures, const Evaluation& evaluation)
+      : task_(task), measures_(measures), evaluation_(evaluation) {
+    const std::vector<std::size_t> relevant = relevant_counts(task);
+    largest_ = *std::ranges::max_element(relevant) + (evaluation.protocol == Protocol::paper ? 1 : 0);
+    const auto count = static_cast<Eigen::Index>(evaluation.queries.size());
+    results_.measures.resize(count, static_cast<Eigen::Index>(measures.size()));
+    results_.precisions.resize(count, static_cast<Eigen::Index>(recall_levels(evaluation.curve, largest_).size()));
+    results_.relevant.resize(evaluation.queries.size());
+    results_.tied.resize(evaluation.queries.size());
+  }
+
+  // The queries among the rows, which begin with the matrix's row `first`.
+  void judge(const DistanceTable& rows, Eigen::Index first) {
+    if (!task_.lists_may_end_early) check_numbers(rows, first);
+    const bool is_whole = first == 0 && static_cast<std::size_t>(rows.rows()) == task_.query_classes.size();
+    const RetrievalTask part = is_whole ? RetrievalTask{} : part_of(task_, first, rows.rows());
+    const auto begin = std::ranges::lower_bound(evaluation_.queries, first) - evaluation_.queries.begin();
+    const auto end = std::ranges::lower_bound(evaluation_.queries, first + rows.rows()) - evaluation_.queries.begin();
+    tbb::parallel_for(begin, end, [&](std::ptrdiff_t query) {
+      const auto i = static_cast<std::size_t>(query);
+      keep(i, ranked_list(rows, is_whole ? task_ : part, evaluation_.queries[i] - first, evaluation_.protocol,
+                          evaluation_.ties));
+    });
+  }
+
+  [[nodiscard]] const QueryResults& results() const { return results_; }
+
+ private:
+  void keep(std::size_t i, const RankedList& list) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t j = 0; j < measures_.size(); ++j) {
+      results_.measures(row, static_cast<Eigen::Index>(j)) = measures_[j].value(list);
+    }
+    results_.precisions.row(row) = precision_at_levels(list, evaluation_.curve, largest_).transpose();
+    results_.relevant[i] = list.relevant;
+    results_.tied[i] = list.tied ? 1 : 0;
+  }
+
+  const RetrievalTask& task_;
+  std::span<const Measure> measures_;
+  const Evaluation& evaluation_;
+  std::size_t largest_ = 0;
+  QueryResults results_;
+};
 
 // The queries of each class, by evaluation.classes.
 std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evaluation) {
@@ -147,11 +186,9 @@ void draw_curves(const QueryResults& results, const std::vector<std::vector<Eige
   evaluation.macro_curve = average_curve(precisions_by_class, relevant_of_class, evaluation.curve);
 }
 
-}  // namespace
-
-Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
-  check_task(distances, task, options);
-  if (!task.lists_may_end_early) check_numbers(distances);
+// Evaluates; judge_all lets the judge see all rows, once each.
+template <typename JudgeAll>
+Evaluation evaluate_rows(const RetrievalTask& task, const EvaluationOptions& options, const JudgeAll& judge_all) {
   const std::vector<Measure> measures =
       options.measures.empty() ? default_measures(options.protocol) : options.measures;
   Evaluation evaluation;
@@ -161,7 +198,9 @@ Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, c
   for (const Measure& measure : measures) evaluation.measures.push_back(measure.name);
   choose_queries(task, options.minimum_class_size, evaluation);
 
-  const QueryResults results = judge_queries(distances, task, measures, evaluation);
+  Judge judge(task, measures, evaluation);
+  judge_all(judge);
+  const QueryResults& results = judge.results();
   const std::vector<std::vector<Eigen::Index>> groups = queries_by_class(evaluation);
   evaluation.per_query = results.measures;
   evaluation.per_class = mean_by_group(results.measures, groups);
@@ -170,6 +209,28 @@ Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, c
   evaluation.queries_with_ties = std::count(results.tied.begin(), results.tied.end(), 1);
   draw_curves(results, groups, mean_by_group(results.precisions, groups), evaluation);
   return evaluation;
+}
+
+}  // namespace
+
+Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
+  check_task(static_cast<std::size_t>(distances.rows()), static_cast<std::size_t>(distances.cols()), task, options);
+  return evaluate_rows(task, options, [&](Judge& judge) { judge.judge(distances, 0); });
+}
+
+Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options) {
+  constexpr Eigen::Index together = 256;
+  const auto rows = static_cast<Eigen::Index>(task.query_classes.size());
+  check_task(task.query_classes.size(), task.target_classes.size(), task, options);
+  return evaluate_rows(task, options, [&](Judge& judge) {
+    for (Eigen::Index first = 0; first < rows; first += together) {
+      const Eigen::Index count = std::min(together, rows - first);
+      const DistanceTableRows some = distances(first, count);
+      check_task(static_cast<std::size_t>(some.rows()), static_cast<std::size_t>(some.cols()),
+                 part_of(task, first, count), options);
+      judge.judge(some, first);
+    }
+  });
 }
 
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,5 +57,12 @@ Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels,
 /// The same for any queries and targets: rows and columns of the matrix, as the task says. Throws
 /// std::invalid_argument as above, and where the task is for a matrix of another size.
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
+
+/// `count` rows of a distance matrix from the row `first` on.
+using DistanceRows = std::function<DistanceTableRows(Eigen::Index first, Eigen::Index count)>;
+
+/// The same, bit by bit, of a matrix that is never there as a whole: its rows are asked for a few hundred at a time, one
+/// call after the other, and forgotten. For so many models that their matrix would not fit into memory. Throws as above.
+Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 }  // namespace shapegauge

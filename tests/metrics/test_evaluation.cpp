@@ -70,6 +70,21 @@ RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   }
 }
 
+RC_GTEST_PROP(Evaluation, RowByRowIsThatOfTheWholeMatrix, ()) {
+  const EvaluationCase random = *cases_with_ties(600);
+  const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
+  const Evaluation whole = evaluate(random.distances, random.labels, options);
+  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows {
+    return random.distances.middleRows(first, count);
+  };
+  const Evaluation streamed = evaluate(rows, leave_one_out(random.labels), options);
+  RC_ASSERT(streamed.queries == whole.queries);
+  RC_ASSERT((streamed.per_query.array() == whole.per_query.array()).all());
+  RC_ASSERT((streamed.macro.array() == whole.macro.array()).all());
+  RC_ASSERT(streamed.micro_curve.precision == whole.micro_curve.precision);
+  RC_ASSERT(streamed.queries_with_ties == whole.queries_with_ties);
+}
+
 RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
   const EvaluationCase data = *cases_with_ties();
   const int minimum = *rc::gen::inRange(2, 6);
