@@ -62,9 +62,11 @@ void measure_offsets(const Input& input, const std::vector<double>& offsets, boo
 }
 
 void add(const std::string& name, const std::function<void()>& work) {
-  benchmark::RegisterBenchmark(name.c_str(), [work](benchmark::State& state) {
-    for ([[maybe_unused]] const auto iteration : state) work();
-  })->Unit(benchmark::kMillisecond)
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [work](benchmark::State& state) {
+                                 for ([[maybe_unused]] const auto iteration : state) work();
+                               })
+      ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
 }
 

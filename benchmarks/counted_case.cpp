@@ -1,5 +1,5 @@
-// A small fixed case, for counting instructions (scripts/benchmark does, under callgrind): the SDF of the offset surface
-// of a torus knot's worth of concavities, three spheres that overlap, at 1 and 5 % of the diagonal.
+// A small fixed case, for counting instructions (scripts/benchmark does, under callgrind): the SDF of the offset
+// surface of a torus knot's worth of concavities, three spheres that overlap, at 1 and 5 % of the diagonal.
 
 #include <cstdio>
 
@@ -19,7 +19,8 @@ int main() {
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const OffsetSdfSolver solver(shape);
   double sum = 0;
-  for (const double offset : {0.01, 0.05}) sum += solver.solve(samples, {.offset = offset, .parallel = false}).values.sum();
+  for (const double offset : {0.01, 0.05})
+    sum += solver.solve(samples, {.offset = offset, .parallel = false}).values.sum();
   std::printf("%.6f\n", sum);
   return 0;
 }

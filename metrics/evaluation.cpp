@@ -46,8 +46,8 @@ void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   for (Eigen::Index row = 0; row < distances.rows(); ++row) {
     for (Eigen::Index column = 0; column < distances.cols(); ++column) {
       if (!std::isnan(distances(row, column))) continue;
-      throw std::invalid_argument("the distance in row " + std::to_string(first + row) + ", column " + std::to_string(column) +
-                                  " (counted from 0) is not a number");
+      throw std::invalid_argument("the distance in row " + std::to_string(first + row) + ", column " +
+                                  std::to_string(column) + " (counted from 0) is not a number");
     }
   }
 }

@@ -61,8 +61,9 @@ Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, c
 /// `count` rows of a distance matrix from the row `first` on.
 using DistanceRows = std::function<DistanceTableRows(Eigen::Index first, Eigen::Index count)>;
 
-/// The same, bit by bit, of a matrix that is never there as a whole: its rows are asked for a few hundred at a time, one
-/// call after the other, and forgotten. For so many models that their matrix would not fit into memory. Throws as above.
+/// The same, bit by bit, of a matrix that is never there as a whole: its rows are asked for a few hundred at a time,
+/// one call after the other, and forgotten. For so many models that their matrix would not fit into memory. Throws as
+/// above.
 Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 }  // namespace shapegauge

@@ -96,8 +96,7 @@ Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vec
 
 void check(const OffsetSdfOptions& options) {
   if (options.offset >= 1e-6 && options.offset <= 1e6) return;
-  throw InputError(
-      fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
+  throw InputError(fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
 }
 
 UnitFrame unit_frame_of(const Shape& shape) {

@@ -117,8 +117,7 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Disjoi
     middles[i] = (ways[i].start + ways[i].end) / 2;
     longest = std::max(longest, (ways[i].end - ways[i].start).norm() / 2);
   }
-  const auto nearest =
-      exterior.tree().closest_to_each(std::span(middles).first(ways.size()), exterior.r() + longest);
+  const auto nearest = exterior.tree().closest_to_each(std::span(middles).first(ways.size()), exterior.r() + longest);
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const auto& [pair, start, end, start_clearance, end_clearance] = ways[i];
     const double clearance = static_cast<double>(nearest[i].distance) - exterior.r();

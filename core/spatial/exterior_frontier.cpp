@@ -48,9 +48,9 @@ HWY_INLINE V distance_to_cubes(const FrontierArrays& cubes, std::int32_t i, cons
 template <std::size_t which>
 HWY_INLINE V depth(const FrontierArrays& cubes, std::int32_t i, const Point& p) {
   const D d;
-  const V along = hn::MulAdd(p.x, hn::LoadU(d, cubes.normal_x[which] + i),
-                             hn::MulAdd(p.y, hn::LoadU(d, cubes.normal_y[which] + i),
-                                        hn::Mul(p.z, hn::LoadU(d, cubes.normal_z[which] + i))));
+  const V along = hn::MulAdd(
+      p.x, hn::LoadU(d, cubes.normal_x[which] + i),
+      hn::MulAdd(p.y, hn::LoadU(d, cubes.normal_y[which] + i), hn::Mul(p.z, hn::LoadU(d, cubes.normal_z[which] + i))));
   return hn::Sub(hn::LoadU(d, cubes.bound[which] + i), along);
 }
 

@@ -110,7 +110,8 @@ void NearestExteriorSearch::descend_from(const Eigen::Vector3d& start) {
   descend(contacts_);
 }
 
-/// The contacts' half-spaces lie inside of what their triangles really leave free: lays those that x lies on anew there.
+/// The contacts' half-spaces lie inside of what their triangles really leave free: lays those that x lies on anew
+/// there.
 std::vector<NearestExteriorSearch::Contact> NearestExteriorSearch::laid_anew(const std::vector<Contact>& contacts,
                                                                              const Eigen::Vector3d& x) const {
   std::vector<Contact> result;

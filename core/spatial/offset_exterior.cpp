@@ -72,7 +72,8 @@ bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
     std::array<Eigen::Vector3d, 8> centres;
     for (int i = 0; i < 8; ++i) centres[static_cast<std::size_t>(i)] = octant(cell, i, first + i).centre;
     const double radius = root_of_three * cell.half / 2;
-    const auto nearest = tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius, std::max(0.0, r_ - radius));
+    const auto nearest =
+        tree_.closest_to_each(centres, std::min(r_, distance * (1 + 1e-6)) + radius, std::max(0.0, r_ - radius));
     for (int i = 0; i < 8; ++i) {
       const ExteriorCell child = octant(cell, i, first + i);
       classify(child, nearest[static_cast<std::size_t>(i)]);
@@ -153,8 +154,8 @@ std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) co
   int level = 0;
   while (nodes_[static_cast<std::size_t>(node)].kind == CellKind::divided) {
     const int shift = bits - ++level;
-    const int i = ((coordinates[0] >> shift) & 1) | ((coordinates[1] >> shift) & 1) << 1 |
-                  ((coordinates[2] >> shift) & 1) << 2;
+    const int i =
+        ((coordinates[0] >> shift) & 1) | ((coordinates[1] >> shift) & 1) << 1 | ((coordinates[2] >> shift) & 1) << 2;
     node = nodes_[static_cast<std::size_t>(node)].first_child + i;
   }
   const double edge = std::ldexp(2 * root_half_, -level);

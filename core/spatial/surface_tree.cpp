@@ -101,8 +101,8 @@ std::array<SurfaceTree::Nearest, SurfaceTree::most_points_at_once> SurfaceTree::
   std::array<std::int32_t, most_points_at_once> triangles{};
   limits.fill(widened_square(max_distance));
   triangles.fill(-1);
-  closest_triangles(layout_->nodes, layout_->leaves, points, static_cast<float>(enough * enough), std::span(limits).first(points.size()),
-                    std::span(triangles).first(points.size()));
+  closest_triangles(layout_->nodes, layout_->leaves, points, static_cast<float>(enough * enough),
+                    std::span(limits).first(points.size()), std::span(triangles).first(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (triangles[i] >= 0) result[i] = {triangles[i], std::sqrt(limits[i])};
   }

@@ -95,7 +95,8 @@ HWY_INLINE std::int32_t closest_in_leaf(const SurfaceTreeLeaf& leaf, const Eigen
   }
 }
 
-/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which are below the limit, a bit each.
+/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which
+/// are below the limit, a bit each.
 HWY_INLINE std::uint32_t squared_distances(const SurfaceTreeNode& node, const Eigen::Vector3f& x, float limit,
                                            std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;

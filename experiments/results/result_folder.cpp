@@ -16,9 +16,9 @@ namespace {
 
 /// What runs write, retrieval experiments first; comparisons after them.
 constexpr std::array<std::string_view, 17> result_names{
-    "summary.csv",     "summary.json",  "summary.md",    "summary.tex", "intervals.csv", "per_class.csv",
-    "per_query.csv",   "pr_curves.csv", report_name,     "shapes.csv",  "distances",     "shape_seconds.csv",
-    "distances.csv",   "errors.csv",    "normals.csv",   "timings.csv", "histograms.csv"};
+    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv", "per_class.csv",
+    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",     "shape_seconds.csv",
+    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv"};
 
 /// Whether runs write files of that name, relative to the folder.
 bool is_result(const fs::path& file) {

@@ -45,7 +45,8 @@ RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, 
   for (const int name : random.labels) {
     labels.push_back(static_cast<int>(std::distance(names.begin(), names.find(name))));
   }
-  const Evaluation evaluation = evaluate(random.distances, labels, {.protocol = random.protocol, .measures = {measure_of("NN")}});
+  const Evaluation evaluation =
+      evaluate(random.distances, labels, {.protocol = random.protocol, .measures = {measure_of("NN")}});
   const Eigen::MatrixXi confusion =
       confusion_matrix(random.distances, labels, evaluation.queries, static_cast<int>(names.size()));
   RC_ASSERT(confusion.sum() == static_cast<int>(evaluation.queries.size()));
