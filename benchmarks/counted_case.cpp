@@ -1,5 +1,5 @@
 // A small fixed case, for counting instructions (scripts/benchmark does, under callgrind): the SDF of the offset
-// surface of a torus knot's worth of concavities, three spheres that overlap, at 1 and 5 % of the diagonal.
+// surface of three spheres that overlap, with the crevices between them, at 1 and 5 % of the diagonal.
 
 #include <cstdio>
 
