@@ -49,13 +49,14 @@ RenderOptions principal_view(const Shape& shape, RenderOptions options) {
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
     const Eigen::Vector3d arm = point - centre;
-    second += weight / mass * arm * arm.transpose();
+    second += (weight / mass * arm) * arm.transpose();
   });
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
+  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
   Eigen::Vector3d third = Eigen::Vector3d::Zero();
   visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Array3d along = principal.eigenvectors().transpose() * (point - centre);
-    third += (weight / mass * along.cube()).matrix();
+    const Eigen::Array3d along = to_axes * (point - centre);
+    third += (weight / mass * along * along * along).matrix();
   });
   Eigen::Matrix3d axes;
   for (int k = 0; k < 3; ++k)

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/render/splats.h"
+#include "shapegauge/core/shape/validity.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
 namespace shapegauge {
@@ -31,6 +32,7 @@ struct Camera {
 };
 
 void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite site) {
+  require_usable(shape);
   const Eigen::Index sites = site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
   if (static_cast<Eigen::Index>(colours.size()) != sites) {
     throw InputError(fmt::format("{} colours for {} {} of the shape", colours.size(), sites,
@@ -72,16 +74,37 @@ Camera camera_for(const Shape& shape, const RenderOptions& options) {
   return camera;
 }
 
+/// Unit normals, zero where there is none.
+struct Normals {
+  Points faces;
+  Points vertices;  ///< means of those of the triangles around, by area
+};
+
+Normals normals_of(const Shape& shape) {
+  Normals normals{.faces = Points::Zero(shape.triangles.rows(), 3), .vertices = Points::Zero(shape.vertices.rows(), 3)};
+  const double unit = bounding_box_diagonal(shape);  // of which no products leave the range
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Eigen::RowVector3d a = shape.vertices.row(shape.triangles(f, 0));
+    const Eigen::RowVector3d ab = (shape.vertices.row(shape.triangles(f, 1)) - a) / unit;
+    const Eigen::RowVector3d ac = (shape.vertices.row(shape.triangles(f, 2)) - a) / unit;
+    const Eigen::RowVector3d cross = ab.cross(ac);
+    const double length = cross.norm();
+    if (!(length > 0)) continue;
+    normals.faces.row(f) = cross / length;
+    for (int k = 0; k < 3; ++k) normals.vertices.row(shape.triangles(f, k)) += cross;
+  }
+  for (Eigen::Index v = 0; v < normals.vertices.rows(); ++v) {
+    const double length = normals.vertices.row(v).norm();
+    if (length > 0) normals.vertices.row(v) /= length;
+  }
+  return normals;
+}
+
 /// The shape with what its look needs.
 class Scene {
  public:
   Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site)
-      : shape_(shape),
-        colours_(colours),
-        site_(site),
-        face_normals_(sample_shape(shape, SampleSite::faces).normals),
-        vertex_normals_(sample_shape(shape, SampleSite::vertices).normals),
-        caster_(shape) {}
+      : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)), caster_(shape) {}
 
   /// Red, green, blue and 255 of what the ray meets; zeros where it meets nothing.
   [[nodiscard]] Eigen::Array4d look(const Eigen::Vector3d& origin, const Camera& camera) const {
@@ -98,7 +121,7 @@ class Scene {
     const Eigen::Vector3d a = shape_.vertices.row(shape_.triangles(triangle, 0));
     const Eigen::Vector3d ab = shape_.vertices.row(shape_.triangles(triangle, 1)).transpose() - a;
     const Eigen::Vector3d ac = shape_.vertices.row(shape_.triangles(triangle, 2)).transpose() - a;
-    const Eigen::Vector3d n = face_normals_.row(triangle);
+    const Eigen::Vector3d n = normals_.faces.row(triangle);
     const double twice_area = n.dot(ab.cross(ac));
     if (!(twice_area > 0)) return Eigen::Vector3d::Constant(1.0 / 3);
     const double b = n.dot((point - a).cross(ac)) / twice_area;
@@ -118,10 +141,10 @@ class Scene {
   /// Blend of the corners' normals, those beyond a sharp edge replaced by the triangle's own.
   [[nodiscard]] Eigen::Vector3d normal(std::int32_t triangle, const Eigen::Vector3d& parts) const {
     static const double smooth = std::cos(smooth_edge_degrees / 180 * std::numbers::pi);
-    const Eigen::Vector3d own = face_normals_.row(triangle);
+    const Eigen::Vector3d own = normals_.faces.row(triangle);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d corner = vertex_normals_.row(shape_.triangles(triangle, k));
+      const Eigen::Vector3d corner = normals_.vertices.row(shape_.triangles(triangle, k));
       sum += parts[k] * (corner.dot(own) > smooth ? corner : own);
     }
     return sum.normalized();
@@ -138,8 +161,7 @@ class Scene {
   const Shape& shape_;
   const std::vector<Colour>& colours_;
   SampleSite site_;
-  Points face_normals_;
-  Points vertex_normals_;
+  Normals normals_;
   RayCaster caster_;
 };
 

@@ -11,7 +11,7 @@ namespace shapegauge {
 
 /// To be raised with every change of what pictures look like, or of what it rests on (render_shape, principal_view,
 /// colours): what a cache holds of earlier versions is then drawn anew.
-inline constexpr int picture_version = 1;
+inline constexpr int picture_version = 2;
 
 /// How the models of a run are drawn for its report; alike for all of them.
 struct PictureOptions {
