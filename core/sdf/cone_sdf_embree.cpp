@@ -165,7 +165,7 @@ double cone_sdf_at(const RayCaster& caster, const Eigen::Vector3d& point, const 
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;
   const Clock::time_point build_start = Clock::now();
-  const RayCaster caster(shape);
+  const RayCaster caster(shape, samples.points.rows() * options.rays);
   const StartTriangles start_triangles(shape, samples);
   const std::vector<Eigen::Vector3d> directions = cone_directions(options);
   result.build_seconds = seconds_since(build_start);

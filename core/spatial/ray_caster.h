@@ -26,8 +26,9 @@ struct RayHit {
 /// first in the shape is reported. Safe to use from many threads at once.
 class RayCaster {
  public:
-  /// Builds the tree. The shape is not kept. Without triangles, nothing is ever hit.
-  explicit RayCaster(const Shape& shape);
+  /// Builds the tree, a better one where about so many rays are worth it. The shape is not kept. Without triangles,
+  /// nothing is ever hit.
+  explicit RayCaster(const Shape& shape, Eigen::Index rays = 0);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
