@@ -42,7 +42,7 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("not compared  shape_seconds.csv\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("All 12 outputs are the same bytes as recorded.\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 13 outputs are the same bytes as recorded.\n"));
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
@@ -51,12 +51,12 @@ TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   EXPECT_EQ(replay().status, 2);
   const Outcome outcome = replay("--dataset-root " + quoted("moved"));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("All 12 outputs are the same bytes"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 13 outputs are the same bytes"));
 }
 
 TEST_F(ReplayReport, NothingComesFromTheCache) {
   const std::string cache = " --cache " + quoted("cache");
-  EXPECT_THAT(replay(cache).output, HasSubstr("All 12"));
+  EXPECT_THAT(replay(cache).output, HasSubstr("All 13"));
   EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
 }
 
@@ -68,7 +68,7 @@ TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
             "shapegauge: warning: input: model 4 is not the recorded one: its file holds other bytes\n");
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("input         model 4 is not the recorded one"));
-  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 12 outputs are not the same bytes as recorded; 1 of its "
+  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 13 outputs are not the same bytes as recorded; 1 of its "
                                            "inputs are not those recorded\\.\n"));
 }
 
