@@ -9,7 +9,6 @@
 namespace shapegauge {
 namespace {
 
-// A model and its distance side by side: sorting does not jump about in the matrix.
 struct RankedModel {
   double distance;
   Eigen::Index column;
@@ -21,17 +20,61 @@ void sort_by_distance(std::vector<RankedModel>& models) {
   });
 }
 
-std::vector<RankedModel> sorted_targets(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row) {
-  std::vector<RankedModel> models;
-  models.reserve(task.target_classes.size());
+// The models at one distance, at least one of them relevant, and how many others are nearer than these but farther than
+// the relevant ones before.
+struct Tied {
+  double distance = 0;
+  std::size_t others_before = 0;
+  std::vector<Eigen::Index> hits;    // ascending
+  std::vector<Eigen::Index> others;  // ascending
+};
+
+// What is known of an answer without sorting all of it: the relevant models in their order, and how many others there
+// are between them.
+struct Answer {
+  std::vector<Tied> tied;
+  std::size_t others_behind = 0;   // farther than the last relevant model
+  std::size_t hits_not_found = 0;  // relevant models that have no distance
+};
+
+bool is_target(const RetrievalTask& task, Eigen::Index row, Eigen::Index column) {
+  return task.target_classes[static_cast<std::size_t>(column)] != no_class &&
+         task.own_column[static_cast<std::size_t>(row)] != column;
+}
+
+void collect_hits(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Answer& answer) {
+  std::vector<RankedModel> hits;
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    const auto j = static_cast<std::size_t>(column);
-    if (task.target_classes[j] == no_class || task.own_column[static_cast<std::size_t>(row)] == column) continue;
-    if (std::isnan(distances(row, column))) continue;
-    models.push_back({distances(row, column), column});
+    if (!is_target(task, row, column) || !is_relevant(task, row, column)) continue;
+    if (std::isnan(distances(row, column))) {
+      ++answer.hits_not_found;
+    } else {
+      hits.push_back({distances(row, column), column});
+    }
   }
-  sort_by_distance(models);
-  return models;
+  sort_by_distance(hits);
+  for (const RankedModel& hit : hits) {
+    if (answer.tied.empty() || answer.tied.back().distance != hit.distance) {
+      answer.tied.push_back({.distance = hit.distance, .others_before = 0, .hits = {}, .others = {}});
+    }
+    answer.tied.back().hits.push_back(hit.column);
+  }
+}
+
+void collect_others(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Answer& answer) {
+  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
+    if (!is_target(task, row, column) || is_relevant(task, row, column)) continue;
+    const double distance = distances(row, column);
+    if (std::isnan(distance)) continue;
+    const auto place = std::ranges::lower_bound(answer.tied, distance, {}, &Tied::distance);
+    if (place == answer.tied.end()) {
+      ++answer.others_behind;
+    } else if (place->distance == distance) {
+      place->others.push_back(column);
+    } else {
+      ++place->others_before;
+    }
+  }
 }
 
 void append(RankedList& list, const RankRun& run) {
@@ -48,27 +91,34 @@ void append(RankedList& list, const RankRun& run) {
   }
 }
 
+void append_by_index(RankedList& list, const Tied& tied) {
+  auto hit = tied.hits.begin();
+  for (const Eigen::Index other : tied.others) {
+    for (; hit != tied.hits.end() && *hit < other; ++hit) append(list, {1, 1});
+    append(list, {1, 0});
+  }
+  for (; hit != tied.hits.end(); ++hit) append(list, {1, 1});
+}
+
 // The tied models in the order, or the open order, that `ties` wants.
-void append_tied(RankedList& list, const std::vector<bool>& relevant, Ties ties) {
-  const auto hits = static_cast<std::size_t>(std::count(relevant.begin(), relevant.end(), true));
-  const RankRun all{relevant.size(), hits};
-  const RankRun only_hits{hits, hits};
-  const RankRun no_hits{relevant.size() - hits, 0};
-  if (hits > 0 && hits < relevant.size()) list.tied = true;
+void append_tied(RankedList& list, const Tied& tied, Ties ties) {
+  const std::size_t hits = tied.hits.size();
+  const std::size_t others = tied.others.size();
+  if (others > 0) list.tied = true;
   switch (ties) {
     case Ties::index:
-      for (const bool hit : relevant) append(list, {1, hit ? 1U : 0U});
+      append_by_index(list, tied);
       break;
     case Ties::optimistic:
-      append(list, only_hits);
-      append(list, no_hits);
+      append(list, {hits, hits});
+      append(list, {others, 0});
       break;
     case Ties::pessimistic:
-      append(list, no_hits);
-      append(list, only_hits);
+      append(list, {others, 0});
+      append(list, {hits, hits});
       break;
     case Ties::expected:
-      append(list, all);
+      append(list, {hits + others, hits});
       break;
   }
 }
@@ -88,18 +138,6 @@ std::size_t hits_in(const RankedList& list) {
   std::size_t hits = 0;
   for (const RankRun& run : list.runs) hits += run.hits;
   return hits;
-}
-
-// Relevant targets that are not in the list.
-std::size_t relevant_without_distance(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row) {
-  if (!task.lists_may_end_early) return 0;
-  std::size_t count = 0;
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    const bool target = task.target_classes[static_cast<std::size_t>(column)] != no_class &&
-                        task.own_column[static_cast<std::size_t>(row)] != column;
-    if (target && std::isnan(distances(row, column)) && is_relevant(task, row, column)) ++count;
-  }
-  return count;
 }
 
 }  // namespace
@@ -122,16 +160,15 @@ RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task
   RankedList list;
   list.starts_with_query = protocol == Protocol::paper;
   if (list.starts_with_query) append(list, {1, 1});
-  const std::vector<RankedModel> models = sorted_targets(distances, task, row);
-  std::vector<bool> relevant;
-  for (std::size_t i = 0; i < models.size(); ++i) {
-    relevant.push_back(is_relevant(task, row, models[i].column));
-    const bool last_of_tied = i + 1 == models.size() || models[i + 1].distance != models[i].distance;
-    if (!last_of_tied) continue;
-    append_tied(list, relevant, ties);
-    relevant.clear();
+  Answer answer;
+  collect_hits(distances, task, row, answer);
+  collect_others(distances, task, row, answer);
+  for (const Tied& tied : answer.tied) {
+    append(list, {tied.others_before, 0});
+    append_tied(list, tied, ties);
   }
-  finish(list, hits_in(list) + relevant_without_distance(distances, task, row));
+  append(list, {answer.others_behind, 0});
+  finish(list, hits_in(list) + answer.hits_not_found);
   return list;
 }
 
