@@ -130,6 +130,53 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Disjoi
   }
 }
 
+/// The pairs that could join two parts of several leaves. A leaf that is alone, whose centre is barely free, matters
+/// only as a stepping stone: those that could lead to one such part only are joined to it without a proof (two free
+/// points so near each other have no wall between them, which would be 2r thick). Alone among themselves they may be a
+/// pocket, and stay.
+std::vector<FacePair> with_dead_ends_joined(const std::vector<ExteriorNode>& nodes, const std::vector<FacePair>& pairs,
+                                        DisjointSets& parts) {
+  constexpr std::int32_t none = -1;
+  constexpr std::int32_t several = -2;
+  std::vector<std::int32_t> leaves(nodes.size(), 0);  // of the part whose least leaf it is
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (is_open(nodes[i])) ++leaves[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+  }
+  const auto is_alone = [&](std::int32_t part) {
+    const auto i = static_cast<std::size_t>(part);
+    return leaves[i] == 1 && nodes[i].kind == CellKind::mixed;
+  };
+  DisjointSets stones;
+  stones.grow_to(nodes.size());
+  for (const FacePair& pair : pairs) {
+    if (is_alone(parts.find(pair.low)) && is_alone(parts.find(pair.high))) stones.join(pair.low, pair.high);
+  }
+  std::vector<std::int32_t> leads_to(nodes.size(), none);
+  const auto lead = [&](std::int32_t stone, std::int32_t part) {
+    std::int32_t& known = leads_to[static_cast<std::size_t>(stones.find(stone))];
+    if (is_alone(part)) return;
+    known = known == none || known == part ? part : several;
+  };
+  for (const FacePair& pair : pairs) {
+    if (is_alone(parts.find(pair.low))) lead(pair.low, parts.find(pair.high));
+    if (is_alone(parts.find(pair.high))) lead(pair.high, parts.find(pair.low));
+  }
+  const auto is_dead_end = [&](std::int32_t leaf) {
+    return is_alone(parts.find(leaf)) && leads_to[static_cast<std::size_t>(stones.find(leaf))] >= 0;
+  };
+  std::vector<FacePair> kept;
+  std::vector<std::int32_t> dead_ends;
+  for (const FacePair& pair : pairs) {
+    const bool low = is_dead_end(pair.low);
+    const bool high = is_dead_end(pair.high);
+    if (low) dead_ends.push_back(pair.low);
+    if (high) dead_ends.push_back(pair.high);
+    if (!low && !high) kept.push_back(pair);
+  }
+  for (const std::int32_t leaf : dead_ends) parts.join(leaf, leads_to[static_cast<std::size_t>(stones.find(leaf))]);
+  return kept;
+}
+
 /// Joins the open leaves across faces where the way is proven free: the proofs that cost nothing first, the others only
 /// where they would join different parts.
 /// Ways between two of the first `tried` nodes were tried before.
@@ -151,6 +198,8 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
     }
   };
   for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
+  // Only a closed surface has another way to decide what becomes of a pocket.
+  if (exterior.is_closed()) uncertain = with_dead_ends_joined(nodes, uncertain, parts);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
