@@ -224,9 +224,13 @@ HWY_INLINE void look_into(const Reached& reached, const std::vector<SurfaceTreeL
       }
       alignas(64) std::array<float, triangles_per_leaf> distances;
       hn::Store(sum, d, distances.data());
-      const std::size_t lanes = std::min(hn::Lanes(d), reached.count - first);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        if (!(distances[lane] < limits[i]) || limits[i] < enough) continue;
+      std::array<std::uint8_t, 8> bits{};
+      hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limits[i])), bits.data());
+      std::uint32_t left = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8U;
+      if (reached.count - first < triangles_per_leaf) left &= (1U << (reached.count - first)) - 1;
+      for (; left != 0 && limits[i] >= enough; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        if (!(distances[lane] < limits[i])) continue;
         const std::int32_t found =
             closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
         if (found >= 0) triangles[i] = found;
