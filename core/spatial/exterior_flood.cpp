@@ -135,7 +135,7 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Disjoi
 /// points so near each other have no wall between them, which would be 2r thick). Alone among themselves they may be a
 /// pocket, and stay.
 std::vector<FacePair> with_dead_ends_joined(const std::vector<ExteriorNode>& nodes, const std::vector<FacePair>& pairs,
-                                        DisjointSets& parts) {
+                                            DisjointSets& parts) {
   constexpr std::int32_t none = -1;
   constexpr std::int32_t several = -2;
   std::vector<std::int32_t> leaves(nodes.size(), 0);  // of the part whose least leaf it is
