@@ -81,7 +81,8 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& 
   check_finite(signatures);
   check_domain(signatures, between);
   const Eigen::Index count = signatures.rows();
-  DistanceMatrix matrix = DistanceMatrix::Zero(count, count);
+  DistanceMatrix matrix(count, count);
+  matrix.diagonal().setZero();
   const tbb::blocked_range2d<Eigen::Index> all(0, count, tile_size, 0, count, tile_size);
   // Each pair i < j is computed once, by whichever thread has its tile, and by itself: threads cannot change a bit.
   tbb::parallel_for(all, [&](const tbb::blocked_range2d<Eigen::Index>& tile) {
