@@ -168,6 +168,7 @@ std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evalua
     queries[evaluation.query_classes[i]].push_back(static_cast<Eigen::Index>(i));
   }
   std::vector<std::vector<Eigen::Index>> by_class;
+  by_class.reserve(queries.size());
   for (auto& [label, of_class] : queries) by_class.push_back(std::move(of_class));
   return by_class;
 }
@@ -178,6 +179,7 @@ void draw_curves(const QueryResults& results, const std::vector<std::vector<Eige
   std::vector<std::size_t> relevant_of_class;  // a level counts for a class where it does for any of its queries
   for (const std::vector<Eigen::Index>& group : groups) {
     std::vector<std::size_t> relevant;
+    relevant.reserve(group.size());
     for (const Eigen::Index i : group) relevant.push_back(results.relevant[static_cast<std::size_t>(i)]);
     relevant_of_class.push_back(*std::ranges::max_element(relevant));
     const Eigen::MatrixXd precisions = results.precisions(group, Eigen::all);

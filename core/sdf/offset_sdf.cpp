@@ -120,7 +120,7 @@ void count(OffsetSdfOutcomes& outcomes, Outcome outcome) {
 }  // namespace
 
 OffsetSdfSolver::OffsetSdfSolver(const Shape& shape)
-    : frame_(unit_frame_of(shape)), tree_(Shape{}), is_closed_(false), is_cloud_(is_cloud(shape)) {
+    : frame_(unit_frame_of(shape)), tree_(Shape{}), is_cloud_(is_cloud(shape)) {
   const Clock::time_point start = Clock::now();
   const Shape unit_shape = in_unit_frame(shape, frame_);
   bounds_ = bounding_box(unit_shape);

@@ -58,7 +58,7 @@ class OffsetSdfSolver {
   UnitFrame frame_;
   Eigen::AlignedBox3d bounds_;  ///< in the frame
   SurfaceTree tree_;            ///< in the frame
-  bool is_closed_;
+  bool is_closed_ = false;
   bool is_cloud_;
 };
 

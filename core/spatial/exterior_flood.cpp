@@ -130,50 +130,69 @@ void join_over(const OffsetExterior& exterior, std::span<const Way> ways, Disjoi
   }
 }
 
-/// The pairs that could join two parts of several leaves. A leaf that is alone, whose centre is barely free, matters
-/// only as a stepping stone: those that could lead to one such part only are joined to it without a proof (two free
-/// points so near each other have no wall between them, which would be 2r thick). Alone among themselves they may be a
-/// pocket, and stay.
+/// Parts of a single leaf, whose centre is barely free, and to which larger parts they could lead.
+class SteppingStones {
+ public:
+  SteppingStones(const std::vector<ExteriorNode>& nodes, const std::vector<FacePair>& pairs, DisjointSets& parts)
+      : nodes_(nodes), parts_(parts), leaves_(nodes.size(), 0), leads_to_(nodes.size(), none) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (is_open(nodes[i])) ++leaves_[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
+    }
+    stones_.grow_to(nodes.size());
+    for (const FacePair& pair : pairs) {
+      if (is_stone(pair.low) && is_stone(pair.high)) stones_.join(pair.low, pair.high);
+    }
+    for (const FacePair& pair : pairs) {
+      lead(pair.low, pair.high);
+      lead(pair.high, pair.low);
+    }
+  }
+
+  /// Whether the leaf is a stone from which there is a way to one larger part only.
+  bool is_dead_end(std::int32_t leaf) { return is_stone(leaf) && larger_part(leaf) >= 0; }
+
+  /// The larger part that all ways from a stone lead to.
+  std::int32_t larger_part(std::int32_t stone) { return leads_to_[static_cast<std::size_t>(stones_.find(stone))]; }
+
+ private:
+  static constexpr std::int32_t none = -1;
+  static constexpr std::int32_t several = -2;
+
+  bool is_stone(std::int32_t leaf) {
+    const auto part = static_cast<std::size_t>(parts_.find(leaf));
+    return leaves_[part] == 1 && nodes_[part].kind == CellKind::mixed;
+  }
+
+  void lead(std::int32_t from, std::int32_t to) {
+    if (!is_stone(from) || is_stone(to)) return;
+    const std::int32_t part = parts_.find(to);
+    std::int32_t& known = leads_to_[static_cast<std::size_t>(stones_.find(from))];
+    known = known == none || known == part ? part : several;
+  }
+
+  const std::vector<ExteriorNode>& nodes_;
+  DisjointSets& parts_;
+  std::vector<std::int32_t> leaves_;  ///< of the part whose least leaf it is
+  DisjointSets stones_;
+  std::vector<std::int32_t> leads_to_;  ///< of sets of neighbouring stones
+};
+
+/// The pairs that could join two larger parts. Stepping stones that could lead to one such part only are joined to it
+/// without a proof (two free points so near each other have no wall between them, which would be 2r thick). Stones
+/// among themselves may be a pocket, and stay.
 std::vector<FacePair> with_dead_ends_joined(const std::vector<ExteriorNode>& nodes, const std::vector<FacePair>& pairs,
                                             DisjointSets& parts) {
-  constexpr std::int32_t none = -1;
-  constexpr std::int32_t several = -2;
-  std::vector<std::int32_t> leaves(nodes.size(), 0);  // of the part whose least leaf it is
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (is_open(nodes[i])) ++leaves[static_cast<std::size_t>(parts.find(static_cast<std::int32_t>(i)))];
-  }
-  const auto is_alone = [&](std::int32_t part) {
-    const auto i = static_cast<std::size_t>(part);
-    return leaves[i] == 1 && nodes[i].kind == CellKind::mixed;
-  };
-  DisjointSets stones;
-  stones.grow_to(nodes.size());
-  for (const FacePair& pair : pairs) {
-    if (is_alone(parts.find(pair.low)) && is_alone(parts.find(pair.high))) stones.join(pair.low, pair.high);
-  }
-  std::vector<std::int32_t> leads_to(nodes.size(), none);
-  const auto lead = [&](std::int32_t stone, std::int32_t part) {
-    std::int32_t& known = leads_to[static_cast<std::size_t>(stones.find(stone))];
-    if (is_alone(part)) return;
-    known = known == none || known == part ? part : several;
-  };
-  for (const FacePair& pair : pairs) {
-    if (is_alone(parts.find(pair.low))) lead(pair.low, parts.find(pair.high));
-    if (is_alone(parts.find(pair.high))) lead(pair.high, parts.find(pair.low));
-  }
-  const auto is_dead_end = [&](std::int32_t leaf) {
-    return is_alone(parts.find(leaf)) && leads_to[static_cast<std::size_t>(stones.find(leaf))] >= 0;
-  };
+  SteppingStones stones(nodes, pairs, parts);
   std::vector<FacePair> kept;
   std::vector<std::int32_t> dead_ends;
   for (const FacePair& pair : pairs) {
-    const bool low = is_dead_end(pair.low);
-    const bool high = is_dead_end(pair.high);
+    const bool low = stones.is_dead_end(pair.low);
+    const bool high = stones.is_dead_end(pair.high);
     if (low) dead_ends.push_back(pair.low);
     if (high) dead_ends.push_back(pair.high);
     if (!low && !high) kept.push_back(pair);
   }
-  for (const std::int32_t leaf : dead_ends) parts.join(leaf, leads_to[static_cast<std::size_t>(stones.find(leaf))]);
+  for (const std::int32_t leaf : dead_ends) parts.join(leaf, stones.larger_part(leaf));
   return kept;
 }
 

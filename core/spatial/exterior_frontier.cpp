@@ -19,7 +19,7 @@ struct FrontierArrays {
   const float *x, *y, *z, *half, *cosine;
   std::array<const float*, 2> normal_x, normal_y, normal_z, bound;
 };
-inline constexpr int frontier_lanes = 16;
+inline constexpr std::size_t frontier_lanes = 16;
 }  // namespace shapegauge
 #endif
 

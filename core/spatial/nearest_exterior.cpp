@@ -130,7 +130,7 @@ std::optional<Eigen::Vector3d> NearestExteriorSearch::settle(std::vector<Contact
   std::optional<Eigen::Vector3d> before;
   for (int step = 0;; ++step) {
     for (std::size_t i = 0; i < contacts.size(); ++i) free[i] = contacts[i].free;
-    const auto x = closest_point_in(std::span(free).first(contacts.size()), p_);
+    auto x = closest_point_in(std::span(free).first(contacts.size()), p_);
     if (!x || step == most_settling_steps || (before && (*x - *before).norm() < 1e-3 * r_)) return x;
     for (Contact& contact : contacts) {
       const bool reached = contact.free.normal.dot(*x) <= contact.free.bound + descent_tolerance * r_;
@@ -275,18 +275,21 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
       if (is_exterior == true) return descend_from(*x);
       return divisible ? divide(index) : frontier_.remove(index);
     }
-    const std::size_t bounds = cube.bounds;
-    if (bounds < most_bounds && add_bound(cube, hit.triangle)) {
-      const HalfSpace& added = cube.half_spaces[bounds];
-      const double sagitta = 3 * cube.cell.half * cube.cell.half / (2 * r_);
-      if (added.bound - added.normal.dot(*x) > smallest_cut * sagitta) {
-        continue;
-      }
-      cube.bounds = bounds;
-    }
+    if (cuts_off(cube, hit.triangle, *x)) continue;
     if (hit.distance > r_ * (1 - search_tolerance / 2) && push_out(*x, hit)) return;
     return divisible ? divide(index) : frontier_.remove(index);
   }
+}
+
+/// Adds the triangle's half-space where it cuts off the point by enough to be worth it.
+bool NearestExteriorSearch::cuts_off(Cube& cube, std::int32_t triangle, const Eigen::Vector3d& x) const {
+  const std::size_t bounds = cube.bounds;
+  if (bounds == most_bounds || !add_bound(cube, triangle)) return false;
+  const HalfSpace& added = cube.half_spaces[bounds];
+  const double sagitta = 3 * cube.cell.half * cube.cell.half / (2 * r_);
+  if (added.bound - added.normal.dot(x) > smallest_cut * sagitta) return true;
+  cube.bounds = bounds;
+  return false;
 }
 
 /// Whether a point that is barely covered has an exterior one beside it: the nearest that its triangle leaves free.
@@ -300,7 +303,7 @@ bool NearestExteriorSearch::push_out(const Eigen::Vector3d& x, const SurfaceHit&
 /// The point nearest to p in a cube and its half-spaces, or in these alone where that is far enough; nothing where they
 /// have no point in common.
 std::optional<Eigen::Vector3d> NearestExteriorSearch::nearest_in(const Cube& cube) const {
-  const auto x = closest_point_in(std::span(cube.half_spaces).first(cube.bounds), p_);
+  auto x = closest_point_in(std::span(cube.half_spaces).first(cube.bounds), p_);
   if (!x || (*x - p_).norm() >= limit()) return x;
   std::array<HalfSpace, most_bounds + 6> half_spaces;
   return closest_point_in(with_faces(cube, half_spaces), p_);

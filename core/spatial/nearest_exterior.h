@@ -72,6 +72,7 @@ class NearestExteriorSearch {
   void look_into(std::int32_t index);
   [[nodiscard]] std::optional<Eigen::Vector3d> nearest_in(const Cube& cube) const;
   bool add_bound(Cube& cube, std::int32_t triangle) const;
+  bool cuts_off(Cube& cube, std::int32_t triangle, const Eigen::Vector3d& x) const;
   void divide(std::int32_t index);
   bool push_out(const Eigen::Vector3d& x, const SurfaceHit& hit);
 
