@@ -118,32 +118,6 @@ bool OffsetExterior::mark_exterior(std::int32_t index) {
   return node.may_hold_exterior;
 }
 
-bool OffsetExterior::may_hold_exterior(const Eigen::Vector3d& centre, double radius) const {
-  // Where the answer is yes, the leaf around the centre mostly knows.
-  const auto leaf = leaf_at(centre);
-  if (!leaf || nodes_[static_cast<std::size_t>(leaf->node)].may_hold_exterior) return true;
-  return may_hold_exterior(root(), centre, radius);
-}
-
-bool OffsetExterior::may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const {
-  const Eigen::Vector3d offset = (centre - cell.centre).cwiseAbs();
-  const double squared_distance = (offset.array() - cell.half).cwiseMax(0).matrix().squaredNorm();
-  if (squared_distance > radius * radius) return false;
-  const ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
-  if (node.kind != CellKind::divided) return true;
-  for (int i = 0; i < 8; ++i) {
-    const std::int32_t child = node.first_child + i;
-    if (!nodes_[static_cast<std::size_t>(child)].may_hold_exterior) continue;
-    if (may_hold_exterior(octant(cell, i, child), centre, radius)) return true;
-  }
-  return false;
-}
-
-bool OffsetExterior::is_among_enclosed(const Eigen::Vector3d& x) const {
-  const auto leaf = leaf_at(x);
-  return leaf && nodes_[static_cast<std::size_t>(leaf->node)].space == FreeSpace::enclosed;
-}
-
 std::optional<ExteriorCell> OffsetExterior::leaf_at(const Eigen::Vector3d& x) const {
   // The bits of the coordinates, in cubes of the 2^30th part of the root's edge, say which child to take at each level.
   constexpr int bits = 30;

@@ -75,13 +75,6 @@ class OffsetExterior {
   /// Whether a point outside of the offset solid belongs to the exterior; nothing where that could not be decided.
   [[nodiscard]] std::optional<bool> contains(const Eigen::Vector3d& x) const;
 
-  /// Whether some exterior point may lie in a ball, as far as the octree's leaves tell.
-  [[nodiscard]] bool may_hold_exterior(const Eigen::Vector3d& centre, double radius) const;
-
-  /// Whether x is in a leaf around which all free space is enclosed. Then the surface, and r on both sides of it, are
-  /// between x and the exterior.
-  [[nodiscard]] bool is_among_enclosed(const Eigen::Vector3d& x) const;
-
   /// Whether x is outside of the surface as far as the crossings of a ray from x tell: even in number, and as many in
   /// as out where the triangles are oriented alike (the overlap of two parts is crossed evenly too). Nothing where the
   /// surface is not closed, or the rays that were tried run too close to edges.
@@ -97,7 +90,6 @@ class OffsetExterior {
   /// Divides unsettled leaves further; what remains unsettled then is taken for enclosed.
   void settle_pockets(double smallest, ExteriorFlood& flood);
   bool mark_exterior(std::int32_t node);
-  [[nodiscard]] bool may_hold_exterior(const ExteriorCell& cell, const Eigen::Vector3d& centre, double radius) const;
   /// What the centre of the leaf around x belongs to, where the ball of free space around x holds it.
   [[nodiscard]] std::optional<bool> label_seen_from(const Eigen::Vector3d& x, double clearance) const;
   /// Climbs away from the surface, through free space only, until the ball of free space around x settles it.
