@@ -10,6 +10,7 @@
 
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/preparation/noise_level.h"
+#include "shapegauge/core/shape/disjoint_sets.h"
 #include "shapegauge/core/shape/edge_uses.h"
 #include "shapegauge/core/shape/merged_vertices.h"
 #include "shapegauge/core/shape/validity.h"
@@ -65,24 +66,14 @@ std::size_t count_duplicates(std::vector<Corners> corners) {
 
 /// Parts connected through vertices: sets of vertices that are united triangle by triangle.
 std::size_t count_components(const std::vector<Corners>& corners, std::size_t vertices) {
-  std::vector<std::int32_t> parent(vertices);
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root_of = [&](std::int32_t vertex) {
-    while (parent[static_cast<std::size_t>(vertex)] != vertex) {
-      auto& above = parent[static_cast<std::size_t>(vertex)];
-      above = parent[static_cast<std::size_t>(above)];
-      vertex = above;
-    }
-    return vertex;
-  };
+  DisjointSets parts;
+  parts.grow_to(vertices);
   for (const Corners& triangle : corners) {
-    for (std::size_t k = 1; k < 3; ++k) {
-      parent[static_cast<std::size_t>(root_of(triangle[k]))] = root_of(triangle[0]);
-    }
+    for (std::size_t k = 1; k < 3; ++k) parts.join(triangle[0], triangle[k]);
   }
-  std::vector<bool> is_root(vertices);
-  for (const Corners& triangle : corners) is_root[static_cast<std::size_t>(root_of(triangle[0]))] = true;
-  return static_cast<std::size_t>(std::ranges::count(is_root, true));
+  std::vector<bool> is_part(vertices);
+  for (const Corners& triangle : corners) is_part[static_cast<std::size_t>(parts.find(triangle[0]))] = true;
+  return static_cast<std::size_t>(std::ranges::count(is_part, true));
 }
 
 void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged, ShapeDiagnostics& found) {

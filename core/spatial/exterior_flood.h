@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "shapegauge/core/spatial/disjoint_sets.h"
+#include "shapegauge/core/shape/disjoint_sets.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 
 namespace shapegauge {

@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "shapegauge/core/spatial/surface_tree.h"
+#include "tests/core/spatial/random_triangle.h"
 
 namespace shapegauge {
 namespace {
@@ -95,6 +96,27 @@ TEST(SurfaceTree, CountsTheCrossingsOfARay) {
   // Straight through the corner at the origin: nothing can be said.
   const Eigen::Vector3d diagonal = Eigen::Vector3d(1, 1.5, 2).normalized();
   EXPECT_EQ(tree.count_crossings(-diagonal, diagonal).has_value(), false);
+}
+
+RC_GTEST_PROP(SurfaceTree, ClosestToEachIsTheClosestOfEach, ()) {
+  const SurfaceTree tree(random_soup(*rc::gen::inRange(1, 600), *rc::gen::inRange(1U, 1000U)));
+  const Eigen::Vector3d about = random_point();
+  std::vector<Eigen::Vector3d> points;
+  const int count = *rc::gen::inRange(1, 9);
+  for (int i = 0; i < count; ++i) points.push_back(about + 0.2 * random_point());
+  const double reach = *rc::gen::inRange(1, 200) / 100.0;
+  const double enough = *rc::gen::element(0.0, reach / 2);
+  const auto found = tree.closest_to_each(points, reach, enough);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto one = tree.closest(points[i], reach);
+    RC_ASSERT((found[i].triangle >= 0) == one.has_value());
+    if (!one) continue;
+    const double distance = static_cast<double>(found[i].distance);
+    RC_ASSERT(distance < enough || std::abs(distance - one->distance) < 1e-5);
+    RC_ASSERT(distance > one->distance - 1e-5);
+    RC_ASSERT(std::abs((closest_point(tree.triangle(found[i].triangle), points[i]) - points[i]).norm() - distance) <
+              1e-5);
+  }
 }
 
 }  // namespace
