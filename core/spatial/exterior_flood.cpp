@@ -5,71 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 
 namespace shapegauge {
 
 namespace {
-
-/// Two leaves that share a face across an axis.
-struct FacePair {
-  std::int32_t low;
-  std::int32_t high;
-  int axis;
-};
-
-/// The leaves' geometry and all pairs of leaves that share a face.
-class LeafGraph {
- public:
-  LeafGraph(const OffsetExterior& exterior)
-      : nodes_(exterior.nodes()), centres_(nodes_.size()), halves_(nodes_.size()) {
-    for (auto& pairs : pairs_) pairs.reserve(nodes_.size());
-    visit(exterior.root());
-  }
-
-  /// Those that share a face across the axis.
-  [[nodiscard]] const std::vector<FacePair>& pairs(int axis) const { return pairs_[static_cast<std::size_t>(axis)]; }
-  [[nodiscard]] const Eigen::Vector3d& centre(std::int32_t leaf) const {
-    return centres_[static_cast<std::size_t>(leaf)];
-  }
-  [[nodiscard]] double half(std::int32_t leaf) const { return halves_[static_cast<std::size_t>(leaf)]; }
-
- private:
-  [[nodiscard]] const ExteriorNode& node(std::int32_t index) const { return nodes_[static_cast<std::size_t>(index)]; }
-
-  void visit(const ExteriorCell& cell) {
-    centres_[static_cast<std::size_t>(cell.node)] = cell.centre;
-    halves_[static_cast<std::size_t>(cell.node)] = cell.half;
-    if (node(cell.node).kind != CellKind::divided) return;
-    const std::int32_t first = node(cell.node).first_child;
-    for (int i = 0; i < 8; ++i) visit(OffsetExterior::octant(cell, i, first + i));
-    for (int axis = 0; axis < 3; ++axis) {
-      for (int i = 0; i < 8; ++i) {
-        if ((i & (1 << axis)) == 0) pair(first + i, first + (i | (1 << axis)), axis);
-      }
-    }
-  }
-
-  /// The pairs of leaves across the face that two cubes of the same size share.
-  void pair(std::int32_t low, std::int32_t high, int axis) {
-    const bool low_divided = node(low).kind == CellKind::divided;
-    const bool high_divided = node(high).kind == CellKind::divided;
-    if (!low_divided && !high_divided) {
-      pairs_[static_cast<std::size_t>(axis)].push_back({low, high, axis});
-      return;
-    }
-    for (int i = 0; i < 8; ++i) {
-      if ((i & (1 << axis)) != 0) continue;
-      pair(low_divided ? node(low).first_child + (i | (1 << axis)) : low,
-           high_divided ? node(high).first_child + i : high, axis);
-    }
-  }
-
-  const std::vector<ExteriorNode>& nodes_;
-  std::vector<Eigen::Vector3d> centres_;
-  std::vector<double> halves_;
-  std::array<std::vector<FacePair>, 3> pairs_;
-};
 
 bool is_open(const ExteriorNode& node) {
   return node.kind == CellKind::free || (node.kind == CellKind::mixed && node.clearance > 0);
@@ -203,6 +144,7 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
   std::vector<FacePair> uncertain;
   const auto join_or_keep = [&](const FacePair& pair) {
+    if (pair.low < tried && pair.high < tried) return;
     const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
     const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
     if (!is_open(low) || !is_open(high)) return;
@@ -212,7 +154,7 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
                              (high.kind == CellKind::free ? 0 : static_cast<double>(high.clearance));
     if (clearance >= way) {
       parts.join(pair.low, pair.high);
-    } else if (pair.low >= tried || pair.high >= tried) {
+    } else {
       uncertain.push_back(pair);
     }
   };
@@ -252,11 +194,24 @@ std::vector<PartSummary> summarise(const std::vector<ExteriorNode>& nodes, Disjo
   return summaries;
 }
 
-FreeSpace space_of_part(const OffsetExterior& exterior, const LeafGraph& graph, const PartSummary& summary) {
+/// Of a part that the flood did not reach. On which side of a closed surface it lies, the crossings of a ray tell.
+FreeSpace space_of_part(const PartSummary& summary, std::optional<bool> outside) {
   if (summary.holds_free_cube) return FreeSpace::enclosed;
-  const auto outside = exterior.is_outside_by_crossings(graph.centre(summary.representative));
   if (!outside) return FreeSpace::none;
   return *outside ? FreeSpace::exterior : FreeSpace::enclosed;
+}
+
+/// Adds the leaves that share a face with those given.
+void grow(std::vector<bool>& given, const LeafGraph& graph) {
+  const std::vector<bool> before = given;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const FacePair& pair : graph.pairs(axis)) {
+      const auto low = static_cast<std::size_t>(pair.low);
+      const auto high = static_cast<std::size_t>(pair.high);
+      if (before[low]) given[high] = true;
+      if (before[high]) given[low] = true;
+    }
+  }
 }
 
 FreeSpace merged(FreeSpace a, FreeSpace b) {
@@ -283,16 +238,15 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
   }
 }
 
-/// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. Valid where no surface passes through
-/// the ball around the leaf: then all free points in the leaf are on the side of its centre.
+/// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. All free points in the leaf are on
+/// the side of its centre where that is within r of them: no surface passes between.
 void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ExteriorNode& node = nodes[i];
     const bool open = node.space == FreeSpace::none || node.space == FreeSpace::both;
     if (node.kind != CellKind::mixed || !open) continue;
     const auto leaf = static_cast<std::int32_t>(i);
-    const double distance = static_cast<double>(node.clearance) + exterior.r();
-    if (distance <= std::sqrt(3.0) * graph.half(leaf)) continue;
+    if (std::sqrt(3.0) * graph.half(leaf) >= exterior.r()) continue;
     const auto outside = exterior.is_outside_by_crossings(graph.centre(leaf));
     if (!outside) continue;
     if (!*outside) {
@@ -305,28 +259,55 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
 
 }  // namespace
 
-void ExteriorFlood::run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
-  const LeafGraph graph(exterior);
+void ExteriorFlood::join(const OffsetExterior& exterior) {
+  const std::vector<ExteriorNode>& nodes = exterior.nodes();
+  graph_ = LeafGraph(exterior);
   const auto tried = static_cast<std::int32_t>(parts_.size());
   parts_.grow_to(nodes.size());
-  join_leaves(exterior, graph, tried, parts_);
+  join_leaves(exterior, graph_, tried, parts_);
   const std::vector<PartSummary> summaries = summarise(nodes, parts_);
   const ExteriorCell root = exterior.root();
   const auto corner = exterior.leaf_at(root.centre - 0.999 * Eigen::Vector3d::Constant(root.half));
-  const std::int32_t outside = parts_.find(corner->node);
-  std::vector<FreeSpace> spaces(nodes.size(), FreeSpace::none);
+  const auto reached = static_cast<std::size_t>(parts_.find(corner->node));
+  spaces_.assign(nodes.size(), FreeSpace::none);
+  leads_nowhere_.assign(nodes.size(), false);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (summaries[i].representative < 0) continue;
-    spaces[i] =
-        static_cast<std::int32_t>(i) == outside ? FreeSpace::exterior : space_of_part(exterior, graph, summaries[i]);
+    if (i == reached || summaries[i].representative < 0) continue;
+    const auto is_outside = exterior.is_outside_by_crossings(graph_.centre(summaries[i].representative));
+    leads_nowhere_[i] = is_outside == true;
+    spaces_[i] = space_of_part(summaries[i], is_outside);
   }
+  spaces_[reached] = FreeSpace::exterior;
+}
+
+std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) {
+  const std::vector<ExteriorNode>& nodes = exterior.nodes();
+  if (std::ranges::find(leads_nowhere_, true) == leads_nowhere_.end()) return {};
+  std::vector<bool> is_near(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    is_near[i] =
+        is_open(nodes[i]) && leads_nowhere_[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))];
+  }
+  constexpr int reach = 3;
+  for (int step = 0; step < reach; ++step) grow(is_near, graph_);
+  std::vector<ExteriorCell> found;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const auto leaf = static_cast<std::int32_t>(i);
+    const bool is_small = 2 * graph_.half(leaf) < 1.5 * exterior.resolution();
+    if (is_near[i] && nodes[i].kind == CellKind::mixed && is_small)
+      found.push_back({graph_.centre(leaf), graph_.half(leaf), leaf});
+  }
+  return found;
+}
+
+void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes[i].centre_space = is_open(nodes[i])
-                                ? spaces[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))]
+                                ? spaces_[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))]
                                 : FreeSpace::none;
   }
-  spread_to_mixed(graph, exterior.resolution(), nodes);
-  settle_by_crossings(exterior, graph, nodes);
+  spread_to_mixed(graph_, exterior.resolution(), nodes);
+  settle_by_crossings(exterior, graph_, nodes);
 }
 
 }  // namespace shapegauge

@@ -3,24 +3,34 @@
 #include <vector>
 
 #include "shapegauge/core/shape/disjoint_sets.h"
+#include "shapegauge/core/spatial/leaf_graph.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 
 namespace shapegauge {
 
-/// Finds the connected parts of the free space of a classified octree and sets each leaf's `centre_space` and `space`.
+/// Finds the connected parts of the free space of a classified octree, and what each leaf belongs to.
 ///
 /// Two neighbouring cubes are joined where the way between their centres is proven free. The part that reaches the
 /// root's border is the exterior. Any other part that holds a free cube is enclosed. A part without one is too small to
 /// be sure that it is not joined to another: on a closed surface, the crossings of a ray decide between enclosed and
 /// exterior (a slit that leads outside); otherwise it stays undecided.
-///
-/// Run again when leaves have been divided, it looks only at ways to and from the new ones.
 class ExteriorFlood {
  public:
-  void run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
+  /// Finds the parts. Called again when leaves have been divided, it looks only at ways to and from the new ones.
+  void join(const OffsetExterior& exterior);
+
+  /// The mixed leaves of the smallest size near free space that the crossings of a ray find outside of a closed surface
+  /// though the flood did not get there: smaller cubes might show a way.
+  [[nodiscard]] std::vector<ExteriorCell> possible_passages(const OffsetExterior& exterior);
+
+  /// Sets each leaf's `centre_space` and `space` by the parts found. The nodes are the exterior's.
+  void label(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
 
  private:
-  DisjointSets parts_;  ///< of the nodes' centres
+  LeafGraph graph_;
+  DisjointSets parts_;               ///< of the nodes' centres
+  std::vector<FreeSpace> spaces_;    ///< of the part whose least leaf it is
+  std::vector<bool> leads_nowhere_;  ///< whether that part is outside of a closed surface, but was not reached
 };
 
 }  // namespace shapegauge

@@ -224,6 +224,7 @@ void NearestExteriorSearch::gather(const ExteriorCell& cell, double reach) {
 }
 
 void NearestExteriorSearch::add(const Cube& cube) {
+  if (cube.is_covered) return;
   frontier_.add(cube.cell.centre, cube.cell.half);
   if (cube.bounds > 0) {
     frontier_.bound(frontier_.size() - 1, cube.half_spaces[0], cube.half_spaces[cube.bounds - 1]);
@@ -285,6 +286,7 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
 bool NearestExteriorSearch::cuts_off(Cube& cube, std::int32_t triangle, const Eigen::Vector3d& x) const {
   const std::size_t bounds = cube.bounds;
   if (bounds == most_bounds || !add_bound(cube, triangle)) return false;
+  if (cube.is_covered) return true;
   const HalfSpace& added = cube.half_spaces[bounds];
   const double sagitta = 3 * cube.cell.half * cube.cell.half / (2 * r_);
   if (added.bound - added.normal.dot(x) > smallest_cut * sagitta) return true;
@@ -303,6 +305,7 @@ bool NearestExteriorSearch::push_out(const Eigen::Vector3d& x, const SurfaceHit&
 /// The point nearest to p in a cube and its half-spaces, or in these alone where that is far enough; nothing where they
 /// have no point in common.
 std::optional<Eigen::Vector3d> NearestExteriorSearch::nearest_in(const Cube& cube) const {
+  if (cube.is_covered) return std::nullopt;
   auto x = closest_point_in(std::span(cube.half_spaces).first(cube.bounds), p_);
   if (!x || (*x - p_).norm() >= limit()) return x;
   std::array<HalfSpace, most_bounds + 6> half_spaces;
@@ -310,12 +313,14 @@ std::optional<Eigen::Vector3d> NearestExteriorSearch::nearest_in(const Cube& cub
 }
 
 /// Notes that the cube's exterior points are at least r away from a point of the triangle, in the direction of the
-/// cube's centre. False where that says nothing.
+/// cube's centre, or that there are none. False where that says nothing.
 bool NearestExteriorSearch::add_bound(Cube& cube, std::int32_t triangle) const {
   const Eigen::Vector3d point = closest_point(tree_.triangle(triangle), cube.cell.centre);
   const Eigen::Vector3d to_centre = cube.cell.centre - point;
   const double distance = to_centre.norm();
   const double radius = root_of_three * cube.cell.half;
+  cube.is_covered |= (to_centre.cwiseAbs().array() + cube.cell.half).matrix().norm() < r_;
+  if (cube.is_covered) return true;
   if (distance <= radius || radius >= r_) return false;
   const Eigen::Vector3d normal = to_centre / distance;
   const double height = std::sqrt(r_ * r_ - radius * radius);

@@ -45,7 +45,8 @@ class NearestExteriorSearch {
 
   /// A cube of the octree, or of its division here, with half-spaces that all of its exterior points lie in.
   struct Cube {
-    ExteriorCell cell;  ///< its node is that of the octree's leaf for a part of one
+    ExteriorCell cell;        ///< its node is that of the octree's leaf for a part of one
+    bool is_covered = false;  ///< one triangle's ball of radius r holds all of it
     std::size_t bounds = 0;
     std::array<HalfSpace, most_bounds> half_spaces;
     std::array<std::int32_t, most_bounds> triangles;  ///< that the half-spaces are from

@@ -12,18 +12,27 @@ namespace {
 
 /// The smallest cube, as a fraction of the diagonal, that the octree is refined to however small r is.
 constexpr double finest_resolution = 1.0 / 256;
+/// On a closed surface cubes are not refined beyond this where 3r/4 is larger: there would be many.
+constexpr double closed_resolution = 1.0 / 128;
 /// The smallest into which unsettled ones are divided further.
 constexpr double finest_pocket = 1.0 / 1024;
 /// Bounds memory (some 100 bytes a node while flooding) and time on shapes that fill their box.
 constexpr std::size_t most_nodes = 3'000'000;
 const double root_of_three = std::sqrt(3.0);
 
+/// Edge of the smallest cubes. Free points nearer to each other than 2r are on the same side of a closed surface: with
+/// cubes up to 0.76 r those of a cube and of all around it.
+double smallest_cube(double r, double diagonal, bool closed) {
+  const double wanted = closed ? std::clamp(closed_resolution * diagonal, r / 2, 3 * r / 4) : r / 2;
+  return std::max(wanted, finest_resolution * diagonal);
+}
+
 }  // namespace
 
 OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed)
     : tree_(tree), r_(r), closed_(closed) {
   const double diagonal = bounds.diagonal().norm();
-  const double smallest = std::max(r / 2, finest_resolution * diagonal);
+  const double smallest = smallest_cube(r, diagonal, closed);
   // A margin of two cubes of free space all around, so that the flood can start anywhere on the root's border.
   const double needed = bounds.sizes().maxCoeff() + 2 * r + 4 * smallest;
   double size = smallest;
@@ -33,11 +42,12 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   nodes_.emplace_back();
   classify(root(), tree_.closest_to_each({{root_centre_}}, r_ + root_of_three * root_half_)[0]);
   std::vector<ExteriorCell> mixed{root()};
-  while (mixed.front().half > smallest / 2 * 1.5 && divide(mixed)) {
-  }
-  resolution_ = 2 * mixed.front().half;
+  resolution_ = 2 * root_half_;
+  while (resolution_ > smallest * 1.5 && divide(mixed)) resolution_ /= 2;
   ExteriorFlood flood;
-  flood.run(*this, nodes_);
+  flood.join(*this);
+  if (closed_) look_for_passages(flood);
+  flood.label(*this, nodes_);
   if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal), flood);
   mark_exterior(0);
 }
@@ -80,7 +90,6 @@ bool OffsetExterior::divide(std::vector<ExteriorCell>& mixed) {
       if (nodes_[static_cast<std::size_t>(child.node)].kind == CellKind::mixed) smaller.push_back(child);
     }
   }
-  if (smaller.empty()) return false;
   mixed = std::move(smaller);
   return true;
 }
@@ -94,12 +103,19 @@ void OffsetExterior::find_unsettled(const ExteriorCell& cell, double smallest, s
   if (node.kind == CellKind::mixed && unsettled && 2 * cell.half > smallest) found.push_back(cell);
 }
 
+void OffsetExterior::look_for_passages(ExteriorFlood& flood) {
+  if (resolution_ <= r_ / 2 * (1 + 1e-6)) return;
+  std::vector<ExteriorCell> passages = flood.possible_passages(*this);
+  if (divide(passages)) flood.join(*this);
+}
+
 void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
   while (true) {
     std::vector<ExteriorCell> unsettled;
     find_unsettled(root(), smallest, unsettled);
     if (!divide(unsettled)) break;
-    flood.run(*this, nodes_);
+    flood.join(*this);
+    flood.label(*this, nodes_);
   }
   for (ExteriorNode& node : nodes_) {
     if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;

@@ -45,7 +45,8 @@ class ExteriorFlood;
 /// The space around a shape, sorted into offset solid O(r), exterior E(r) and enclosed free space (the design, section
 /// 2.1): an octree, refined where the boundary of O(r) runs, flooded from outside.
 ///
-/// The tree's smallest cubes measure r/2 or 1/256 of the diagonal, whichever is larger. Free space narrower than such a
+/// The tree's smallest cubes measure r/2 or 1/256 of the diagonal, whichever is larger; on a closed surface, for small
+/// r, up to 3r/4, but 3r/8 around free space outside of it that seems to lead nowhere. Free space narrower than such a
 /// cube's diagonal may escape the flood. On a closed surface the crossings of a ray then decide; otherwise contains()
 /// may have no answer. A cavity that is joined to the outside only through a passage so narrow counts as enclosed.
 ///
@@ -83,10 +84,12 @@ class OffsetExterior {
  private:
   void classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest);
   /// Divides the mixed leaves, and puts those of their children that are mixed in their place. False, and nothing is
-  /// divided, where there would be too many; false, too, where no child is mixed.
+  /// divided, where there are none, or would be too many.
   bool divide(std::vector<ExteriorCell>& mixed);
   /// The mixed leaves larger than the smallest of which it is not known what free space is in them.
   void find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const;
+  /// Divides cubes larger than r/2 once more where free space outside of a closed surface seems to lead nowhere.
+  void look_for_passages(ExteriorFlood& flood);
   /// Divides unsettled leaves further; what remains unsettled then is taken for enclosed.
   void settle_pockets(double smallest, ExteriorFlood& flood);
   bool mark_exterior(std::int32_t node);
