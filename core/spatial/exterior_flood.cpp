@@ -240,7 +240,9 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
 
 /// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. All free points in the leaf are on
 /// the side of its centre where that is within r of them: no surface passes between.
-void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
+/// Notes the leaves that are outside though nothing around them was reached.
+void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes,
+                         std::vector<bool>& leads_nowhere) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ExteriorNode& node = nodes[i];
     const bool open = node.space == FreeSpace::none || node.space == FreeSpace::both;
@@ -253,11 +255,17 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
       node.space = FreeSpace::enclosed;
     } else if (node.space == FreeSpace::none) {
       node.space = FreeSpace::exterior;
+      leads_nowhere[i] = true;
     }
   }
 }
 
 }  // namespace
+
+void ExteriorFlood::run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
+  join(exterior);
+  label(exterior, nodes);
+}
 
 void ExteriorFlood::join(const OffsetExterior& exterior) {
   const std::vector<ExteriorNode>& nodes = exterior.nodes();
@@ -280,34 +288,31 @@ void ExteriorFlood::join(const OffsetExterior& exterior) {
   spaces_[reached] = FreeSpace::exterior;
 }
 
-std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) {
-  const std::vector<ExteriorNode>& nodes = exterior.nodes();
-  if (std::ranges::find(leads_nowhere_, true) == leads_nowhere_.end()) return {};
-  std::vector<bool> is_near(nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    is_near[i] =
-        is_open(nodes[i]) && leads_nowhere_[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))];
-  }
-  constexpr int reach = 3;
-  for (int step = 0; step < reach; ++step) grow(is_near, graph_);
-  std::vector<ExteriorCell> found;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const auto leaf = static_cast<std::int32_t>(i);
-    const bool is_small = 2 * graph_.half(leaf) < 1.5 * exterior.resolution();
-    if (is_near[i] && nodes[i].kind == CellKind::mixed && is_small)
-      found.push_back({graph_.centre(leaf), graph_.half(leaf), leaf});
-  }
-  return found;
-}
-
 void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    nodes[i].centre_space = is_open(nodes[i])
-                                ? spaces_[static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)))]
-                                : FreeSpace::none;
+    nodes[i].centre_space = FreeSpace::none;
+    if (!is_open(nodes[i])) continue;
+    const auto part = static_cast<std::size_t>(parts_.find(static_cast<std::int32_t>(i)));
+    nodes[i].centre_space = spaces_[part];
+    leads_nowhere_[i] = leads_nowhere_[part];
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
-  settle_by_crossings(exterior, graph_, nodes);
+  settle_by_crossings(exterior, graph_, nodes, leads_nowhere_);
+}
+
+std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) const {
+  if (std::ranges::find(leads_nowhere_, true) == leads_nowhere_.end()) return {};
+  constexpr int reach = 3;  // faces
+  std::vector<bool> is_near = leads_nowhere_;
+  for (int step = 0; step < reach; ++step) grow(is_near, graph_);
+  std::vector<ExteriorCell> found;
+  for (std::size_t i = 0; i < is_near.size(); ++i) {
+    const auto leaf = static_cast<std::int32_t>(i);
+    const bool is_small = 2 * graph_.half(leaf) < 1.5 * exterior.resolution();
+    if (!is_near[i] || !is_small || exterior.nodes()[i].kind != CellKind::mixed) continue;
+    found.push_back({graph_.centre(leaf), graph_.half(leaf), leaf});
+  }
+  return found;
 }
 
 }  // namespace shapegauge

@@ -16,21 +16,23 @@ namespace shapegauge {
 /// exterior (a slit that leads outside); otherwise it stays undecided.
 class ExteriorFlood {
  public:
-  /// Finds the parts. Called again when leaves have been divided, it looks only at ways to and from the new ones.
-  void join(const OffsetExterior& exterior);
+  /// The nodes are the exterior's. Run again when leaves have been divided, it looks only at ways to and from the new
+  /// ones.
+  void run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
 
-  /// The mixed leaves of the smallest size near free space that the crossings of a ray find outside of a closed surface
-  /// though the flood did not get there: smaller cubes might show a way.
-  [[nodiscard]] std::vector<ExteriorCell> possible_passages(const OffsetExterior& exterior);
-
-  /// Sets each leaf's `centre_space` and `space` by the parts found. The nodes are the exterior's.
-  void label(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
+  /// The mixed leaves of the smallest size in and around places that the crossings of a ray find outside of a closed
+  /// surface though the flood did not get there: smaller cubes might show a way, or that there is none.
+  [[nodiscard]] std::vector<ExteriorCell> possible_passages(const OffsetExterior& exterior) const;
 
  private:
+  /// Finds the parts and what they belong to.
+  void join(const OffsetExterior& exterior);
+  /// Sets the leaves' spaces.
+  void label(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
   LeafGraph graph_;
   DisjointSets parts_;               ///< of the nodes' centres
   std::vector<FreeSpace> spaces_;    ///< of the part whose least leaf it is
-  std::vector<bool> leads_nowhere_;  ///< whether that part is outside of a closed surface, but was not reached
+  std::vector<bool> leads_nowhere_;  ///< the leaves' centres are outside of a closed surface, but were not reached
 };
 
 }  // namespace shapegauge

@@ -45,10 +45,12 @@ OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3
   resolution_ = 2 * root_half_;
   while (resolution_ > smallest * 1.5 && divide(mixed)) resolution_ /= 2;
   ExteriorFlood flood;
-  flood.join(*this);
-  if (closed_) look_for_passages(flood);
-  flood.label(*this, nodes_);
-  if (!closed_) settle_pockets(std::max(r / 16, finest_pocket * diagonal), flood);
+  flood.run(*this, nodes_);
+  if (closed_) {
+    look_for_passages(flood);
+  } else {
+    settle_pockets(std::max(r / 16, finest_pocket * diagonal), flood);
+  }
   mark_exterior(0);
 }
 
@@ -106,7 +108,7 @@ void OffsetExterior::find_unsettled(const ExteriorCell& cell, double smallest, s
 void OffsetExterior::look_for_passages(ExteriorFlood& flood) {
   if (resolution_ <= r_ / 2 * (1 + 1e-6)) return;
   std::vector<ExteriorCell> passages = flood.possible_passages(*this);
-  if (divide(passages)) flood.join(*this);
+  if (divide(passages)) flood.run(*this, nodes_);
 }
 
 void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
@@ -114,8 +116,7 @@ void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
     std::vector<ExteriorCell> unsettled;
     find_unsettled(root(), smallest, unsettled);
     if (!divide(unsettled)) break;
-    flood.join(*this);
-    flood.label(*this, nodes_);
+    flood.run(*this, nodes_);
   }
   for (ExteriorNode& node : nodes_) {
     if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;

@@ -153,24 +153,42 @@ Shape box_with_cavity(double outer, double inner, double shaft) {
   return shape;
 }
 
+/// The offset SDF in the middle of the cavity's floor.
+OffsetSdfResult on_the_floor(const Shape& box, double offset) {
+  Samples samples;
+  samples.points.resize(1, 3);
+  samples.points << 0.1, 0.05, -0.7;
+  samples.normals.resize(1, 3);
+  samples.normals << 0, 0, 1;
+  samples.weights = Eigen::VectorXd::Ones(1);
+  return offset_sdf(box, samples, {.offset = offset});
+}
+
 TEST(OffsetSdf, ClosesACavityWhoseShaftIsNarrowerThanTwiceTheOffset) {
   const double half_shaft = 0.12;
   const Shape box = box_with_cavity(1, 0.7, half_shaft);
   const double diagonal = bounding_box_diagonal(box);
-  Samples samples;
-  samples.points.resize(1, 3);
-  samples.points << 0.1, 0.05, -0.7;  // on the cavity's floor
-  samples.normals.resize(1, 3);
-  samples.normals << 0, 0, 1;
-  samples.weights = Eigen::VectorXd::Ones(1);
-  const OffsetSdfResult open = offset_sdf(box, samples, {.offset = 0.5 * half_shaft / diagonal});
+  const OffsetSdfResult open = on_the_floor(box, 0.5 * half_shaft / diagonal);
   EXPECT_EQ(open.outcomes.direct, 1U);
   EXPECT_NEAR(open.values[0], 0.3, 1e-3);  // through the floor
   EXPECT_GT(open.normals(0, 2), 0.999);
-  const OffsetSdfResult shut = offset_sdf(box, samples, {.offset = 2 * half_shaft / diagonal});
+  const OffsetSdfResult shut = on_the_floor(box, 2 * half_shaft / diagonal);
   EXPECT_EQ(shut.outcomes.searched, 1U);
   EXPECT_NEAR(shut.values[0], 2, 2e-2);  // from below the floor to above the lid
   EXPECT_LT(shut.normals(0, 2), -0.999);
+}
+
+TEST(OffsetSdf, SeesAShaftThatLiesBetweenTheCubesOfASmallOffset) {
+  // The octree's planes of symmetry are the shaft's: with cubes of 3r/4, no centre of one is in its free part, 0.6 r
+  // wide, until they are divided.
+  const double offset = 0.01;
+  const double r = offset * bounding_box_diagonal(box_with_cavity(1, 0.7, 0.1));
+  const OffsetSdfResult open = on_the_floor(box_with_cavity(1, 0.7, 1.3 * r), offset);
+  EXPECT_EQ(open.outcomes.direct, 1U);
+  EXPECT_NEAR(open.values[0], 0.3, 1e-3);
+  const OffsetSdfResult shut = on_the_floor(box_with_cavity(1, 0.7, 0.95 * r), offset);
+  EXPECT_EQ(shut.outcomes.searched, 1U);
+  EXPECT_NEAR(shut.values[0], 2, 2e-3);
 }
 
 TEST(OffsetSdf, GivesNormalsOfASphere) {
