@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <limits>
 #include <rapidcheck/gtest.h>
 #include <span>
@@ -70,6 +71,21 @@ TEST(L1, OfSeveralIsTheSameBitByBit) {
       }
     }
   }
+}
+
+TEST(L1, IsTheSameBitByBitOnEveryInstructionSet) {
+  RandomNumbers random(2);
+  std::vector<float> signatures(9 * 243);
+  for (float& entry : signatures) entry = static_cast<float>(random.uniform(0, 1));
+  std::vector<double> expected(81);
+  l1_distances(signatures, signatures, 243, expected);
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    std::vector<double> distances(81);
+    l1_distances(signatures, signatures, 243, distances);
+    EXPECT_EQ(distances, expected) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
 }
 
 TEST(L1, OfSeveralOfNothingIsZero) {
