@@ -14,8 +14,6 @@
 namespace shapegauge {
 namespace {
 
-constexpr Eigen::Index tile_size = 32;  // two tiles of signatures of a few hundred entries stay in a core's own cache
-
 const NamedDistance& distance_of(const std::string& name) {
   const auto known = distances();
   const auto found = std::ranges::find(known, name, &NamedDistance::name);
@@ -68,15 +66,25 @@ struct Stretch {
   [[nodiscard]] Eigen::Index size() const { return last - first; }
 };
 
-/// The part of `whole` that is tile number `index` of it.
-Stretch tile_of(const Stretch& whole, Eigen::Index index) {
-  const Eigen::Index first = whole.first + index * tile_size;
-  return {first, std::min(first + tile_size, whole.last)};
+/// Signatures of a tile: so few that two tiles, in double precision, stay in a core's own cache.
+Eigen::Index tile_size(const Signatures& signatures) {
+  constexpr Eigen::Index entries = 32768;
+  return std::clamp<Eigen::Index>(entries / std::max<Eigen::Index>(signatures.cols(), 1), 8, 32);
 }
 
-Eigen::Index tiles_in(const Stretch& whole) { return (whole.size() + tile_size - 1) / tile_size; }
+/// A stretch in tiles.
+struct Tiles {
+  Stretch whole;
+  Eigen::Index size;
 
-/// Distances from each signature of `rows` to each of `columns`.
+  [[nodiscard]] Eigen::Index count() const { return (whole.size() + size - 1) / size; }
+  [[nodiscard]] Stretch at(Eigen::Index index) const {
+    const Eigen::Index first = whole.first + index * size;
+    return {first, std::min(first + size, whole.last)};
+  }
+};
+
+/// Distances from each signature of `rows` to each of `columns`; those to itself do not count.
 DistanceMatrix tile_distances(const NamedDistance& distance, const Signatures& signatures, const Stretch& rows,
                               const Stretch& columns) {
   DistanceMatrix tile(rows.size(), columns.size());
@@ -86,9 +94,12 @@ DistanceMatrix tile_distances(const NamedDistance& distance, const Signatures& s
                         {tile.data(), static_cast<std::size_t>(tile.size())});
     return tile;
   }
-  for (Eigen::Index i = 0; i < rows.size(); ++i) {
-    for (Eigen::Index j = 0; j < columns.size(); ++j) {
-      tile(i, j) = distance.function(rows_of(signatures, rows.first + i, 1), rows_of(signatures, columns.first + j, 1));
+  for (Eigen::Index i = rows.first; i < rows.last; ++i) {
+    for (Eigen::Index j = columns.first; j < columns.last; ++j) {
+      // Both of a pair from one call: where compilers contract, (a, b) and (b, a) may differ in the last bit.
+      tile(i - rows.first, j - columns.first) =
+          i == j ? 0
+                 : distance.function(rows_of(signatures, std::min(i, j), 1), rows_of(signatures, std::max(i, j), 1));
     }
   }
   return tile;
@@ -105,15 +116,15 @@ std::vector<std::string> distance_names() {
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
   const NamedDistance& between = distance_of(distance);
   check_signatures(signatures, between);
-  const Stretch all{0, signatures.rows()};
-  DistanceMatrix matrix(all.size(), all.size());
-  const tbb::blocked_range2d<Eigen::Index> tiles(0, tiles_in(all), 0, tiles_in(all));
+  const Tiles all{{0, signatures.rows()}, tile_size(signatures)};
+  DistanceMatrix matrix(signatures.rows(), signatures.rows());
+  const tbb::blocked_range2d<Eigen::Index> tiles(0, all.count(), 0, all.count());
   // Each pair is computed by whichever thread has its tile, and by itself: threads cannot change a bit.
   tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
     for (Eigen::Index i = some.rows().begin(); i < some.rows().end(); ++i) {
       for (Eigen::Index j = std::max(i, some.cols().begin()); j < some.cols().end(); ++j) {
-        const Stretch rows = tile_of(all, i);
-        const Stretch columns = tile_of(all, j);
+        const Stretch rows = all.at(i);
+        const Stretch columns = all.at(j);
         const DistanceMatrix tile = tile_distances(between, signatures, rows, columns);
         matrix.block(rows.first, columns.first, rows.size(), columns.size()) = tile;
         matrix.block(columns.first, rows.first, columns.size(), rows.size()) = tile.transpose();
@@ -132,15 +143,15 @@ DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, E
                                 " in a distance matrix of " + std::to_string(signatures.rows()));
   }
   check_signatures(signatures, between);
-  const Stretch rows{first, first + count};
-  const Stretch all{0, signatures.rows()};
-  DistanceMatrix distances(rows.size(), all.size());
-  const tbb::blocked_range2d<Eigen::Index> tiles(0, tiles_in(rows), 0, tiles_in(all));
+  const Tiles rows{{first, first + count}, tile_size(signatures)};
+  const Tiles all{{0, signatures.rows()}, tile_size(signatures)};
+  DistanceMatrix distances(count, signatures.rows());
+  const tbb::blocked_range2d<Eigen::Index> tiles(0, rows.count(), 0, all.count());
   tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
     for (Eigen::Index i = some.rows().begin(); i < some.rows().end(); ++i) {
       for (Eigen::Index j = some.cols().begin(); j < some.cols().end(); ++j) {
-        const Stretch of = tile_of(rows, i);
-        const Stretch to = tile_of(all, j);
+        const Stretch of = rows.at(i);
+        const Stretch to = all.at(j);
         distances.block(of.first - first, to.first, of.size(), to.size()) = tile_distances(between, signatures, of, to);
       }
     }

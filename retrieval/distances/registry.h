@@ -11,7 +11,7 @@ namespace shapegauge {
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
 /// The same distances, bit by bit, from each of some signatures of `size` entries to each of others, which follow each
-/// other in memory; row by row.
+/// other in memory; row by row. Of (a, b) and (b, a) it must make the same bits.
 using DistancesFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
                                    std::span<double> distances);
 
