@@ -5,61 +5,20 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <tbb/parallel_for.h>
-#include <unordered_map>
 
 namespace shapegauge {
 namespace {
 
-struct RowFindings {
-  Eigen::Index infinite = 0;
-  Eigen::Index negative = 0;
-  bool constant = false;
-  bool nonzero_diagonal = false;
-  bool nearest_to_others = false;
-  std::uint64_t hash = 0;
-};
-
-RowFindings check_row(const DistanceTable& distances, Eigen::Index row, bool square) {
-  RowFindings found;
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    const double distance = distances(row, column) + 0.0;  // -0 becomes 0
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &distance, sizeof bits);
-    found.hash = (found.hash ^ bits) * 0x9e3779b97f4a7c15ULL;
-    found.hash ^= found.hash >> 29U;
-    if (square && column == row) continue;
-    if (std::isinf(distance)) ++found.infinite;
-    if (distance < 0) ++found.negative;
-    least = std::min(least, distance);
-    most = std::max(most, distance);
-  }
-  const bool others = distances.cols() > (square ? 2 : 1);
-  found.constant = others && least == most;
-  if (!square) return found;
-  const double own = distances(row, row);
-  found.nonzero_diagonal = own != 0;
-  found.nearest_to_others = own >= most && own > least;
-  return found;
-}
-
-std::vector<std::pair<Eigen::Index, Eigen::Index>> equal_rows(const DistanceTable& distances,
-                                                              const std::vector<RowFindings>& rows) {
-  std::unordered_map<std::uint64_t, std::vector<Eigen::Index>> rows_of_hash;
-  std::vector<std::pair<Eigen::Index, Eigen::Index>> equal;
-  for (Eigen::Index row = 0; row < distances.rows(); ++row) {
-    std::vector<Eigen::Index>& earlier = rows_of_hash[rows[static_cast<std::size_t>(row)].hash];
-    const auto same =
-        std::ranges::find_if(earlier, [&](Eigen::Index other) { return distances.row(other) == distances.row(row); });
-    if (same != earlier.end()) {
-      equal.emplace_back(row, *same);
-    } else {
-      earlier.push_back(row);
-    }
-  }
-  return equal;
+/// Takes one more number into two hashes.
+void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &number, sizeof bits);
+  hash.first = (hash.first ^ bits) * 0x9e3779b97f4a7c15ULL;
+  hash.first ^= hash.first >> 29U;
+  hash.second = (hash.second ^ bits) * 0xd6e8feb86659fd93ULL;
+  hash.second ^= hash.second >> 32U;
 }
 
 struct Asymmetry {
@@ -99,19 +58,63 @@ void add_asymmetry(const DistanceTable& distances, MatrixFindings& findings) {
 
 }  // namespace
 
-MatrixFindings check_matrix(const DistanceTable& distances, bool square) {
-  std::vector<RowFindings> rows(static_cast<std::size_t>(distances.rows()));
-  tbb::parallel_for(std::size_t{0}, rows.size(),
-                    [&](std::size_t row) { rows[row] = check_row(distances, static_cast<Eigen::Index>(row), square); });
-  MatrixFindings findings;
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    findings.infinite += rows[row].infinite;
-    findings.negative += rows[row].negative;
-    if (rows[row].constant) findings.constant_rows.push_back(static_cast<Eigen::Index>(row));
-    if (rows[row].nonzero_diagonal) ++findings.nonzero_diagonal;
-    if (rows[row].nearest_to_others) ++findings.rows_nearest_to_others;
+MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eigen::Index row, Eigen::Index diagonal) {
+  RowFindings found;
+  double least = std::numeric_limits<double>::infinity();
+  double most = -least;
+  for (Eigen::Index column = 0; column < rows.cols(); ++column) {
+    const double distance = rows(row, column) + 0.0;  // -0 becomes 0
+    mix(found.hash, distance);
+    if (column == diagonal) continue;
+    if (std::isinf(distance)) ++found.infinite;
+    if (distance < 0) ++found.negative;
+    least = std::min(least, distance);
+    most = std::max(most, distance);
   }
-  findings.equal_rows = equal_rows(distances, rows);
+  const bool has_diagonal = diagonal >= 0;
+  found.constant = rows.cols() > (has_diagonal ? 2 : 1) && least == most;
+  if (!has_diagonal) return found;
+  const double own = rows(row, diagonal);
+  found.nonzero_diagonal = own != 0;
+  found.nearest_to_others = own >= most && own > least;
+  return found;
+}
+
+void MatrixChecks::add(const DistanceTable& rows) {
+  const std::size_t before = rows_.size();
+  rows_.resize(before + static_cast<std::size_t>(rows.rows()));
+  tbb::parallel_for(before, rows_.size(), [&](std::size_t i) {
+    const auto row = static_cast<Eigen::Index>(i - before);
+    rows_[i] = check_row(rows, row, square_ ? static_cast<Eigen::Index>(i) : -1);
+  });
+}
+
+void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
+  std::map<std::pair<std::uint64_t, std::uint64_t>, Eigen::Index> first_of_hash;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const auto [first, is_new] = first_of_hash.emplace(rows_[i].hash, row);
+    if (!is_new) findings.equal_rows.emplace_back(row, first->second);
+  }
+}
+
+MatrixFindings MatrixChecks::findings() const {
+  MatrixFindings findings;
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    findings.infinite += rows_[row].infinite;
+    findings.negative += rows_[row].negative;
+    if (rows_[row].constant) findings.constant_rows.push_back(static_cast<Eigen::Index>(row));
+    if (rows_[row].nonzero_diagonal) ++findings.nonzero_diagonal;
+    if (rows_[row].nearest_to_others) ++findings.rows_nearest_to_others;
+  }
+  add_equal_rows(findings);
+  return findings;
+}
+
+MatrixFindings check_matrix(const DistanceTable& distances, bool square) {
+  MatrixChecks checks(square);
+  checks.add(distances);
+  MatrixFindings findings = checks.findings();
   if (square) add_asymmetry(distances, findings);
   return findings;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -23,8 +24,37 @@ struct MatrixFindings {
   std::vector<Eigen::Index> constant_rows;  ///< all entries off the diagonal are equal
 };
 
-/// Looks at every entry. `square`: row i and column i are the same model, so that there is a diagonal. Parallel over
-/// rows, the same answer for any number of threads.
+/// What is odd about the rows of a matrix, which come some after the others, as where it is never there as a whole.
+class MatrixChecks {
+ public:
+  /// `square`: row i and column i are the same model, so that there is a diagonal.
+  explicit MatrixChecks(bool square) : square_(square) {}
+
+  /// Looks at every entry of rows that follow those before. In parallel, the same answer for any number of threads.
+  void add(const DistanceTable& rows);
+
+  /// Of all rows so far, but for the asymmetry: entries (i, j) and (j, i) are not there at the same time. Rows are
+  /// taken for equal where hashes of 128 bits are.
+  [[nodiscard]] MatrixFindings findings() const;
+
+ private:
+  struct RowFindings {
+    Eigen::Index infinite = 0;
+    Eigen::Index negative = 0;
+    bool constant = false;
+    bool nonzero_diagonal = false;
+    bool nearest_to_others = false;
+    std::pair<std::uint64_t, std::uint64_t> hash;
+  };
+  static RowFindings check_row(const DistanceTable& rows, Eigen::Index row, Eigen::Index diagonal);
+  void add_equal_rows(MatrixFindings& findings) const;
+
+  bool square_;
+  std::vector<RowFindings> rows_;
+};
+
+/// All of that of a whole matrix, asymmetry included where it is square. Parallel, the same answer for any number of
+/// threads.
 MatrixFindings check_matrix(const DistanceTable& distances, bool square);
 
 }  // namespace shapegauge

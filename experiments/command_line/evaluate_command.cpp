@@ -157,7 +157,10 @@ void add_evaluate_command(CLI::App& app, int& status) {
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] {
+    arguments->evaluation.files.whole_matrix = !arguments->report.empty();  // it shows the matrix
+    status = run(*arguments);
+  });
 }
 
 }  // namespace shapegauge

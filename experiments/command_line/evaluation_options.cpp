@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "shapegauge/core/error.h"
+#include "shapegauge/experiments/evaluation/evaluate_input.h"
 #include "shapegauge/experiments/evaluation/matrix_remarks.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -15,13 +17,11 @@ namespace shapegauge {
 
 namespace {
 
-std::vector<std::string> notes_of(const EvaluatedMatrix& evaluated, const EvaluationArguments& arguments) {
+std::vector<std::string> notes_of(const EvaluatedMatrix& evaluated, const MatrixFindings& findings,
+                                  const EvaluationArguments& arguments) {
   std::vector<std::string> notes = evaluated.input.notes;
-  if (!evaluated.input.task.lists_may_end_early) {  // of ranked lists there is no matrix to doubt
-    const MatrixFindings findings = check_matrix(evaluated.input.distances, evaluated.input.same_rows_and_columns);
-    std::ranges::move(matrix_remarks(findings, evaluated.input.query_ids, arguments.files.similarity),
-                      std::back_inserter(notes));
-  }
+  std::ranges::move(matrix_remarks(findings, evaluated.input.query_ids, arguments.files.similarity),
+                    std::back_inserter(notes));
   if (evaluated.evaluation.models_left_out > 0) {
     notes.push_back(fmt::format("{} models are never queries, as their classes have fewer than {} models",
                                 evaluated.evaluation.models_left_out, arguments.minimum_class_size));
@@ -101,11 +101,12 @@ EvaluatedMatrix evaluate_file(const std::filesystem::path& path, const Evaluatio
   files.classification_order = arguments.order == "classification";
   EvaluatedMatrix evaluated{.input = read_evaluation_input(files), .evaluation = {}, .notes = {}};
   try {
-    evaluated.evaluation = evaluate(evaluated.input.distances, evaluated.input.task, options);
+    CheckedEvaluation checked = evaluate_and_check(evaluated.input, options);
+    evaluated.evaluation = std::move(checked.evaluation);
+    evaluated.notes = notes_of(evaluated, checked.findings, arguments);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", path.string(), error.what()));
   }
-  evaluated.notes = notes_of(evaluated, arguments);
   return evaluated;
 }
 

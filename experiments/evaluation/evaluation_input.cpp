@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/evaluation/evaluation_input.h"
 
 #include <fmt/format.h>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -29,44 +30,68 @@ std::vector<std::string> read_ids(const fs::path& path) {
   return ids;
 }
 
-// Distances between features, or the matrix of the file itself; row ids and column ids where the file has them.
-LabelledTable read_distances(const EvaluationFiles& files, bool must_be_square) {
-  if (!files.distance.empty()) {
-    const LabelledTable features = read_number_table(files.matrix);
-    try {
-      return {.numbers = distance_matrix(features.numbers.cast<float>(), files.distance),
-              .row_ids = features.row_ids,
-              .column_ids = features.row_ids};
-    } catch (const std::invalid_argument& error) {
-      throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
+// Distances or features, with row ids and column ids where the file has them.
+struct ReadTable {
+  DistanceMatrix distances{};
+  std::optional<ComparedFeatures> features{};
+  std::vector<std::string> row_ids;
+  std::vector<std::string> column_ids;
+
+  [[nodiscard]] Eigen::Index rows() const { return features ? features->features.rows() : distances.rows(); }
+  [[nodiscard]] Eigen::Index columns() const { return features ? features->features.rows() : distances.cols(); }
+};
+
+ReadTable read_features(const EvaluationFiles& files) {
+  LabelledTable table = read_number_table(files.matrix);
+  Signatures features = table.numbers.cast<float>();
+  ReadTable read{.row_ids = table.row_ids, .column_ids = table.row_ids};
+  try {
+    if (files.whole_matrix) {
+      read.distances = distance_matrix(features, files.distance);
+    } else {
+      distance_rows(features, 0, 0, files.distance);  // none, but throws now where rows would later
+      read.features = {.features = std::move(features), .distance = files.distance};
     }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }
-  LabelledTable table;
-  if (must_be_square) {
-    LabelledDistances square = read_distance_matrix(files.matrix);
-    table = {.numbers = std::move(square.distances), .row_ids = square.ids, .column_ids = square.ids};
-  } else {
-    table = read_number_table(files.matrix);
-  }
-  if (files.similarity) table.numbers *= -1;
-  return table;
+  return read;
 }
 
-void check_size(const LabelledTable& table, const MatrixModels& models, const std::string& who,
+ReadTable read_table(const EvaluationFiles& files, bool must_be_square) {
+  if (!files.distance.empty()) return read_features(files);
+  ReadTable read;
+  if (must_be_square) {
+    LabelledDistances square = read_distance_matrix(files.matrix);
+    read = {.distances = std::move(square.distances), .row_ids = square.ids, .column_ids = square.ids};
+  } else {
+    LabelledTable table = read_number_table(files.matrix);
+    read = {.distances = std::move(table.numbers), .row_ids = table.row_ids, .column_ids = table.column_ids};
+  }
+  if (files.similarity) read.distances *= -1;
+  return read;
+}
+
+void check_size(const ReadTable& table, const MatrixModels& models, const std::string& who,
                 const EvaluationFiles& files) {
-  if (static_cast<std::size_t>(table.numbers.rows()) != models.rows.size()) {
-    throw InputError(fmt::format("{} has {} rows, but there are {} models in {}", files.matrix.string(),
-                                 table.numbers.rows(), models.rows.size(), who));
+  if (static_cast<std::size_t>(table.rows()) != models.rows.size()) {
+    throw InputError(fmt::format("{} has {} rows, but there are {} models in {}", files.matrix.string(), table.rows(),
+                                 models.rows.size(), who));
   }
-  if (static_cast<std::size_t>(table.numbers.cols()) != models.columns.size()) {
+  if (static_cast<std::size_t>(table.columns()) != models.columns.size()) {
     throw InputError(fmt::format("{} has {} columns, but there are {} models in {}", files.matrix.string(),
-                                 table.numbers.cols(), models.columns.size(), who));
+                                 table.columns(), models.columns.size(), who));
   }
+}
+
+void move_distances(ReadTable& table, EvaluationInput& input) {
+  input.distances = std::move(table.distances);
+  input.features = std::move(table.features);
 }
 
 // The models of the rows and columns as the files say them; nothing where they do not.
-MatrixModels models_of_files(const LabelledTable& table, const EvaluationFiles& files) {
-  const bool square = table.numbers.rows() == table.numbers.cols();
+MatrixModels models_of_files(const ReadTable& table, const EvaluationFiles& files) {
+  const bool square = table.rows() == table.columns();
   MatrixModels models{.rows = table.row_ids, .columns = table.column_ids};
   if (!files.ids.empty()) {
     models.rows = read_ids(files.ids);
@@ -82,15 +107,15 @@ EvaluationInput labelled_input(const EvaluationFiles& files) {
                                  : read_query_and_target_labels(files.labels, files.targets, files.level);
   const ClassifiedModels classified(labels);
   if (is_ranked_answers_file(files.matrix)) return input_of_answers(read_ranked_answers(files.matrix), classified);
-  LabelledTable table = read_distances(files, !labels.separate_sets);
+  ReadTable table = read_table(files, !labels.separate_sets);
   MatrixModels models = models_of_files(table, files);
   const bool named = !models.rows.empty();
   if (!named) {
-    models = classified.usual_models(table.numbers.rows(), table.numbers.cols(), files.classification_order);
+    models = classified.usual_models(table.rows(), table.columns(), files.classification_order);
   }
   check_size(table, models, named && !files.ids.empty() ? files.ids.string() : labels.source, files);
   EvaluationInput input = classified.input_of(models);
-  input.distances = std::move(table.numbers);
+  move_distances(table, input);
   return input;
 }
 
@@ -100,7 +125,7 @@ EvaluationInput judged_input(const EvaluationFiles& files) {
   if (is_ranked_answers_file(files.matrix)) {
     input = input_of_answers(read_ranked_answers(files.matrix), judgements);
   } else {
-    LabelledTable table = read_distances(files, false);
+    ReadTable table = read_table(files, false);
     const MatrixModels models = models_of_files(table, files);
     if (models.rows.empty()) {
       throw InputError(
@@ -109,7 +134,7 @@ EvaluationInput judged_input(const EvaluationFiles& files) {
     }
     check_size(table, models, files.ids.empty() ? files.matrix.string() : files.ids.string(), files);
     input = input_of_judgements(models, judgements, files.qrels.string());
-    input.distances = std::move(table.numbers);
+    move_distances(table, input);
   }
   if (judgements.graded) {
     input.notes.emplace_back("the judgements have grades above 1; every grade above 0 counts as relevant alike");

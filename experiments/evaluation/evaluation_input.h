@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,19 @@ struct EvaluationFiles {
   std::size_t level = 0;              ///< of the hierarchy of classes, see read_labels
   bool similarity = false;            ///< larger is nearer
   std::string distance{};             ///< the matrix holds features, a row a model: the distance to take; may be empty
+  bool whole_matrix = false;          ///< distances between features are computed at once, for who needs all of them
+};
+
+/// Features, a row a model, and the distance to take between them. distance_rows takes them.
+struct ComparedFeatures {
+  Signatures features;
+  std::string distance;
 };
 
 /// Distances, and what their rows and columns mean.
 struct EvaluationInput {
-  DistanceMatrix distances;
+  DistanceMatrix distances;                  ///< none where there are features
+  std::optional<ComparedFeatures> features;  ///< in place of the distances of all models to all
   RetrievalTask task;
   std::vector<std::string> query_ids;    ///< by row
   std::vector<std::string> class_names;  ///< by class in the task
@@ -35,7 +44,7 @@ struct EvaluationInput {
 
 /// Reads the files of an evaluation and fits them together. Throws InputError where one cannot be read or they do not
 /// fit: a matrix of another size than the labels, a model without a class, a classified model that is not in the
-/// matrix, an id that occurs twice.
+/// matrix, an id that occurs twice, features for which the distance is not defined.
 EvaluationInput read_evaluation_input(const EvaluationFiles& files);
 
 }  // namespace shapegauge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -9,8 +10,9 @@ namespace shapegauge {
 /// matrix asks for one of (a, b) and (b, a) only, and never for (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// The same distances from one signature to several that follow each other in memory.
-using DistancesFunction = void (*)(std::span<const float> a, std::span<const float> others,
+/// The same distances, bit by bit, from each of some signatures of `size` entries to each of others, which follow each
+/// other in memory; row by row. Of (a, b) and (b, a) it must make the same bits.
+using DistancesFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
                                    std::span<double> distances);
 
 /// The signatures for which a distance is defined.
@@ -21,7 +23,7 @@ struct NamedDistance {
   std::string_view name;
   DistanceFunction function;
   DistanceDomain domain = DistanceDomain::any;
-  DistancesFunction to_several = nullptr;  ///< where there is a faster way than one by one
+  DistancesFunction of_several = nullptr;  ///< where there is a faster way than one by one
 };
 
 /// All distances. A new one is one file in this folder, one line in registry.cpp, and its name in

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <utility>
 
 #include "shapegauge/metrics/matrix_checks.h"
 
@@ -66,6 +67,28 @@ TEST(MatrixChecks, FindSimilarities) {
   const Matrix similarities = 10000.0 - sound(50).array();
   EXPECT_EQ(check_matrix(similarities, true).rows_nearest_to_others, 50);
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
+}
+
+TEST(MatrixChecks, RowsMayComeOneAfterTheOther) {
+  Matrix distances = sound(100);
+  distances.row(60) = distances.row(10).eval();
+  distances(3, 50) = -2;
+  distances(99, 9) = std::numeric_limits<double>::infinity();
+  distances(4, 4) = 0.5;
+  distances.row(70).setConstant(3);
+  const MatrixFindings whole = check_matrix(distances, true);
+  MatrixChecks checks(true);
+  for (const auto& [first, count] : {std::pair{0, 5}, {5, 50}, {55, 0}, {55, 45}}) {
+    checks.add(distances.middleRows(first, count));
+  }
+  const MatrixFindings found = checks.findings();
+  EXPECT_EQ(found.negative, whole.negative);
+  EXPECT_EQ(found.infinite, whole.infinite);
+  EXPECT_EQ(found.nonzero_diagonal, whole.nonzero_diagonal);
+  EXPECT_EQ(found.rows_nearest_to_others, whole.rows_nearest_to_others);
+  EXPECT_THAT(found.equal_rows, ElementsAre(Pair(60, 10)));
+  EXPECT_EQ(found.constant_rows, whole.constant_rows);
+  EXPECT_EQ(found.asymmetric_pairs, 0);
 }
 
 TEST(MatrixChecks, KnowNoDiagonalBetweenTwoSets) {

@@ -47,9 +47,11 @@ TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
 
 TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
   const Signatures signatures = random_signatures(101, 43, 11);
-  const DistanceMatrix whole = distance_matrix(signatures);
-  EXPECT_EQ(distance_rows(signatures, 0, 101), whole);
-  EXPECT_EQ(distance_rows(signatures, 37, 40), whole.middleRows(37, 40));
+  for (const std::string& distance : distance_names()) {
+    const DistanceMatrix whole = distance_matrix(signatures, distance);
+    EXPECT_EQ(distance_rows(signatures, 0, 101, distance), whole) << distance;
+    EXPECT_EQ(distance_rows(signatures, 37, 40, distance), whole.middleRows(37, 40)) << distance;
+  }
   EXPECT_EQ(distance_rows(signatures, 101, 0).size(), 0);
   EXPECT_THROW(distance_rows(signatures, 100, 2), std::invalid_argument);
 }

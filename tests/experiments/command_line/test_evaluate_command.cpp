@@ -91,6 +91,20 @@ TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
   EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
 }
 
+TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
+  // The toy's values as features: the same figures and notes, by rows or (for the report) by the whole matrix.
+  write_text(at("toy.csv"), "0\n1\n4\n2\n3.5\n7\n9\n");
+  const Outcome expected = evaluate_toy("--per-query '" + at("matrix.csv") + "'");
+  const Outcome by_rows = evaluate_toy("--distance l1 --per-query '" + at("rows.csv") + "'", "toy.csv");
+  const Outcome whole = evaluate_toy("--distance l1 --report '" + at("report.html") + "'", "toy.csv");
+  ASSERT_EQ(by_rows.status, 0) << by_rows.errors;
+  EXPECT_EQ(by_rows.output, expected.output);
+  EXPECT_EQ(by_rows.errors, expected.errors);
+  EXPECT_EQ(text_of(at("rows.csv")), text_of(at("matrix.csv")));
+  EXPECT_EQ(whole.output, expected.output);
+  EXPECT_THAT(text_of(at("report.html")), HasSubstr("\"heat_map\":{\"side\":7"));
+}
+
 TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
   // The same matrix with the rows' models exchanged: labels A and B fall on other rows.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");

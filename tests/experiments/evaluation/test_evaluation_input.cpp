@@ -60,11 +60,21 @@ TEST_F(EvaluationInputTest, FeaturesAreCompared) {
         read_evaluation_input({.matrix = file("f.csv", table), .labels = labels, .distance = "l2"});
     const bool header = table[0] == 'i';
     EXPECT_EQ(input.query_ids[0], header ? "10" : "1");
-    EXPECT_DOUBLE_EQ(input.distances(0, 2), header ? std::sqrt(2.0) : std::sqrt(3.0));
+    const DistanceMatrix row = distance_rows(input.features->features, 0, 1, input.features->distance);
+    EXPECT_DOUBLE_EQ(row(0, 2), header ? std::sqrt(2.0) : std::sqrt(3.0));
+    EXPECT_EQ(input.distances.size(), 0);
   }
   const auto bad = file("g.csv", "1,-1\n2,1\n3,1\n4,1\n");
   EXPECT_THAT(input_error_of([&] { read_evaluation_input({.matrix = bad, .labels = labels, .distance = "emd"}); }),
               HasSubstr("g.csv: the distance emd is not defined for signature 0"));
+}
+
+TEST_F(EvaluationInputTest, OfFeaturesTheWholeMatrixWhereItIsWanted) {
+  const auto features = file("f.csv", "5,0\n0,0\n6,1\n1,0\n");
+  const EvaluationInput input =
+      read_evaluation_input({.matrix = features, .labels = two_classes(), .distance = "l1", .whole_matrix = true});
+  EXPECT_FALSE(input.features.has_value());
+  EXPECT_EQ(input.distances(0, 3), 4);
 }
 
 TEST_F(EvaluationInputTest, QueriesByTargetsOrAllByAll) {

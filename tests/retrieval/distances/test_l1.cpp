@@ -1,7 +1,13 @@
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
+#include <limits>
+#include <rapidcheck/gtest.h>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/random_numbers.h"
@@ -33,25 +39,75 @@ TEST(L1, SumsInDoublePrecision) {
 
 TEST(L1, OfNothingIsZero) { EXPECT_EQ(l1_distance({}, {}), 0); }
 
-TEST(L1, ToSeveralIsTheSameBitByBit) {
+// The definition of the header, entry by entry.
+double eight_sums(std::span<const float> a, std::span<const float> b) {
+  std::array<double, 8> sums{};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sums[i % 8] += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+  }
+  return ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]));
+}
+
+TEST(L1, OfSeveralIsTheSameBitByBit) {
   RandomNumbers random(1);
+  const auto entries = [&](std::size_t count) {
+    std::vector<float> result(count);
+    for (float& entry : result) entry = static_cast<float>(random.uniform(-1, 1));
+    return result;
+  };
   for (const std::size_t size : {1U, 7U, 8U, 80U, 240U, 243U}) {
-    const std::size_t count = 11;
-    std::vector<float> signatures(size * (count + 1));
-    for (float& entry : signatures) entry = static_cast<float>(random.uniform(-1, 1));
-    const std::span<const float> first = std::span(signatures).first(size);
-    const std::span<const float> others = std::span(signatures).subspan(size);
-    std::vector<double> distances(count);
-    l1_distances(first, others, distances);
-    for (std::size_t k = 0; k < count; ++k) {
-      EXPECT_EQ(distances[k], l1_distance(first, others.subspan(k * size, size))) << size;
-      double plain = 0;
-      for (std::size_t i = 0; i < size; ++i) {
-        plain += std::abs(static_cast<double>(first[i]) - static_cast<double>(others[k * size + i]));
+    for (const auto& [rows, columns] : {std::pair<std::size_t, std::size_t>{1, 1}, {2, 4}, {3, 11}, {5, 6}}) {
+      const std::vector<float> some = entries(rows * size);
+      const std::vector<float> others = entries(columns * size);
+      std::vector<double> distances(rows * columns);
+      l1_distances(some, others, size, distances);
+      for (std::size_t i = 0; i < rows; ++i) {
+        for (std::size_t j = 0; j < columns; ++j) {
+          const auto a = std::span(some).subspan(i * size, size);
+          const auto b = std::span(others).subspan(j * size, size);
+          EXPECT_EQ(distances[i * columns + j], eight_sums(a, b)) << size;
+          EXPECT_EQ(distances[i * columns + j], l1_distance(b, a)) << size;
+        }
       }
-      EXPECT_NEAR(distances[k], plain, 1e-12 * plain) << size;
     }
   }
+}
+
+TEST(L1, IsTheSameBitByBitOnEveryInstructionSet) {
+  RandomNumbers random(2);
+  std::vector<float> signatures(9 * 243);
+  for (float& entry : signatures) entry = static_cast<float>(random.uniform(0, 1));
+  std::vector<double> expected(81);
+  l1_distances(signatures, signatures, 243, expected);
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    std::vector<double> distances(81);
+    l1_distances(signatures, signatures, 243, distances);
+    EXPECT_EQ(distances, expected) << hwy::TargetName(target);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+TEST(L1, OfSeveralOfNothingIsZero) {
+  std::vector<double> distances(6, 1);
+  l1_distances({}, {}, 0, distances);
+  EXPECT_THAT(distances, testing::Each(0));
+}
+
+RC_GTEST_PROP(L1, IsWithinItsBoundOfTheSumInHigherPrecision, ()) {
+  const auto size = *rc::gen::inRange<std::size_t>(1, 300);
+  RandomNumbers random(*rc::gen::arbitrary<unsigned>(), 0);
+  const double differences = std::pow(10, random.uniform(-12, 0));  // of entries, relative to themselves
+  std::vector<float> a(size);
+  std::vector<float> b(size);
+  long double precise = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    a[i] = static_cast<float>(std::pow(10, random.uniform(-20, 20)));
+    b[i] = static_cast<float>(a[i] * (1 + differences * random.uniform(-1, 1)));
+    precise += std::abs(static_cast<long double>(a[i]) - static_cast<long double>(b[i]));
+  }
+  const double bound = (static_cast<double>(size) / 8 + 5) * std::numeric_limits<double>::epsilon() / 2;
+  RC_ASSERT(std::abs(l1_distance(a, b) - precise) <= bound * precise);
 }
 
 }  // namespace
