@@ -45,8 +45,13 @@ std::vector<Eigen::Vector3d> free_points(const Shape& shape, const SurfaceTree& 
   return points;
 }
 
-/// The share of free points near the offset surface that are exterior by one decision only.
-double share_in_dispute(const Shape& shape, double r) {
+/// Of the free points near the offset surface, the shares that are exterior by one decision only.
+struct Dispute {
+  double only_locally = 0;
+  double only_by_connectivity = 0;
+};
+
+Dispute dispute_about(const Shape& shape, double r) {
   EXPECT_TRUE(is_closed_and_oriented(shape));
   const Shape closed = in_unit_frame(shape, unit_frame(shape));
   const Shape other = decided_by_connectivity(closed);
@@ -55,8 +60,15 @@ double share_in_dispute(const Shape& shape, double r) {
   const OffsetExterior local(closed_tree, bounding_box(closed), r, true);
   const OffsetExterior connected(other_tree, bounding_box(other), r, false);
   const std::vector<Eigen::Vector3d> points = free_points(closed, closed_tree, r);
-  const auto disputed = [&](const Eigen::Vector3d& x) { return local.contains(x) != connected.contains(x); };
-  return static_cast<double>(std::ranges::count_if(points, disputed)) / static_cast<double>(points.size());
+  const double one = 1 / static_cast<double>(points.size());
+  Dispute dispute;
+  for (const Eigen::Vector3d& x : points) {
+    const bool is_exterior = local.contains(x).value();
+    const bool is_connected = connected.contains(x) == true;
+    if (is_exterior && !is_connected) dispute.only_locally += one;
+    if (is_connected && !is_exterior) dispute.only_by_connectivity += one;
+  }
+  return dispute;
 }
 
 Shape random_part() {
@@ -80,28 +92,27 @@ Shape random_part() {
   return test_shapes::transformed(part, 1, test_shapes::rotation(turn), move / 100);
 }
 
-/// One case in some thousands has a long narrow passage, and a larger share in dispute: the same cases are tried each
-/// time, unless RC_PARAMS says otherwise.
-[[maybe_unused]] const int same_cases_each_time = setenv("RC_PARAMS", "seed=2018", 0);
-
 RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   std::vector<Shape> parts;
   const int count = *rc::gen::inRange(1, 4);
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(10, 60) / 1000.0;
-  const double share = share_in_dispute(test_shapes::joined(parts), offset);
-  // The worst of 200 cases had 1.25 %; so few samples have to be in so narrow a passage.
-  if(getenv("SHOW")) {printf("SHARE %.5f\n",share);}
-  RC_ASSERT(share <= 0.03);
+  const Dispute dispute = dispute_about(test_shapes::joined(parts), offset);
+  // Connectivity can only miss a way; of 2,500 cases the worst had 0.2 % of its points behind such passages.
+  RC_ASSERT(dispute.only_by_connectivity == 0);
+  RC_ASSERT(dispute.only_locally <= 0.005);
 }
 
 TEST(OneDefinition, HoldsOnScannedAndModelledShapes) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
-  // 0.04, 0.2 and 0.65 % at r = 1, 3, 5 % over every twentieth model.
   for (const char* const name : {"T0.off", "T200.off", "T380.off", "T540.off"}) {
     const Shape shape = read_shape(std::filesystem::path(data) / "shrec11_nonrigid" / name);
-    for (const double offset : {0.01, 0.03, 0.05}) EXPECT_LE(share_in_dispute(shape, offset), 0.03) << name;
+    for (const double offset : {0.01, 0.03, 0.05}) {
+      const Dispute dispute = dispute_about(shape, offset);
+      EXPECT_EQ(dispute.only_by_connectivity, 0) << name;
+      EXPECT_LE(dispute.only_locally, 0.005) << name;
+    }
   }
 }
 
