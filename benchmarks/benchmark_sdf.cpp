@@ -6,6 +6,7 @@
 // scripts/benchmark makes a table of ratios of them.
 
 #include <algorithm>
+#include <array>
 #include <benchmark/benchmark.h>
 #include <cstddef>
 #include <exception>
@@ -41,7 +42,7 @@ void cast_one_ray_each(const Input& input) {
   const RayCaster caster(input.shape);
   double sum = 0;
   for (Eigen::Index f = 0; f < input.samples.points.rows(); ++f) {
-    const std::vector<std::int32_t> own{static_cast<std::int32_t>(f)};
+    const std::array own{static_cast<std::int32_t>(f)};
     sum += caster.first_hit(input.samples.points.row(f), -input.samples.normals.row(f), own).distance;
   }
   benchmark::DoNotOptimize(sum);
