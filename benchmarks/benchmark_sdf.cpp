@@ -21,10 +21,10 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/perturbation/remove_faces.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/spatial/ray_caster.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace {
 

@@ -11,8 +11,6 @@ double gain_at(std::size_t rank) { return rank == 1 ? 1.0 : 1.0 / std::log2(stat
 
 }  // namespace
 
-double discounted_cumulative_gain(const RankedList& list) {
-  return share_of_ideal_gain(list, gain_at);
-}
+double discounted_cumulative_gain(const RankedList& list) { return share_of_ideal_gain(list, gain_at); }
 
 }  // namespace shapegauge

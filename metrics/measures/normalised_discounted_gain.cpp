@@ -11,8 +11,6 @@ double gain_at(std::size_t rank) { return 1.0 / std::log2(static_cast<double>(ra
 
 }  // namespace
 
-double normalised_discounted_gain(const RankedList& list) {
-  return share_of_ideal_gain(list, gain_at);
-}
+double normalised_discounted_gain(const RankedList& list) { return share_of_ideal_gain(list, gain_at); }
 
 }  // namespace shapegauge

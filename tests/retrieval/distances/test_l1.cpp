@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/random/random_numbers.h"
 #include "shapegauge/retrieval/distances/l1.h"
 
 namespace shapegauge {
