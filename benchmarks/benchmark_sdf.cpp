@@ -6,6 +6,7 @@
 // scripts/benchmark makes a table of ratios of them.
 
 #include <algorithm>
+#include <array>
 #include <benchmark/benchmark.h>
 #include <cstddef>
 #include <exception>
@@ -20,10 +21,10 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/perturbation/remove_faces.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/spatial/ray_caster.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace {
 
@@ -41,7 +42,7 @@ void cast_one_ray_each(const Input& input) {
   const RayCaster caster(input.shape);
   double sum = 0;
   for (Eigen::Index f = 0; f < input.samples.points.rows(); ++f) {
-    const std::vector<std::int32_t> own{static_cast<std::int32_t>(f)};
+    const std::array own{static_cast<std::int32_t>(f)};
     sum += caster.first_hit(input.samples.points.row(f), -input.samples.normals.row(f), own).distance;
   }
   benchmark::DoNotOptimize(sum);

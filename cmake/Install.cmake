@@ -1,4 +1,4 @@
-# The CMake package: find_package(shapegauge) gives shapegauge::core, ::retrieval, ::metrics and ::experiments.
+# The CMake package: find_package(shapegauge) gives shapegauge::random, ::core, ::retrieval, ::metrics and ::experiments.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shapegauge)

@@ -182,6 +182,7 @@ RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query
 
 RankedList list_of_hits(const std::vector<bool>& hits, bool starts_with_query, std::size_t not_in_list) {
   std::vector<RankRun> runs;
+  runs.reserve(hits.size());
   for (const bool hit : hits) runs.push_back({1, hit ? 1U : 0U});
   return list_of_runs(runs, starts_with_query, not_in_list);
 }

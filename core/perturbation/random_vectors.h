@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

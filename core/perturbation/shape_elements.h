@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

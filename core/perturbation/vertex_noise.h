@@ -1,7 +1,7 @@
 #pragma once
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

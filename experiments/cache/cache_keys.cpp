@@ -1,7 +1,5 @@
 #include "shapegauge/experiments/cache/cache_keys.h"
 
-#include <algorithm>
-#include <cctype>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/read_shape.h"
@@ -15,6 +13,7 @@
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 #include "shapegauge/experiments/results/build_information.h"
 #include "shapegauge/experiments/results/sha256.h"
+#include "shapegauge/experiments/text/lower_case.h"
 
 namespace shapegauge {
 
@@ -38,11 +37,6 @@ std::string key_of(EntryKind kind, Json depends_on) {
   depends_on["program"] = program();
   // Keys of objects come in order, numbers as the shortest text that reads back the same.
   return sha256(depends_on.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/interruption.h"
 #include "shapegauge/experiments/command_line/progress_line.h"
+#include "shapegauge/experiments/command_line/threads_option.h"
 #include "shapegauge/experiments/datasets/dataset_layouts.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -96,10 +97,6 @@ int generate(const GenerateArguments& arguments) {
   return exit_success;
 }
 
-void add_threads(CLI::App* command, int& threads) {
-  command->add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
-}
-
 std::vector<std::string> layout_names() {
   std::vector<std::string> names;
   for (const DatasetLayout& layout : dataset_layouts()) names.emplace_back(layout.name);
@@ -126,7 +123,7 @@ void add_generate(CLI::App* dataset, int& status) {
   command->add_option("--faces", options.faces, "Approximate number of triangles of a model")->capture_default_str();
   command->add_option("--seed", options.seed, "The same seed gives the same data set")->capture_default_str();
   command->add_flag("--force", options.force, "Replace a data set in the folder");
-  add_threads(command, arguments->threads);
+  add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
 }
 
@@ -147,7 +144,7 @@ void add_dataset_command(CLI::App& app, int& status) {
       dataset->add_subcommand("validate", "Read every model and name those that cannot be used");
   validate_command->footer("Example: shapegauge dataset validate shrec11");
   const auto validate_arguments = add_look_arguments(validate_command);
-  add_threads(validate_command, validate_arguments->threads);
+  add_threads_option(*validate_command, validate_arguments->threads);
   validate_command->callback([validate_arguments, &status] { status = validate(*validate_arguments); });
 
   add_generate(dataset, status);

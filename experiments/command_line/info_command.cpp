@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
+#include "shapegauge/experiments/command_line/shape_argument.h"
 #include "shapegauge/experiments/results/diagnostics_json.h"
 
 namespace shapegauge {
@@ -42,7 +43,7 @@ void add_info_command(CLI::App& app, int& status) {
       app.add_subcommand("info", "Tell whether a shape is closed, of how many parts, and what is wrong with it");
   command->footer("Example: shapegauge info bunny.off");
   const auto arguments = std::make_shared<InfoArguments>();
-  command->add_option("input", arguments->input, "Shape: OFF, OBJ, PLY or STL")->required();
+  add_shape_argument(*command, arguments->input);
   command->add_option("--format", arguments->format, "text or json; lengths and areas are in the file's units")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();

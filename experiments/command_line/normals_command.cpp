@@ -14,6 +14,8 @@
 #include "shapegauge/experiments/command_line/denoise_option.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/offset_option.h"
+#include "shapegauge/experiments/command_line/shape_argument.h"
+#include "shapegauge/experiments/command_line/threads_option.h"
 #include "shapegauge/experiments/results/normal_files.h"
 #include "shapegauge/experiments/runner/with_threads.h"
 
@@ -70,8 +72,7 @@ void add_normals_command(CLI::App& app, int& status) {
       app.add_subcommand("normals", "Estimate the outward normals of a shape, however noisy, cracked or turned");
   command->footer("Example: shapegauge normals scan.xyz --offset auto -o scan.ply");
   const auto arguments = std::make_shared<NormalsArguments>();
-  command->add_option("input", arguments->input, "Mesh or point cloud: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT")
-      ->required();
+  add_shape_argument(*command, arguments->input);
   command
       ->add_option("-o,--output", arguments->output,
                    "Result: .csv (index,nx,ny,nz,weight), .npy, .ply (the shape with normals) or .xyz (points with "
@@ -85,7 +86,7 @@ void add_normals_command(CLI::App& app, int& status) {
                    "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and the noise")
       ->capture_default_str();
   command->add_flag("--denoise", arguments->denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
-  command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+  add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

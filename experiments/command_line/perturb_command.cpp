@@ -11,6 +11,7 @@
 #include "shapegauge/core/io/read_shape.h"
 #include "shapegauge/core/io/write_shape.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
+#include "shapegauge/experiments/command_line/shape_argument.h"
 #include "shapegauge/experiments/perturbations/perturbation_registry.h"
 
 namespace shapegauge {
@@ -65,12 +66,12 @@ void add_perturb_command(CLI::App& app, int& status) {
       "perturb", "Change a shape at random: noise, holes, fewer faces, points. Changes are made in the order below.");
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
-  command->add_option("input", arguments->input, "Shape: OFF, OBJ, PLY or STL")->required();
+  add_shape_argument(*command, arguments->input);
   command->add_option("-o,--output", arguments->output, "Result: .off or .ply")->required();
   command->add_option("--seed", arguments->seed, "The same seed gives the same result")->capture_default_str();
   command->add_option("--decimate", arguments->faces, "Simplify the mesh to so many faces");
   command->add_option("--noise", arguments->noise,
-                      "Move every vertex; standard deviation of each coordinate, as a fraction of the diagonal");
+                      "Move every vertex, at random in a ball of this radius, a fraction of the diagonal");
   command->add_option("--remove-faces", arguments->removed, "Remove this fraction of the faces (of a cloud: points)");
   CLI::Option* holes = command->add_option("--holes", arguments->holes, "Punch so many holes");
   command->add_option("--hole-radius", arguments->hole_radius, "Their radius, as a fraction of the diagonal")

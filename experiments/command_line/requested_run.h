@@ -16,6 +16,7 @@ struct RunSource {
 };
 
 /// An experiment to be run: what its configuration says, and whence.
+// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct RequestedRun {
   nlohmann::json document;
   std::string source;            ///< what messages call it

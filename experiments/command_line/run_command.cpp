@@ -16,6 +16,7 @@
 #include "shapegauge/experiments/command_line/progress_line.h"
 #include "shapegauge/experiments/command_line/replay_report.h"
 #include "shapegauge/experiments/command_line/requested_run.h"
+#include "shapegauge/experiments/command_line/threads_option.h"
 #include "shapegauge/experiments/comparison/read_comparison.h"
 #include "shapegauge/experiments/comparison/run_comparison.h"
 #include "shapegauge/experiments/comparison/write_comparison.h"
@@ -171,7 +172,7 @@ void add_run_command(CLI::App& app, int& status) {
   CLI::Option* configuration =
       command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
-  command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+  add_threads_option(*command, arguments->threads);
   command->add_option("--set", arguments->source.overrides, "Change a value of the configuration: dotted.key=value")
       ->allow_extra_args(false);
   command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");

@@ -14,6 +14,8 @@
 #include "shapegauge/experiments/command_line/denoise_option.h"
 #include "shapegauge/experiments/command_line/exit_status.h"
 #include "shapegauge/experiments/command_line/offset_option.h"
+#include "shapegauge/experiments/command_line/shape_argument.h"
+#include "shapegauge/experiments/command_line/threads_option.h"
 #include "shapegauge/experiments/fields/field_registry.h"
 #include "shapegauge/experiments/results/diagnostics_json.h"
 #include "shapegauge/experiments/results/field_files.h"
@@ -112,8 +114,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of a shape, in the file's units");
   command->footer("Example: shapegauge sdf bunny.off --method offset --offset 0.03 -o bunny.ply");
   const auto arguments = std::make_shared<SdfArguments>();
-  command->add_option("input", arguments->input, "Mesh or point cloud: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT")
-      ->required();
+  add_shape_argument(*command, arguments->input);
   command->add_option("--method", arguments->method, "offset: of the offset surface; cone: conventional")
       ->required()
       ->check(CLI::IsMember({"offset", "cone"}));
@@ -135,7 +136,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
   for (CLI::Option* option : of_cone) option->capture_default_str();
   command->add_flag("--denoise", arguments->denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
-  command->add_option("--threads", arguments->threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+  add_threads_option(*command, arguments->threads);
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, offset, of_cone] {

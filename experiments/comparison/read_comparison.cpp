@@ -65,6 +65,7 @@ std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folde
 
 std::size_t reference_of(const std::string& name, const std::vector<ComparedShape>& shapes) {
   std::vector<std::string> names;
+  names.reserve(shapes.size());
   for (const ComparedShape& shape : shapes) names.push_back(shape.name);
   const auto found = std::ranges::find(names, name);
   if (found == names.end()) {

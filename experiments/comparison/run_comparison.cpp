@@ -83,11 +83,8 @@ Measured measure_shapes(const Comparison& comparison, std::span<const PlannedFie
 /// The distances of all shapes from the reference, by its row.
 std::vector<double> distances_from(std::size_t row, const Signatures& histograms, const std::string& distance) {
   const DistanceMatrix matrix = distance_matrix(histograms, distance);
-  std::vector<double> distances;
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    distances.push_back(matrix(i, static_cast<Eigen::Index>(row)));
-  }
-  return distances;
+  const auto distances = matrix.col(static_cast<Eigen::Index>(row));
+  return {distances.begin(), distances.end()};
 }
 
 std::vector<SignatureResults> signature_results(const Comparison& comparison, std::span<const PlannedField> plan,

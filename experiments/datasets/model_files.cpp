@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string>
 #include <string_view>
 
 #include "shapegauge/experiments/datasets/natural_order.h"
+#include "shapegauge/experiments/text/lower_case.h"
 
 namespace shapegauge {
 
@@ -30,9 +30,7 @@ std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
 
 bool is_model_file(const fs::path& path) {
   static constexpr std::array<std::string_view, 7> extensions{".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   return !is_hidden(path) && std::ranges::find(extensions, extension) != extensions.end();
 }
 

@@ -131,6 +131,7 @@ std::vector<std::size_t> rows_of(const MethodValues& first, const MethodValues& 
 std::vector<int> numbered(const std::vector<std::string>& classes) {
   std::unordered_map<std::string, int> numbers;
   std::vector<int> labels;
+  labels.reserve(classes.size());
   for (const std::string& name : classes) {
     labels.push_back(numbers.emplace(name, static_cast<int>(numbers.size())).first->second);
   }

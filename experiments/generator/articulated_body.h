@@ -2,10 +2,10 @@
 
 #include <Eigen/Core>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/generator/proportions.h"
 #include "shapegauge/experiments/generator/skeleton.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

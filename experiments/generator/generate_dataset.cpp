@@ -65,7 +65,7 @@ std::vector<int> scattered_numbers(const GeneratorOptions& options) {
                            static_cast<std::size_t>(options.models_per_class));
   std::iota(numbers.begin(), numbers.end(), 0);
   RandomNumbers random(options.seed, ~std::uint64_t{0});
-  for (std::size_t i = numbers.size(); i > 1; --i) std::swap(numbers[i - 1], numbers[random.next() % i]);
+  for (std::size_t i = numbers.size(); i > 1; --i) std::swap(numbers[i - 1], numbers[random.below(i)]);
   return numbers;
 }
 

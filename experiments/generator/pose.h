@@ -4,10 +4,10 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/generator/bones.h"
 #include "shapegauge/experiments/generator/skeleton.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 

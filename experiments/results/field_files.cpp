@@ -1,7 +1,6 @@
 #include "shapegauge/experiments/results/field_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
@@ -15,6 +14,7 @@
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/text/lower_case.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -77,9 +77,7 @@ void write_picture(const fs::path& path, const Shape& shape, const Samples& samp
 }  // namespace
 
 FieldFileWriter field_file_writer(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".csv") return write_csv;
   if (extension == ".npy") return write_values;
   if (extension == ".ply") return write_coloured_shape;

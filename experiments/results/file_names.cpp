@@ -5,17 +5,14 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "shapegauge/experiments/text/lower_case.h"
+
 namespace shapegauge {
 
 namespace {
 
 bool is_safe(char c) {
   return (std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & '\x80') == 0) || c == '-' || c == '.';
-}
-
-std::string lower_case(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "shapegauge/experiments/results/normal_files.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <iterator>
 #include <string>
@@ -10,6 +8,7 @@
 #include "shapegauge/core/io/atomic_file.h"
 #include "shapegauge/core/io/write_ply.h"
 #include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/text/lower_case.h"
 
 namespace shapegauge {
 
@@ -47,9 +46,7 @@ void write_cloud(const fs::path& path, const Shape& /*shape*/, const Samples& sa
 }  // namespace
 
 NormalFileWriter normal_file_writer(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   if (extension == ".csv") return write_csv;
   if (extension == ".npy") return write_array;
   if (extension == ".ply") return write_shape_with_normals;

@@ -160,11 +160,11 @@ std::string to_csv(const Table& table) {
   return text;
 }
 
-std::string to_plain_text(const Table& marked) {
-  const Table table = with_emphases(marked, with_plain_mark);
-  const std::vector<std::size_t> widths = column_widths(table);
-  std::string text = line(table.header, widths, table.text_columns, "  ") + "\n";
-  for (const Row& row : table.rows) text += line(row, widths, table.text_columns, "  ") + "\n";
+std::string to_plain_text(const Table& table) {
+  const Table marked = with_emphases(table, with_plain_mark);
+  const std::vector<std::size_t> widths = column_widths(marked);
+  std::string text = line(marked.header, widths, marked.text_columns, "  ") + "\n";
+  for (const Row& row : marked.rows) text += line(row, widths, marked.text_columns, "  ") + "\n";
   return text;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "shapegauge/metrics/measures/share_of_ideal_gain.h"
+
 namespace shapegauge {
 namespace {
 
@@ -9,11 +11,6 @@ double gain_at(std::size_t rank) { return 1.0 / std::log2(static_cast<double>(ra
 
 }  // namespace
 
-double normalised_discounted_gain(const RankedList& list) {
-  double ideal = 0;
-  // Both sums grow in the same order, so that a perfect list gives exactly 1.
-  for (std::size_t rank = 1; rank <= list.relevant; ++rank) ideal += gain_at(rank);
-  return gain_of_hits(list, gain_at) / ideal;
-}
+double normalised_discounted_gain(const RankedList& list) { return share_of_ideal_gain(list, gain_at); }
 
 }  // namespace shapegauge

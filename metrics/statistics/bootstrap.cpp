@@ -8,7 +8,7 @@
 #include <string>
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/metrics/statistics/random_stream.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {
@@ -39,7 +39,7 @@ Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& 
   const auto count = static_cast<std::uint64_t>(units.values.rows());
   Eigen::MatrixXd averages(options.resamples, units.values.cols());
   tbb::parallel_for(0, options.resamples, [&](int resample) {
-    RandomStream random(options.seed, static_cast<std::uint64_t>(resample));
+    RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(units.values.cols());
     double weight = 0;
     for (std::uint64_t i = 0; i < count; ++i) {

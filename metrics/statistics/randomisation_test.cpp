@@ -6,7 +6,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
-#include "shapegauge/metrics/statistics/random_stream.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr double rounding = 1e-12;  // of the sum of all magnitudes: sums in other signs round otherwise
 
 // The sum of the terms in random signs, 64 of them from each random number.
-double sum_in_random_signs(const Eigen::VectorXd& terms, RandomStream random) {
+double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
   double sum = 0;
   std::uint64_t bits = 0;
   for (Eigen::Index i = 0; i < terms.size(); ++i) {
@@ -40,7 +40,7 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
       tbb::blocked_range<int>(0, options.resamples), 0,
       [&](const tbb::blocked_range<int>& range, int count) {
         for (int resample = range.begin(); resample < range.end(); ++resample) {
-          const RandomStream random(options.seed, static_cast<std::uint64_t>(resample));
+          const RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
           if (std::abs(sum_in_random_signs(terms, random)) >= observed) ++count;
         }
         return count;

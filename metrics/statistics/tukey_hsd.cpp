@@ -7,7 +7,7 @@
 #include <tbb/parallel_for.h>
 #include <vector>
 
-#include "shapegauge/metrics/statistics/random_stream.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double rounding = 1e-12;  // of the largest average: sums in another order round otherwise
 
 // The averages of the methods after a shuffle (Fisher and Yates) of their values within every unit.
-Eigen::VectorXd shuffled_averages(const Units& units, RandomStream random) {
+Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
   Eigen::VectorXd averages = Eigen::VectorXd::Zero(units.values.cols());
   for (Eigen::Index unit = 0; unit < units.values.rows(); ++unit) {
     Eigen::RowVectorXd values = units.values.row(unit);
@@ -38,7 +38,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& 
   std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
   tbb::parallel_for(0, options.resamples, [&](int resample) {
     const Eigen::VectorXd averages =
-        shuffled_averages(units, RandomStream(options.seed, static_cast<std::uint64_t>(resample)));
+        shuffled_averages(units, RandomNumbers(options.seed, static_cast<std::uint64_t>(resample)));
     ranges[static_cast<std::size_t>(resample)] = averages.maxCoeff() - averages.minCoeff();
   });
   std::ranges::sort(ranges);

@@ -206,4 +206,15 @@ Eigen::Matrix3d rotation(unsigned seed) {
   return quaternion.normalized().toRotationMatrix();
 }
 
+double signed_volume(const Shape& mesh) {
+  double volume = 0;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
+    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
+    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
 }  // namespace shapegauge::test_shapes

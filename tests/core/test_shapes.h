@@ -46,4 +46,7 @@ Permuted permuted(const Shape& shape, unsigned seed);
 /// A rotation that depends on the seed alone.
 Eigen::Matrix3d rotation(unsigned seed);
 
+/// The volume that an outward-oriented closed mesh encloses (divergence theorem).
+double signed_volume(const Shape& mesh);
+
 }  // namespace shapegauge::test_shapes

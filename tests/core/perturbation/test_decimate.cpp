@@ -12,31 +12,7 @@
 namespace shapegauge {
 namespace {
 
-/// Volume of a closed mesh by the divergence theorem.
-double volume(const Shape& mesh) {
-  double sum = 0;
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
-    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
-    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
-    sum += a.dot(b.cross(c)) / 6;
-  }
-  return sum;
-}
-
-/// Each triangle with vertices of its own.
-Shape soup_of(const Shape& mesh) {
-  Shape soup;
-  soup.vertices.resize(3 * mesh.triangles.rows(), 3);
-  soup.triangles.resize(mesh.triangles.rows(), 3);
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      soup.vertices.row(3 * f + k) = mesh.vertices.row(mesh.triangles(f, k));
-      soup.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
-    }
-  }
-  return soup;
-}
+using test_shapes::signed_volume;
 
 void expect_valid(const Shape& mesh) {
   ASSERT_GT(mesh.triangles.rows(), 0);
@@ -53,7 +29,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   EXPECT_GE(coarse.triangles.rows(), 998);
   EXPECT_TRUE(is_closed(coarse));
   // A polyhedron of n alike triangles in the unit sphere loses about 4 pi / (n sqrt(3)) of its volume and more.
-  EXPECT_NEAR(volume(coarse) / volume(sphere), 1, 0.015);
+  EXPECT_NEAR(signed_volume(coarse) / signed_volume(sphere), 1, 0.015);
   const Samples faces = sample_shape(coarse, SampleSite::faces);
   for (Eigen::Index f = 0; f < coarse.triangles.rows(); ++f) {
     EXPECT_GT(faces.normals.row(f).dot(faces.points.row(f)), 0) << f;
@@ -66,7 +42,7 @@ TEST(Decimate, ABoxLosesNothing) {
   expect_valid(coarse);
   EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 40);
-  EXPECT_NEAR(volume(coarse), 6, 1e-12);
+  EXPECT_NEAR(signed_volume(coarse), 6, 1e-12);
   EXPECT_NEAR(surface_area(coarse), 22, 1e-12);
 }
 
@@ -85,7 +61,7 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
 
 TEST(Decimate, TakesASoupForTheMeshItIs) {
   const Shape sphere = test_shapes::sphere(1, 3);
-  const Shape coarse = decimate(soup_of(sphere), 200);
+  const Shape coarse = decimate(test_shapes::soup(sphere), 200);
   EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_LE(coarse.vertices.rows(), 102);
@@ -112,7 +88,7 @@ TEST(Decimate, StaysClosedWhereSurfacesMeet) {
   expect_valid(coarse);
   EXPECT_TRUE(is_closed(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
-  EXPECT_NEAR(volume(coarse), 2, 1e-12);
+  EXPECT_NEAR(signed_volume(coarse), 2, 1e-12);
 }
 
 TEST(Decimate, WorksOnBrokenMeshes) {

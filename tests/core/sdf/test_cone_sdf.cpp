@@ -258,16 +258,7 @@ TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {
 }
 
 TEST(ConeSdf, VerticesDoubledAlongSeamsDoNotEndTheirOwnRays) {
-  const Shape sphere = test_shapes::sphere(1, 3);
-  Shape soup = sphere;
-  soup.vertices.resize(3 * sphere.triangles.rows(), 3);
-  for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      soup.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
-      soup.vertices.row(3 * f + k) = sphere.vertices.row(sphere.triangles(f, k));
-    }
-  }
-  const ConeSdfResult result = cone_sdf_at(soup, SampleSite::vertices);
+  const ConeSdfResult result = cone_sdf_at(test_shapes::soup(test_shapes::sphere(1, 3)), SampleSite::vertices);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_GT(result.values.minCoeff(), 1.8);
 }

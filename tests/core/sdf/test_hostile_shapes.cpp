@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "shapegauge/core/error.h"
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/closedness.h"
 #include "shapegauge/core/shape/normalise.h"
+#include "shapegauge/random/random_numbers.h"
 #include "tests/core/test_shapes.h"
 
 /// Shapes that nobody wants, and what becomes of them: a defined value or an InputError, in bounded time.

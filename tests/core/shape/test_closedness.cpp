@@ -21,17 +21,7 @@ TEST(Closedness, EndsWithOneTriangle) {
 }
 
 TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) {
-  const Shape sphere = test_shapes::sphere(1, 1);
-  Shape soup;
-  soup.vertices.resize(3 * sphere.triangles.rows(), 3);
-  soup.triangles.resize(sphere.triangles.rows(), 3);
-  for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {
-    for (int k = 0; k < 3; ++k) {
-      soup.vertices.row(3 * f + k) = sphere.vertices.row(sphere.triangles(f, k));
-      soup.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
-    }
-  }
-  EXPECT_TRUE(is_closed(soup));
+  EXPECT_TRUE(is_closed(test_shapes::soup(test_shapes::sphere(1, 1))));
 }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {

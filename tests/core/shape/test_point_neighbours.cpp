@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/core/shape/point_neighbours.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {

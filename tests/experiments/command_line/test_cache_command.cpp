@@ -2,16 +2,17 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
+using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 
 TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
   const test_io::TemporaryFolder folder;
@@ -39,18 +40,10 @@ TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
 TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
   const test_io::TemporaryFolder folder;
   test_experiments::write_text(folder.path() / "file", "x");
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {"cache", "subcommand is required"},
-      {"cache empty", "there is no command \"empty\""},
-      {"cache info --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"},
-      {"cache clear --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"}};
-  for (const auto& [arguments, words] : cases) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << arguments;
-    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
-  }
+  expect_error_lines({{"cache", "subcommand is required"},
+                      {"cache empty", "there is no command \"empty\""},
+                      {"cache info --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"},
+                      {"cache clear --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"}});
 }
 
 }  // namespace

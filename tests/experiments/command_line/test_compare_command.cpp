@@ -5,19 +5,20 @@
 
 #include "shapegauge/experiments/matrices/npy.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
+using test_command_line::expect_error_line;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 using testing::StartsWith;
 
 /// Ten classes of six models on a line, seen with little noise (good.npy), and with much (bad.npy, poor.npy).
@@ -132,12 +133,7 @@ TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
       {compare_matrices("good.npy bad.npy", "--reference god"), "did you mean \"good\"?"},
       {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
       {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};
-  for (const auto& [outcome, words] : cases) {
-    EXPECT_EQ(outcome.status, 2) << words;
-    EXPECT_EQ(outcome.output, "") << words;
-    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << words;
-    EXPECT_THAT(outcome.errors, HasSubstr(words));
-  }
+  for (const auto& [outcome, words] : cases) expect_error_line(outcome, words);
 }
 
 TEST(MeasuresCommand, ExplainsEveryMeasure) {

@@ -5,14 +5,17 @@
 #include "shapegauge/experiments/matrices/npy.h"
 #include "shapegauge/experiments/matrices/psb_matrix.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
+using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using test_command_line::UnusableCall;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
@@ -209,7 +212,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   write_text(at("empty.cla"), "");
   const std::string toy = "evaluate '" + at("toy.npy") + "' ";
   const std::string labels = "--labels '" + at("toy.cla") + "' ";
-  const std::vector<std::pair<std::string, std::string>> cases{
+  const std::vector<UnusableCall> cases{
       {toy, "give either --labels"},
       {toy + "--labels /nowhere.cla", "/nowhere.cla"},
       {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
@@ -225,13 +228,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
       {toy + labels + "--level 1", "no level 1 to take"},
       {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
       {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
-  for (const auto& [arguments, words] : cases) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << arguments;
-    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
-  }
+  expect_error_lines(cases);
 }
 
 }  // namespace

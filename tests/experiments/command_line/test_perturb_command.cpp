@@ -36,6 +36,14 @@ TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {
   EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
 }
 
+TEST_F(PerturbCommand, NoiseStaysInABallOfItsRadius) {
+  ASSERT_EQ(perturb("x.off", "--noise 0.01").status, 0);
+  const double longest = (read_shape(at("x.off")).vertices - shape.vertices).rowwise().norm().maxCoeff();
+  const double radius = 0.01 * bounding_box_diagonal(shape);
+  EXPECT_LE(longest, radius * (1 + 1e-12));
+  EXPECT_GT(longest, 0.95 * radius);  // of 642 vertices
+}
+
 TEST_F(PerturbCommand, TheSeedDecides) {
   ASSERT_EQ(perturb("a.off", "--noise 0.01 --seed 4").status, 0);
   ASSERT_EQ(perturb("b.off", "--noise 0.01 --seed 4").status, 0);

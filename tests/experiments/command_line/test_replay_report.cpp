@@ -1,16 +1,18 @@
 #include <gmock/gmock.h>
 
-#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
-#include "tests/experiments/small_dataset.h"
+#include "tests/experiments/command_line/small_run.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
+using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using test_command_line::SmallRun;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
@@ -18,21 +20,15 @@ using testing::MatchesRegex;
 using testing::Not;
 
 /// A run over the small data set, recorded in out/manifest.json.
-class ReplayReport : public testing::Test {
+class ReplayReport : public SmallRun {
  protected:
   void SetUp() override {
-    test_experiments::write_small_dataset(at("data"));
-    write_text(at("small.json"), test_experiments::small_configuration("data").dump());
+    SmallRun::SetUp();
     ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
   [[nodiscard]] Outcome replay(const std::string& more = "") const {
     return run_executable("run --replay " + quoted("out/manifest.json") + " --output " + quoted("again") + " " + more);
   }
-
- private:
-  test_io::TemporaryFolder folder_;
 };
 
 TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
@@ -100,20 +96,13 @@ TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
 TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
   const std::string manifest = "run --replay " + quoted("out/manifest.json");
   write_text(at("text.json"), "{}");
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {manifest + " " + quoted("small.json"), "excludes --replay"},
-      {"run " + quoted("small.json") + " --dataset-root x", "--dataset-root goes with --replay"},
-      {"run --replay " + quoted("text.json"), "has no \"configuration\""},
-      {"run --replay /nowhere/manifest.json", "no such file"},
-      {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},
-      {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}};
-  for (const auto& [arguments, words] : cases) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << arguments;
-    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
-  }
+  expect_error_lines(
+      {{manifest + " " + quoted("small.json"), "excludes --replay"},
+       {"run " + quoted("small.json") + " --dataset-root x", "--dataset-root goes with --replay"},
+       {"run --replay " + quoted("text.json"), "has no \"configuration\""},
+       {"run --replay /nowhere/manifest.json", "no such file"},
+       {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},
+       {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
 }
 
 }  // namespace

@@ -1,16 +1,19 @@
 #include <gmock/gmock.h>
 
-#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
-#include "tests/experiments/small_dataset.h"
+#include "tests/experiments/command_line/small_run.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
+using test_command_line::expect_error_line;
+using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using test_command_line::SmallRun;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
@@ -18,22 +21,12 @@ using testing::MatchesRegex;
 using testing::Not;
 using testing::StartsWith;
 
-class RunCommand : public testing::Test {
+class RunCommand : public SmallRun {
  protected:
-  void SetUp() override {
-    test_experiments::write_small_dataset(at("data"));
-    write_text(at("small.json"), test_experiments::small_configuration("data").dump());
-  }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] Outcome run(const std::string& more = "") const {
-    return run_executable("run '" + at("small.json").string() + "' --output '" + at("out").string() + "' " + more);
+    return run_executable("run " + quoted("small.json") + " --output " + quoted("out") + " " + more);
   }
-
- private:
-  test_io::TemporaryFolder folder_;
 };
-
-constexpr const char* one_error_line = "shapegauge: error: [^\n]*\n";
 
 TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
   const Outcome outcome = run();
@@ -70,11 +63,7 @@ TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {
 
 TEST_F(RunCommand, ABadModelStopsIt) {
   write_text(at("data/T3.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
-  const Outcome outcome = run();
-  EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.errors, MatchesRegex(one_error_line));
-  EXPECT_THAT(outcome.errors, HasSubstr("model 3: "));
-  EXPECT_EQ(outcome.output, "");
+  expect_error_line(run(), "model 3: ");
   EXPECT_TRUE(fs::is_empty(at("out")));
 }
 
@@ -88,42 +77,32 @@ TEST_F(RunCommand, ABadModelIsLeftOutAndNamedWhereAskedFor) {
   EXPECT_TRUE(fs::exists(at("out/manifest.json")));
 }
 
-/// Every call ends with status 2, one line on standard error that holds the words, and nothing on standard output.
 TEST_F(RunCommand, UnusableInputIsOneClearLine) {
-  const std::string file = "run '" + at("small.json").string() + "' ";
-  const std::string out = " --output '" + at("out").string() + "' ";
-  const std::vector<std::pair<std::string, std::string>> cases{
-      {"run /nowhere/x.json", "/nowhere/x.json: no such file"},
-      {file + out + "--set signature=1", "unknown key \"signature\"; did you mean \"signatures\"?"},
-      {file + out + "--set signatures.0.histogram.bins=many", "signatures.0.histogram.bins: must be of type integer"},
-      {file + out + "--set signatures.3.concatenate.0=fixd", "did you mean \"fixed\"?"},
-      {file + out + "--set dataset.root=nowhere", "nowhere: no such folder"},
-      {file + out + "--set dataset.classification=nowhere.cla", "nowhere.cla"},
-      {file + out + "--set 'dataset.root=${SHAPEGAUGE_TEST_UNSET}'", "SHAPEGAUGE_TEST_UNSET is not set; set it"},
-      {file + "--output /proc/out", "/proc/out"},
-      {file + out + "--frobnicate", "--frobnicate"},
-      {file + out + "--threads 0", "--threads"},
-      {file + out + "--threads many", "--threads"},
-      {"run", "configuration is required"},
-      {"", "subcommand is required"},
-      {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
-      {"dataset list x", "there is no command \"list\"; known here: \"info\""}};
-  for (const auto& [arguments, words] : cases) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_THAT(outcome.errors, MatchesRegex(one_error_line)) << arguments;
-    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
-  }
+  const std::string file = "run " + quoted("small.json") + " ";
+  const std::string out = " --output " + quoted("out") + " ";
+  expect_error_lines(
+      {{"run /nowhere/x.json", "/nowhere/x.json: no such file"},
+       {file + out + "--set signature=1", "unknown key \"signature\"; did you mean \"signatures\"?"},
+       {file + out + "--set signatures.0.histogram.bins=many", "signatures.0.histogram.bins: must be of type integer"},
+       {file + out + "--set signatures.3.concatenate.0=fixd", "did you mean \"fixed\"?"},
+       {file + out + "--set dataset.root=nowhere", "nowhere: no such folder"},
+       {file + out + "--set dataset.classification=nowhere.cla", "nowhere.cla"},
+       {file + out + "--set 'dataset.root=${SHAPEGAUGE_TEST_UNSET}'", "SHAPEGAUGE_TEST_UNSET is not set; set it"},
+       {file + "--output /proc/out", "/proc/out"},
+       {file + out + "--frobnicate", "--frobnicate"},
+       {file + out + "--threads 0", "--threads"},
+       {file + out + "--threads many", "--threads"},
+       {"run", "configuration is required"},
+       {"", "subcommand is required"},
+       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
+       {"dataset list x", "there is no command \"list\"; known here: \"info\""}});
 }
 
 TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
   for (const std::string text : {"", "PSB 1\n0 0\n", "PSB 1\n1 3\na 0 2\n0\n1\n", "PSB 1\n2 2\na 0 1\n0\nb 0 1\n0\n"}) {
     write_text(at("data/test.cla"), text);
-    const Outcome outcome = run();
-    EXPECT_EQ(outcome.status, 2) << text;
-    EXPECT_THAT(outcome.errors, MatchesRegex(one_error_line)) << text;
-    EXPECT_THAT(outcome.errors, HasSubstr("test.cla")) << text;
+    SCOPED_TRACE(text);
+    expect_error_line(run(), "test.cla");
   }
 }
 

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "shapegauge/experiments/cache/cache_contents.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/command_line/background_run.h"
 #include "tests/experiments/command_line/run_executable.h"
+#include "tests/experiments/command_line/small_run.h"
 #include "tests/experiments/small_dataset.h"
 #include "tests/experiments/text_files.h"
 
@@ -22,6 +22,7 @@ using nlohmann::json;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using test_command_line::SmallRun;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
@@ -42,12 +43,8 @@ std::map<std::string, std::string> results_in(const fs::path& folder) {
 }
 
 /// Runs over the small data set, on one thread.
-class RunWithCache : public testing::Test {
+class RunWithCache : public SmallRun {
  protected:
-  void SetUp() override {
-    test_experiments::write_small_dataset(at("data"));
-    write_configuration(25);
-  }
   /// The more rays, the longer it takes.
   void write_configuration(int rays) const {
     json configuration = test_experiments::small_configuration("data");
@@ -56,8 +53,6 @@ class RunWithCache : public testing::Test {
     }
     write_text(at("small.json"), configuration.dump());
   }
-  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
   [[nodiscard]] std::vector<std::string> arguments(const std::string& output) const {
     return {"run",     at("small.json").string(), "--output", at(output).string(), "--threads", "1",
             "--cache", at("cache").string()};
@@ -74,10 +69,6 @@ class RunWithCache : public testing::Test {
   [[nodiscard]] json cache_use(const std::string& output) const {
     return json::parse(text_of(at(output) / "manifest.json"))["execution"]["cache"];
   }
-  [[nodiscard]] const fs::path& folder() const { return folder_.path(); }
-
- private:
-  test_io::TemporaryFolder folder_;
 };
 
 TEST_F(RunWithCache, ASecondRunSaysWhatCameFromTheCache) {

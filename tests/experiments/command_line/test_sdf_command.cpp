@@ -10,18 +10,20 @@
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
+#include "tests/experiments/command_line/error_line.h"
 #include "tests/experiments/command_line/run_executable.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 namespace {
 
+using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using test_command_line::UnusableCall;
 using test_experiments::text_of;
 using test_experiments::write_text;
 using testing::HasSubstr;
-using testing::MatchesRegex;
 using testing::StartsWith;
 
 class SdfCommand : public testing::Test {
@@ -127,7 +129,7 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
   write_text(at("nan.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
   const std::string good = "sdf '" + at("sphere.off") + "' ";
   const std::string out = " -o '" + at("x.csv") + "' ";
-  const std::vector<std::pair<std::string, std::string>> cases{
+  const std::vector<UnusableCall> cases{
       {"sdf /nowhere.off --method cone" + out, "/nowhere.off"},
       {"sdf '" + at("cloud.off") + "' --method cone" + out, "cloud.off: the conventional SDF needs triangles"},
       {"sdf '" + at("cloud.off") + "' --method cone --engine cgal" + out,
@@ -147,13 +149,7 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone --engine cgal --at vertices" + out, "faces only"},
       {good + "--method cone --offset 0.1" + out, "--offset goes with --method offset only"},
       {good + "--method offset --rays 3" + out, "--rays goes with --method cone only"}};
-  for (const auto& [arguments, words] : cases) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 2) << arguments;
-    EXPECT_EQ(outcome.output, "") << arguments;
-    EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: error: [^\n]*\n")) << arguments;
-    EXPECT_THAT(outcome.errors, HasSubstr(words)) << arguments;
-  }
+  expect_error_lines(cases);
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "tests/experiments/generator/mesh_topology.h"
 
-#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "tests/core/test_shapes.h"
 
 namespace shapegauge {
 
@@ -72,19 +73,8 @@ std::string topology_fault(const Shape& mesh) {
   }
   if (!fans_are_cycles(mesh)) return "a vertex that is not manifold";
   if (component_count(mesh) != 1) return "more than one component";
-  if (signed_volume(mesh) <= 0) return "oriented inward";
+  if (test_shapes::signed_volume(mesh) <= 0) return "oriented inward";
   return "";
-}
-
-double signed_volume(const Shape& mesh) {
-  double volume = 0;
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(f, 0));
-    const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(f, 1));
-    const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(f, 2));
-    volume += a.dot(b.cross(c)) / 6;
-  }
-  return volume;
 }
 
 }  // namespace shapegauge

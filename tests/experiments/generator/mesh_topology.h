@@ -10,7 +10,4 @@ namespace shapegauge {
 /// counting edges and walking around vertices; empty where nothing does.
 std::string topology_fault(const Shape& mesh);
 
-/// Volume enclosed by an outward-oriented closed mesh (divergence theorem).
-double signed_volume(const Shape& mesh);
-
 }  // namespace shapegauge

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/random_numbers.h"
 #include "shapegauge/experiments/generator/classes/class_skeletons.h"
 #include "shapegauge/experiments/generator/implicit_surface.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {

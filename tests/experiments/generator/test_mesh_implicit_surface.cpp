@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
+#include "tests/core/test_shapes.h"
 #include "tests/experiments/generator/mesh_topology.h"
 
 namespace shapegauge {
@@ -20,7 +21,7 @@ TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
   constexpr double pi = std::numbers::pi;
   // Chords of length h err by (h / r)^2 / 24 or so; here h is about 0.03.
   EXPECT_NEAR(surface_area(mesh), 2 * pi * 0.3 * 2 + 4 * pi * 0.09, 0.01);
-  EXPECT_NEAR(signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
+  EXPECT_NEAR(test_shapes::signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
 }
 
 TEST(MeshImplicitSurface, TrianglesAreAsManyAsAskedForAndNearlyEquilateral) {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/random/random_numbers.h"
 #include "shapegauge/retrieval/distances/l1.h"
 
 namespace shapegauge {

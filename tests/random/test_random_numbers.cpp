@@ -1,6 +1,7 @@
+#include <array>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 namespace {
@@ -34,6 +35,16 @@ TEST(RandomNumbers, UniformStaysInRangeAndHasItsMeanAndVariance) {
   // Standard deviation sqrt(3) over sqrt(n) = 0.0055; five of them.
   EXPECT_NEAR(mean, 1, 0.028);
   EXPECT_NEAR(squares / n - mean * mean, 3, 0.05);
+}
+
+TEST(RandomNumbers, BelowDrawsEveryNumberAboutAsOften) {
+  RandomNumbers random(1);
+  constexpr int n = 70000;
+  std::array<int, 7> drawn{};
+  for (int i = 0; i < n; ++i) ++drawn.at(random.below(drawn.size()));
+  // Standard deviation sqrt(n 6 / 49) = 93; five of them.
+  for (const int count : drawn) EXPECT_NEAR(count, n / 7, 463);
+  EXPECT_EQ(random.below(1), 0U);
 }
 
 }  // namespace

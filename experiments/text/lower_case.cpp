@@ -1,0 +1,13 @@
+#include "shapegauge/experiments/text/lower_case.h"
+
+#include <algorithm>
+
+namespace shapegauge {
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+}  // namespace shapegauge
