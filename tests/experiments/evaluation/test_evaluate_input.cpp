@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <string>
 
-#include "shapegauge/core/random_numbers.h"
+#include "shapegauge/random/random_numbers.h"
 #include "shapegauge/experiments/evaluation/evaluate_input.h"
 #include "shapegauge/experiments/evaluation/matrix_remarks.h"
 #include "shapegauge/experiments/matrices/npy.h"
