@@ -303,8 +303,8 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
   }
 }
 
-/// Encloses the mixed leaves of which nothing is known and from which no way, however narrow, leads to the exterior: past
-/// solid leaves they have only each other and enclosed ones around them.
+/// Encloses the mixed leaves of which nothing is known and from which no way, however narrow, leads to the exterior:
+/// past solid leaves they have only each other and enclosed ones around them.
 void enclose_dead_ends(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   const auto node = [&](std::int32_t leaf) -> ExteriorNode& { return nodes[static_cast<std::size_t>(leaf)]; };
   const auto is_unknown = [](const ExteriorNode& leaf) {
@@ -322,7 +322,8 @@ void enclose_dead_ends(const LeafGraph& graph, std::vector<ExteriorNode>& nodes)
     }
   }
   const auto lead = [&](std::int32_t from, std::int32_t to) {
-    if (is_unknown(node(from)) && may_be_exterior(node(to))) leads_out[static_cast<std::size_t>(regions.find(from))] = 1;
+    if (is_unknown(node(from)) && may_be_exterior(node(to)))
+      leads_out[static_cast<std::size_t>(regions.find(from))] = 1;
   };
   for (int axis = 0; axis < 3; ++axis) {
     for (const FacePair& pair : graph.pairs(axis)) {

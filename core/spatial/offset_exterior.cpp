@@ -202,15 +202,20 @@ bool OffsetExterior::step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length)
     }
     wall.normal = (next - there.point).normalized();
     const bool was_climbed_from = wall.normal.dot(direction) > slope / 2;  // but it is curved, or another part of it is
-    if (was_climbed_from || count == walls.size()) {
-      length /= 2;
-      count = 1;
+    if (!was_climbed_from && count < walls.size()) {
+      walls[count++] = wall;
+      const auto steepest = closest_point_in(std::span(walls).first(count), Eigen::Vector3d::Zero());
+      if (steepest && steepest->norm() * least_slope < 1) {
+        slope = 1 / steepest->norm();
+        direction = slope * *steepest;
+        continue;
+      }
     }
-    if (!was_climbed_from) walls[count++] = wall;
-    const auto steepest = closest_point_in(std::span(walls).first(count), Eigen::Vector3d::Zero());
-    if (!steepest || steepest->norm() * least_slope > 1) return false;
-    slope = 1 / steepest->norm();
-    direction = slope * *steepest;
+    // What is met so far away says little of the surroundings of x.
+    length /= 2;
+    count = 1;
+    direction = walls[0].normal;
+    slope = 1;
   }
   return false;
 }

@@ -97,8 +97,8 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> label_seen_from(const Eigen::Vector3d& x, double clearance) const;
   /// Climbs away from the surface, through free space only, until the ball of free space around x settles it.
   [[nodiscard]] std::optional<bool> decide_by_climb(Eigen::Vector3d x) const;
-  /// Moves x away from the surface, by the length or, where that would come nearer to another part of it, by less, along
-  /// the ridge or the edge between up to four parts. False where there is no way up.
+  /// Moves x away from the surface, by the length or, where that would come nearer to another part of it, by less,
+  /// along the ridge or the edge between up to four parts. False where there is no way up.
   bool step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length) const;
 
   const SurfaceTree& tree_;
