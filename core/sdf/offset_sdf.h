@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
 /// earlier versions is then computed anew.
-inline constexpr int offset_sdf_version = 2;
+inline constexpr int offset_sdf_version = 3;
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {

@@ -260,6 +260,42 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
   }
 }
 
+/// Encloses the mixed leaves of which nothing is known and from which no way, however narrow, leads to the exterior:
+/// past solid leaves they have only each other and enclosed ones around them.
+void enclose_dead_ends(const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
+  const auto node = [&](std::int32_t leaf) -> ExteriorNode& { return nodes[static_cast<std::size_t>(leaf)]; };
+  const auto is_unknown = [](const ExteriorNode& leaf) {
+    return leaf.kind == CellKind::mixed && leaf.space == FreeSpace::none;
+  };
+  const auto may_be_exterior = [](const ExteriorNode& leaf) {
+    return leaf.kind != CellKind::solid && (leaf.space == FreeSpace::exterior || leaf.space == FreeSpace::both);
+  };
+  DisjointSets regions;
+  regions.grow_to(nodes.size());
+  std::vector<char> leads_out(nodes.size(), 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const FacePair& pair : graph.pairs(axis)) {
+      if (is_unknown(node(pair.low)) && is_unknown(node(pair.high))) regions.join(pair.low, pair.high);
+    }
+  }
+  const auto lead = [&](std::int32_t from, std::int32_t to) {
+    if (is_unknown(node(from)) && may_be_exterior(node(to)))
+      leads_out[static_cast<std::size_t>(regions.find(from))] = 1;
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const FacePair& pair : graph.pairs(axis)) {
+      lead(pair.low, pair.high);
+      lead(pair.high, pair.low);
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const bool unknown = is_unknown(nodes[i]);
+    if (!unknown || leads_out[static_cast<std::size_t>(regions.find(static_cast<std::int32_t>(i)))] != 0) continue;
+    nodes[i].space = FreeSpace::enclosed;
+    if (is_open(nodes[i])) nodes[i].centre_space = FreeSpace::enclosed;
+  }
+}
+
 }  // namespace
 
 void ExteriorFlood::run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes) {
@@ -298,6 +334,7 @@ void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNo
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
   settle_by_crossings(exterior, graph_, nodes, leads_nowhere_);
+  if (!exterior.is_closed()) enclose_dead_ends(graph_, nodes);
 }
 
 std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) const {

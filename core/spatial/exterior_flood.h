@@ -13,7 +13,8 @@ namespace shapegauge {
 /// Two neighbouring cubes are joined where the way between their centres is proven free. The part that reaches the
 /// root's border is the exterior. Any other part that holds a free cube is enclosed. A part without one is too small to
 /// be sure that it is not joined to another: on a closed surface, the crossings of a ray decide between enclosed and
-/// exterior (a slit that leads outside); otherwise it stays undecided.
+/// exterior (a slit that leads outside); otherwise it stays undecided, unless only solid leaves and enclosed ones
+/// surround it.
 class ExteriorFlood {
  public:
   /// The nodes are the exterior's. Run again when leaves have been divided, it looks only at ways to and from the new

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "shapegauge/core/spatial/exterior_flood.h"
+#include "shapegauge/core/spatial/half_spaces.h"
 
 namespace shapegauge {
 
@@ -118,10 +120,21 @@ void OffsetExterior::settle_pockets(double smallest, ExteriorFlood& flood) {
     if (!divide(unsettled)) break;
     flood.run(*this, nodes_);
   }
-  for (ExteriorNode& node : nodes_) {
-    if (node.kind == CellKind::mixed && node.space == FreeSpace::none) node.space = FreeSpace::enclosed;
-    if (node.space == FreeSpace::enclosed && node.centre_space == FreeSpace::none)
-      node.centre_space = FreeSpace::enclosed;
+  settle_by_climb();
+}
+
+void OffsetExterior::settle_by_climb() {
+  std::vector<ExteriorCell> unsettled;
+  find_unsettled(root(), 0, unsettled);
+  std::erase_if(unsettled, [&](const ExteriorCell& cell) {
+    return nodes_[static_cast<std::size_t>(cell.node)].space == FreeSpace::both;
+  });
+  std::vector<char> leads_out;
+  for (const ExteriorCell& cell : unsettled) leads_out.push_back(decide_by_climb(cell.centre) == true ? 1 : 0);
+  for (std::size_t i = 0; i < unsettled.size(); ++i) {
+    ExteriorNode& node = nodes_[static_cast<std::size_t>(unsettled[i].node)];
+    node.space = leads_out[i] != 0 ? FreeSpace::exterior : FreeSpace::enclosed;
+    if (node.clearance > 0) node.centre_space = node.space;
   }
 }
 
@@ -175,31 +188,53 @@ std::optional<bool> OffsetExterior::label_seen_from(const Eigen::Vector3d& x, do
 }
 
 std::optional<bool> OffsetExterior::decide_by_climb(Eigen::Vector3d x) const {
-  constexpr int most_steps = 32;
-  const double shortest = root_half_ / 65536;
+  constexpr int most_steps = 64;
   SurfaceHit hit = *tree_.closest(x);
   for (int step = 0; step < most_steps; ++step) {
     const double clearance = hit.distance - r_;
     if (const auto label = label_seen_from(x, clearance)) return label;
-    const Eigen::Vector3d away = (x - hit.point).normalized();
-    Eigen::Vector3d direction = away;
-    double length = std::max(clearance, resolution_ / 8);
-    while (true) {
-      const Eigen::Vector3d next = x + length * direction;
-      const SurfaceHit there = *tree_.closest(next, std::numeric_limits<double>::infinity(), hit.triangle);
-      if (there.distance > hit.distance + length / 16) {
-        x = next;
-        hit = there;
-        break;
-      }
-      // Another part of the surface is as near: climb along the ridge between the two.
-      direction = away + (next - there.point).normalized();
-      length /= 2;
-      if (direction.norm() < 0.05 || length < shortest) return std::nullopt;
-      direction.normalize();
-    }
+    if (!step_up(x, hit, std::max(clearance, resolution_ / 8))) return std::nullopt;
   }
   return std::nullopt;
+}
+
+bool OffsetExterior::step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length) const {
+  constexpr double least_slope = 0.01;  // of the ridge between two walls at 1 degree
+  const double shortest = root_half_ / 65536;
+  // A direction g climbs from a wall by n.g for the unit normal n: the shortest g with n.g >= 1 for all walls is the
+  // steepest.
+  std::array<HalfSpace, 4> walls;
+  std::size_t count = 0;
+  HalfSpace wall{(x - hit.point).normalized(), 1};
+  Eigen::Vector3d direction = wall.normal;
+  double slope = 1;
+  walls[count++] = wall;
+  while (length > shortest) {
+    const Eigen::Vector3d next = x + length * direction;
+    const SurfaceHit there = *tree_.closest(next, std::numeric_limits<double>::infinity(), hit.triangle);
+    if (there.distance > hit.distance + slope * length / 16) {
+      x = next;
+      hit = there;
+      return true;
+    }
+    wall.normal = (next - there.point).normalized();
+    const bool was_climbed_from = wall.normal.dot(direction) > slope / 2;  // but it is curved, or another part of it is
+    if (!was_climbed_from && count < walls.size()) {
+      walls[count++] = wall;
+      const auto steepest = closest_point_in(std::span(walls).first(count), Eigen::Vector3d::Zero());
+      if (steepest && steepest->norm() * least_slope < 1) {
+        slope = 1 / steepest->norm();
+        direction = slope * *steepest;
+        continue;
+      }
+    }
+    // What is met so far away says little of the surroundings of x.
+    length /= 2;
+    count = 1;
+    direction = walls[0].normal;
+    slope = 1;
+  }
+  return false;
 }
 
 std::optional<bool> OffsetExterior::is_outside_by_crossings(const Eigen::Vector3d& x) const {

@@ -90,13 +90,19 @@ class OffsetExterior {
   void find_unsettled(const ExteriorCell& cell, double smallest, std::vector<ExteriorCell>& found) const;
   /// Divides cubes larger than r/2 once more where free space outside of a closed surface seems to lead nowhere.
   void look_for_passages(ExteriorFlood& flood);
-  /// Divides unsettled leaves further; what remains unsettled then is taken for enclosed.
+  /// Divides unsettled leaves further, and settles what remains by climbing.
   void settle_pockets(double smallest, ExteriorFlood& flood);
+  /// Takes unsettled leaves for enclosed from whose centre no climb leads to the exterior. From the others it does, and
+  /// contains() climbs from the point in question.
+  void settle_by_climb();
   bool mark_exterior(std::int32_t node);
   /// What the centre of the leaf around x belongs to, where the ball of free space around x holds it.
   [[nodiscard]] std::optional<bool> label_seen_from(const Eigen::Vector3d& x, double clearance) const;
   /// Climbs away from the surface, through free space only, until the ball of free space around x settles it.
   [[nodiscard]] std::optional<bool> decide_by_climb(Eigen::Vector3d x) const;
+  /// Moves x away from the surface, by the length or, where that would come nearer to another part of it, by less,
+  /// along the ridge or the edge between up to four parts. False where there is no way up.
+  bool step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length) const;
 
   const SurfaceTree& tree_;
   double r_;
