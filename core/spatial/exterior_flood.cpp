@@ -12,6 +12,10 @@ namespace shapegauge {
 
 namespace {
 
+/// Up to this edge of a cube, in parts of r, the free points in it and the centres of the cubes around it are less than
+/// 2r apart, so that no wall is between them.
+constexpr double reliable_edge = 0.76;
+
 bool is_open(const ExteriorNode& node) {
   return node.kind == CellKind::free || (node.kind == CellKind::mixed && node.clearance > 0);
 }
@@ -26,26 +30,31 @@ bool segment_is_free(const OffsetExterior& exterior, const Eigen::Vector3d& a, c
   return segment_is_free(exterior, a, middle, depth - 1) && segment_is_free(exterior, middle, b, depth - 1);
 }
 
-/// The straight way between two leaves that is to be proven free.
+/// The straight way between two leaves of which one at least is mixed.
 struct Way {
   FacePair pair;
   Eigen::Vector3d start, end;
   double start_clearance, end_clearance;  ///< radii of balls of free space about both
 };
 
-/// From the smaller cube's centre to that of the larger, or only to the face that they share where the larger is free:
-/// within that the way is free.
+/// From the centre of a mixed leaf to that of the other, or only to the nearest point of one that is free all over.
 Way way_between(const LeafGraph& graph, const std::vector<ExteriorNode>& nodes, const FacePair& pair) {
-  const bool low_is_smaller = graph.half(pair.low) <= graph.half(pair.high);
-  const std::int32_t smaller = low_is_smaller ? pair.low : pair.high;
-  const std::int32_t larger = low_is_smaller ? pair.high : pair.low;
-  Eigen::Vector3d end = graph.centre(smaller);
-  const ExteriorNode& larger_node = nodes[static_cast<std::size_t>(larger)];
-  const bool free = larger_node.kind == CellKind::free;
-  end[pair.axis] += (low_is_smaller ? 1 : -1) * (free ? 1 : 2) * graph.half(smaller);
-  const bool ends_in_centre = !free && graph.half(larger) == graph.half(smaller);
-  return {pair, graph.centre(smaller), end, static_cast<double>(nodes[static_cast<std::size_t>(smaller)].clearance),
-          ends_in_centre ? static_cast<double>(larger_node.clearance) : 0};
+  const bool from_low = nodes[static_cast<std::size_t>(pair.low)].kind != CellKind::free;
+  const std::int32_t from = from_low ? pair.low : pair.high;
+  const std::int32_t to = from_low ? pair.high : pair.low;
+  const ExteriorNode& other = nodes[static_cast<std::size_t>(to)];
+  const bool is_free = other.kind == CellKind::free;
+  const Eigen::Vector3d start = graph.centre(from);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(is_free ? graph.half(to) : 0);
+  const Eigen::Vector3d end = start.cwiseMax(graph.centre(to) - reach).cwiseMin(graph.centre(to) + reach);
+  return {pair, start, end, static_cast<double>(nodes[static_cast<std::size_t>(from)].clearance),
+          is_free ? 0 : static_cast<double>(other.clearance)};
+}
+
+/// Whether the balls about both ends meet: costs nothing.
+bool is_free_at_once(const Way& way) {
+  const double clearance = way.start_clearance + way.end_clearance;
+  return clearance * clearance >= (way.end - way.start).squaredNorm();
 }
 
 /// Joins the leaves of those ways that are proven free. Takes a few neighbouring ones, whose middles are looked at
@@ -148,19 +157,18 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
     const ExteriorNode& low = nodes[static_cast<std::size_t>(pair.low)];
     const ExteriorNode& high = nodes[static_cast<std::size_t>(pair.high)];
     if (!is_open(low) || !is_open(high)) return;
-    const double way = (low.kind == CellKind::free ? 0 : graph.half(pair.low)) +
-                       (high.kind == CellKind::free ? 0 : graph.half(pair.high));
-    const double clearance = (low.kind == CellKind::free ? 0 : static_cast<double>(low.clearance)) +
-                             (high.kind == CellKind::free ? 0 : static_cast<double>(high.clearance));
-    if (clearance >= way) {
+    const bool are_free = low.kind == CellKind::free && high.kind == CellKind::free;
+    if (are_free || is_free_at_once(way_between(graph, nodes, pair))) {
       parts.join(pair.low, pair.high);
     } else {
       uncertain.push_back(pair);
     }
   };
   for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
-  // Only a closed surface has another way to decide what becomes of a pocket.
-  if (exterior.is_closed()) uncertain = with_dead_ends_joined(nodes, uncertain, parts);
+  // Only a closed surface has another way to decide what becomes of a pocket. Neighbouring centres are less than 2r
+  // apart.
+  if (exterior.is_closed() && exterior.resolution() <= exterior.r())
+    uncertain = with_dead_ends_joined(nodes, uncertain, parts);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
@@ -235,6 +243,14 @@ void spread_to_mixed(const LeafGraph& graph, double resolution, std::vector<Exte
       spread(pair.low, pair.high);
       spread(pair.high, pair.low);
     }
+  }
+}
+
+/// Where small leaves are larger than that, what surrounds them may lie beyond a wall: points in them have to climb.
+void doubt_large_leaves(const LeafGraph& graph, double largest, std::vector<ExteriorNode>& nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const bool is_large = 2 * graph.half(static_cast<std::int32_t>(i)) > largest;
+    if (nodes[i].kind == CellKind::mixed && is_large) nodes[i].space = FreeSpace::both;
   }
 }
 
@@ -333,6 +349,7 @@ void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNo
     leads_nowhere_[i] = leads_nowhere_[part];
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
+  if (exterior.is_closed()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
   settle_by_crossings(exterior, graph_, nodes, leads_nowhere_);
   if (!exterior.is_closed()) enclose_dead_ends(graph_, nodes);
 }

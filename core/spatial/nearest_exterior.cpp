@@ -267,6 +267,7 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
     if ((*x - p_).norm() >= limit()) return show_bounds(index, *x);
     const ExteriorNode& node = exterior_.nodes()[static_cast<std::size_t>(cube.cell.node)];
     if (node.kind == CellKind::divided) return divide(index);
+    if (is_inside(cube)) return frontier_.remove(index);
     const std::int32_t hint = cube.bounds > 0 ? cube.triangles[cube.bounds - 1] : -1;
     const SurfaceHit hit = closest(*x, hint);
     const bool divisible = 2 * cube.cell.half > smallest_cube * r_;
@@ -280,6 +281,15 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
     if (hit.distance > r_ * (1 - search_tolerance / 2) && push_out(*x, hit)) return;
     return divisible ? divide(index) : frontier_.remove(index);
   }
+}
+
+/// Whether all free points of a cube are on the inner side of a closed surface: its centre is within r of them, so no
+/// surface passes between. Asked once, and only where the octree does not say.
+bool NearestExteriorSearch::is_inside(Cube& cube) const {
+  const ExteriorNode& node = exterior_.nodes()[static_cast<std::size_t>(cube.cell.node)];
+  if (cube.is_outside || node.space != FreeSpace::both || root_of_three * cube.cell.half >= r_) return false;
+  cube.is_outside = true;
+  return exterior_.is_outside_by_crossings(cube.cell.centre) == false;
 }
 
 /// Adds the triangle's half-space where it cuts off the point by enough to be worth it.
@@ -337,7 +347,10 @@ void NearestExteriorSearch::divide(std::int32_t index) {
   for (int i = 0; i < 8; ++i) {
     const bool in_octree = node.kind == CellKind::divided;
     const std::int32_t child_index = in_octree ? node.first_child + i : cube.cell.node;
-    Cube child{.cell = OffsetExterior::octant(cube.cell, i, child_index), .half_spaces = {}, .triangles = {}};
+    Cube child{.cell = OffsetExterior::octant(cube.cell, i, child_index),
+               .is_outside = cube.is_outside,
+               .half_spaces = {},
+               .triangles = {}};
     const ExteriorNode& child_node = exterior_.nodes()[static_cast<std::size_t>(child.cell.node)];
     if (!child_node.may_hold_exterior) continue;
     if (in_octree && child_node.kind != CellKind::divided && child_node.triangle >= 0) {

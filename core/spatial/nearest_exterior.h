@@ -47,6 +47,7 @@ class NearestExteriorSearch {
   struct Cube {
     ExteriorCell cell;        ///< its node is that of the octree's leaf for a part of one
     bool is_covered = false;  ///< one triangle's ball of radius r holds all of it
+    bool is_outside = false;  ///< its free points are known not to be inside of a closed surface, as far as can be
     std::size_t bounds = 0;
     std::array<HalfSpace, most_bounds> half_spaces;
     std::array<std::int32_t, most_bounds> triangles;  ///< that the half-spaces are from
@@ -73,6 +74,7 @@ class NearestExteriorSearch {
   void look_into(std::int32_t index);
   [[nodiscard]] std::optional<Eigen::Vector3d> nearest_in(const Cube& cube) const;
   bool add_bound(Cube& cube, std::int32_t triangle) const;
+  [[nodiscard]] bool is_inside(Cube& cube) const;
   bool cuts_off(Cube& cube, std::int32_t triangle, const Eigen::Vector3d& x) const;
   void divide(std::int32_t index);
   bool push_out(const Eigen::Vector3d& x, const SurfaceHit& hit);

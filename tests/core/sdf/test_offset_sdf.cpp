@@ -17,7 +17,7 @@ OffsetSdfResult at_faces(const Shape& shape, double offset) {
 }
 
 /// Offsets of the paper, and one above and one below them.
-const std::vector<double> offsets = {0.003, 0.01, 0.03, 0.05, 0.12};
+const std::vector<double> offsets = {0.001, 0.003, 0.01, 0.03, 0.05, 0.12};
 
 TEST(OffsetSdf, OfASphereIsItsDiameter) {
   const Shape sphere = test_shapes::sphere(1, 4);
@@ -63,7 +63,7 @@ TEST(OffsetSdf, OfASlabIsItsThicknessAwayFromTheRim) {
 TEST(OffsetSdf, OfATorusOnTheOuterEquatorIsTheTubesDiameter) {
   const Shape torus = test_shapes::torus(2, 0.4, 120, 60);
   const Samples samples = sample_shape(torus, SampleSite::faces);
-  for (const double offset : {0.01, 0.03, 0.05, 0.2}) {  // the hole of radius 1.6 stays open: r <= 1.13
+  for (const double offset : {0.001, 0.01, 0.03, 0.05, 0.2}) {  // the hole of radius 1.6 stays open: r <= 1.13
     const OffsetSdfResult result = offset_sdf(torus, samples, {.offset = offset});
     for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
       const Eigen::Vector3d p = samples.points.row(i);

@@ -92,7 +92,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   std::vector<Shape> parts;
   const int count = *rc::gen::inRange(1, 4);
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
-  const double offset = *rc::gen::inRange(10, 60) / 1000.0;
+  const double offset = *rc::gen::inRange(6, 60) / 1000.0;
   const Shape joined = test_shapes::joined(parts);
   RC_ASSERT(is_closed_and_oriented(joined));
   const Shape shape = in_unit_frame(joined, unit_frame(joined));

@@ -2,6 +2,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "tests/core/spatial/random_triangle.h"
 #include "tests/core/test_shapes.h"
@@ -30,6 +31,23 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
     // Where the flood alone cannot tell, it says so; a centre of a cell is never more than a cell's diagonal away.
     if (found) RC_ASSERT(*found == (distance_to_ring(x, ring) > tube));
     if (!found) RC_ASSERT(tree.closest(x)->distance < r + std::max(r / 2, 1.0 / 256) * std::sqrt(3.0));
+  }
+}
+
+TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
+  const Shape torus = test_shapes::torus(0.35, 0.12, 64, 32);
+  const Samples samples = sample_shape(torus, SampleSite::faces);
+  const SurfaceTree tree(torus);
+  for (const double r : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0055}) {
+    const OffsetExterior exterior(tree, bounding_box(torus), r, true);
+    int wrong = 0;
+    for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+      for (const double height : {-1.5, 1.5}) {
+        const Eigen::Vector3d x = samples.points.row(i) + height * r * samples.normals.row(i);
+        wrong += exterior.contains(x) == (height > 0) ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(wrong, 0) << r;
   }
 }
 
