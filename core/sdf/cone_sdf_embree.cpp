@@ -16,6 +16,7 @@
 
 #include "shapegauge/core/sdf/mean_without_outliers.h"
 #include "shapegauge/core/spatial/ray_caster.h"
+#include "shapegauge/core/spatial/space_filling_curve.h"
 
 namespace shapegauge {
 
@@ -26,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Unit directions of the rays about the axis (0, 0, 1): through the points of a Vogel spiral on the cone's base disk,
-/// with radius i/N where sqrt(i/N) would be uniform, so that they are denser near the axis.
+/// with radius i/N where sqrt(i/N) would be uniform, so that they are denser near the axis. The first is the axis.
 std::vector<Eigen::Vector3d> cone_directions(const ConeSdfOptions& options) {
   const double half_angle = options.opening_angle_degrees / 360 * std::numbers::pi;
   const double golden_angle = (3 - std::sqrt(5.0)) * std::numbers::pi;
@@ -118,25 +119,22 @@ class StartTriangles {
   std::vector<std::int32_t> triangles_;  // of all groups
 };
 
-/// What a ray that seems to have slipped between two triangles would have hit, were it not for the rounding: the caster
-/// finds it on a ray a few units of single precision aside, and again on one aside at a right angle, should the first be
-/// aside along the very edge.
-RayHit hit_before(const RayHit& beyond, const RayCaster& caster, const Eigen::Vector3d& point,
-                  const Eigen::Vector3d& direction, std::span<const std::int32_t> start) {
-  constexpr double aside = 1e-6;
-  const Eigen::Vector3d side = direction.unitOrthogonal();
-  for (const Eigen::Vector3d& shift : {side, direction.cross(side).eval()}) {
-    const RayHit hit = caster.first_hit(point, (direction + aside * shift).normalized(), start);
-    if (hit && hit.leaving && (!beyond || hit.distance < beyond.distance)) return hit;
-  }
-  return {};
-}
+/// A ray that leaves through a face turned inwards says nothing of the inside.
+bool leaves(const RayHit& hit) { return hit && hit.leaving; }
 
-/// The cones of a shape. Keeps room for the rays of one sample: every thread has its own.
+struct RayCasters {
+  explicit RayCasters(const Shape& shape)
+      : quick(shape, RaysAtEdges::may_slip), without_gaps(shape, RaysAtEdges::hit) {}
+
+  RayCaster quick;
+  RayCaster without_gaps;
+};
+
+/// The cones of a shape, one at a time: it keeps room for the rays of one, so that every thread needs its own.
 class Cones {
  public:
-  Cones(const RayCaster& caster, std::span<const Eigen::Vector3d> directions)
-      : caster_(caster),
+  Cones(const RayCasters& casters, std::span<const Eigen::Vector3d> directions)
+      : casters_(casters),
         about_z_(directions),
         directions_(directions.size()),
         hits_(directions.size()),
@@ -146,30 +144,34 @@ class Cones {
     const Eigen::Matrix3d frame = frame_about(inward);
     std::ranges::transform(about_z_, directions_.begin(),
                            [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d { return frame * direction; });
-    caster_.first_hits(point, directions_, start, hits_);
-    cast_slipped_again(point, start);
+    cast(point, start);
     std::size_t count = 0;
     for (const RayHit& hit : hits_) {
-      // A ray that leaves through a face turned inwards says nothing of the inside.
-      if (hit && hit.leaving) distances_[count++] = hit.distance;
+      if (leaves(hit)) distances_[count++] = hit.distance;
     }
     if (count == 0) return std::numeric_limits<double>::quiet_NaN();
     return mean_without_outliers(std::span(distances_).first(count));
   }
 
  private:
-  /// From inside, a ray that slips out between two triangles shows: it hits nothing, or enters. As slipping is rare,
-  /// where more than a tenth of the rays do so the surface is open there or turned, and they are left as they are.
-  void cast_slipped_again(const Eigen::Vector3d& point, std::span<const std::int32_t> start) {
-    const auto suspicious = [](const RayHit& hit) { return !hit || !hit.leaving; };
-    const auto count = static_cast<std::size_t>(std::ranges::count_if(hits_, suspicious));
-    if (count > (hits_.size() + 9) / 10) return;
-    for (std::size_t i = 0; i < hits_.size(); ++i) {
-      if (suspicious(hits_[i])) hits_[i] = hit_before(hits_[i], caster_, point, directions_[i], start);
+  /// Where the surface is closed and oriented, a ray that slips between two triangles shows: it does not leave. Such
+  /// rays are cast again, without gaps. The ray along the axis is at once: symmetric shapes send it exactly through
+  /// vertices and edges, and having slipped through two it would leave again.
+  void cast(const Eigen::Vector3d& point, std::span<const std::int32_t> start) {
+    const std::span<const Eigen::Vector3d> directions(directions_);
+    const std::span<RayHit> hits(hits_);
+    casters_.without_gaps.first_hits(point, directions.first(1), start, hits.first(1));
+    casters_.quick.first_hits(point, directions.subspan(1), start, hits.subspan(1));
+    // Slipping is rare: where more rays than a few do not leave, the surface is open there or turned.
+    const std::size_t few = (hits.size() + 9) / 10;
+    const auto leaving = static_cast<std::size_t>(std::ranges::count_if(hits, leaves));
+    if (hits.size() - leaving > few) return;
+    for (std::size_t i = 1; i < hits.size(); ++i) {
+      if (!leaves(hits[i])) hits[i] = casters_.without_gaps.first_hit(point, directions[i], start);
     }
   }
 
-  const RayCaster& caster_;
+  const RayCasters& casters_;
   std::span<const Eigen::Vector3d> about_z_;
   std::vector<Eigen::Vector3d> directions_;
   std::vector<RayHit> hits_;
@@ -181,19 +183,23 @@ class Cones {
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;
   const Clock::time_point build_start = Clock::now();
-  const RayCaster caster(shape, RaysAtEdges::may_slip);
+  const RayCasters casters(shape);
   const StartTriangles start_triangles(shape, samples);
+  // Where a sample's rays go, its neighbour's went before: what they need of the tree is in the processor's cache.
+  const std::vector<std::int32_t> order = order_along_curve(samples.points);
   const std::vector<Eigen::Vector3d> directions = cone_directions(options);
   result.build_seconds = seconds_since(build_start);
 
   const Clock::time_point query_start = Clock::now();
   result.values.resize(samples.points.rows());
   const auto answer = [&](const tbb::blocked_range<Eigen::Index>& range) {
-    Cones cones(caster, directions);
-    for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
+    Cones cones(casters, directions);
+    for (Eigen::Index k = range.begin(); k < range.end(); ++k) {
+      const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Eigen::Vector3d inward = -samples.normals.row(i).transpose();
-      result.values[i] = inward.isZero(0) ? std::numeric_limits<double>::quiet_NaN()
-                                          : cones.sdf_at(samples.points.row(i).transpose(), inward, start_triangles.of(i));
+      result.values[i] = inward.isZero(0)
+                             ? std::numeric_limits<double>::quiet_NaN()
+                             : cones.sdf_at(samples.points.row(i).transpose(), inward, start_triangles.of(i));
     }
   };
   const tbb::blocked_range<Eigen::Index> all(0, samples.points.rows(), 256);

@@ -11,8 +11,8 @@ namespace shapegauge {
 namespace {
 
 /// Batcher's odd-even merge sort (Knuth, The Art of Computer Programming, vol. 3, 5.2.2, algorithm M). Which values it
-/// compares does not depend on them, so that it has no branches to mispredict: of 25 values it sorts three times as fast
-/// as std::sort.
+/// compares does not depend on them, so that it has no branches to mispredict: of 25 values it sorts three times as
+/// fast as std::sort.
 void sort_by_merge_exchange(std::span<double> values) {
   const std::size_t half = std::bit_ceil(values.size()) / 2;
   for (std::size_t p = half; p > 0; p /= 2) {
