@@ -122,6 +122,7 @@ class StartTriangles {
 /// A ray that leaves through a face turned inwards says nothing of the inside.
 bool leaves(const RayHit& hit) { return hit && hit.leaving; }
 
+/// Of the same shape, for most rays and for those that must not slip.
 struct RayCasters {
   explicit RayCasters(const Shape& shape)
       : quick(shape, RaysAtEdges::may_slip), without_gaps(shape, RaysAtEdges::hit) {}

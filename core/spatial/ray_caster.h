@@ -18,10 +18,10 @@ struct RayHit {
   explicit operator bool() const { return triangle >= 0; }
 };
 
-/// What becomes of a ray that passes through an edge or a vertex.
+/// What becomes of a ray that passes through an edge or a vertex, to single precision.
 enum class RaysAtEdges {
   hit,      ///< it hits one of the triangles there
-  may_slip  ///< it may slip between them, as about one ray in a million does; rays take a sixth less time
+  may_slip  ///< it may slip between them, as about one ray in a million does; all rays take a sixth less time
 };
 
 /// Rays against the triangles of a shape.
