@@ -10,7 +10,7 @@ namespace shapegauge {
 
 /// To be raised with every change of cone_sdf() that changes a value: what a cache holds of earlier versions is then
 /// computed anew.
-inline constexpr int cone_sdf_version = 1;
+inline constexpr int cone_sdf_version = 2;
 
 /// Who casts the rays: CGAL's own `sdf_values` (the reference) or the same definition on Embree.
 enum class ConeSdfEngine { embree, cgal };
@@ -41,9 +41,9 @@ struct ConeSdfResult {
 /// faces turned inwards, for example.
 ///
 /// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
-/// then says where, not what. The same input gives the same bytes on any number of threads. Throws InputError for
-/// options out of range, a shape without triangles or otherwise unusable (validity.h), samples that are not the
-/// shape's, and a mesh that the cgal engine cannot use.
+/// then says where, not what. With embree, what is closer to the sample than 2^-22 diagonals touches it. The same input
+/// gives the same bytes on any number of threads. Throws InputError for options out of range, a shape without triangles
+/// or otherwise unusable (validity.h), samples that are not the shape's, and a mesh that the cgal engine cannot use.
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

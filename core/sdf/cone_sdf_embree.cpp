@@ -14,7 +14,9 @@
 #include <tbb/parallel_for.h>
 #include <vector>
 
+#include "shapegauge/core/sdf/mean_without_outliers.h"
 #include "shapegauge/core/spatial/ray_caster.h"
+#include "shapegauge/core/spatial/space_filling_curve.h"
 
 namespace shapegauge {
 
@@ -25,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Unit directions of the rays about the axis (0, 0, 1): through the points of a Vogel spiral on the cone's base disk,
-/// with radius i/N where sqrt(i/N) would be uniform, so that they are denser near the axis.
+/// with radius i/N where sqrt(i/N) would be uniform, so that they are denser near the axis. The first is the axis.
 std::vector<Eigen::Vector3d> cone_directions(const ConeSdfOptions& options) {
   const double half_angle = options.opening_angle_degrees / 360 * std::numbers::pi;
   const double golden_angle = (3 - std::sqrt(5.0)) * std::numbers::pi;
@@ -59,30 +61,6 @@ Eigen::Matrix3d frame_about(const Eigen::Vector3d& axis) {
   Eigen::Matrix3d frame;
   frame << first, axis.cross(first), axis;
   return frame;
-}
-
-/// Reorders the values. The mean of the two in the middle where their number is even.
-double median(std::span<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
-/// Mean of the distances within 1.5 median absolute deviations of their median. Reorders them; `scratch` is as long.
-double mean_without_outliers(std::span<double> distances, std::span<double> scratch) {
-  constexpr double accepted_deviations = 1.5;
-  const double centre = median(distances);
-  std::ranges::transform(distances, scratch.begin(), [&](double d) { return std::abs(d - centre); });
-  const double limit = accepted_deviations * median(scratch);
-  double sum = 0;
-  int count = 0;
-  for (const double distance : distances) {
-    if (std::abs(distance - centre) > limit) continue;
-    sum += distance;
-    ++count;
-  }
-  return count > 0 ? sum / count : centre;
 }
 
 /// For every sample the triangles that its rays start on: its own, or those with a corner where the vertex is.
@@ -141,44 +119,88 @@ class StartTriangles {
   std::vector<std::int32_t> triangles_;  // of all groups
 };
 
-/// Room for the rays of one sample, reused by a thread from sample to sample.
-struct Scratch {
-  std::vector<double> distances;
-  std::vector<double> deviations;
+/// A ray that leaves through a face turned inwards says nothing of the inside.
+bool leaves(const RayHit& hit) { return hit && hit.leaving; }
+
+/// Of the same shape, for most rays and for those that must not slip.
+struct RayCasters {
+  explicit RayCasters(const Shape& shape)
+      : quick(shape, RaysAtEdges::may_slip), without_gaps(shape, RaysAtEdges::hit) {}
+
+  RayCaster quick;
+  RayCaster without_gaps;
 };
 
-double cone_sdf_at(const RayCaster& caster, const Eigen::Vector3d& point, const Eigen::Vector3d& inward,
-                   std::span<const Eigen::Vector3d> directions, std::span<const std::int32_t> start, Scratch& scratch) {
-  const Eigen::Matrix3d frame = frame_about(inward);
-  std::size_t count = 0;
-  for (const Eigen::Vector3d& direction : directions) {
-    const RayHit hit = caster.first_hit(point, frame * direction, start);
-    // A ray that leaves through a face turned inwards says nothing of the inside.
-    if (hit && hit.leaving) scratch.distances[count++] = hit.distance;
+/// The cones of a shape, one at a time: it keeps room for the rays of one, so that every thread needs its own.
+class Cones {
+ public:
+  Cones(const RayCasters& casters, std::span<const Eigen::Vector3d> directions)
+      : casters_(casters),
+        about_z_(directions),
+        directions_(directions.size()),
+        hits_(directions.size()),
+        distances_(directions.size()) {}
+
+  double sdf_at(const Eigen::Vector3d& point, const Eigen::Vector3d& inward, std::span<const std::int32_t> start) {
+    const Eigen::Matrix3d frame = frame_about(inward);
+    std::ranges::transform(about_z_, directions_.begin(),
+                           [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d { return frame * direction; });
+    cast(point, start);
+    std::size_t count = 0;
+    for (const RayHit& hit : hits_) {
+      if (leaves(hit)) distances_[count++] = hit.distance;
+    }
+    if (count == 0) return std::numeric_limits<double>::quiet_NaN();
+    return mean_without_outliers(std::span(distances_).first(count));
   }
-  if (count == 0) return std::numeric_limits<double>::quiet_NaN();
-  return mean_without_outliers(std::span(scratch.distances).first(count), std::span(scratch.deviations).first(count));
-}
+
+ private:
+  /// Where the surface is closed and oriented, a ray that slips between two triangles shows: it does not leave. Such
+  /// rays are cast again, without gaps. The ray along the axis is at once: symmetric shapes send it exactly through
+  /// vertices and edges, and having slipped through two it would leave again.
+  void cast(const Eigen::Vector3d& point, std::span<const std::int32_t> start) {
+    const std::span<const Eigen::Vector3d> directions(directions_);
+    const std::span<RayHit> hits(hits_);
+    casters_.without_gaps.first_hits(point, directions.first(1), start, hits.first(1));
+    casters_.quick.first_hits(point, directions.subspan(1), start, hits.subspan(1));
+    // Slipping is rare: where more rays than a few do not leave, the surface is open there or turned.
+    const std::size_t few = (hits.size() + 9) / 10;
+    const auto leaving = static_cast<std::size_t>(std::ranges::count_if(hits, leaves));
+    if (hits.size() - leaving > few) return;
+    for (std::size_t i = 1; i < hits.size(); ++i) {
+      if (!leaves(hits[i])) hits[i] = casters_.without_gaps.first_hit(point, directions[i], start);
+    }
+  }
+
+  const RayCasters& casters_;
+  std::span<const Eigen::Vector3d> about_z_;
+  std::vector<Eigen::Vector3d> directions_;
+  std::vector<RayHit> hits_;
+  std::vector<double> distances_;
+};
 
 }  // namespace
 
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;
   const Clock::time_point build_start = Clock::now();
-  const RayCaster caster(shape, samples.points.rows() * options.rays);
+  const RayCasters casters(shape);
   const StartTriangles start_triangles(shape, samples);
+  // Where a sample's rays go, its neighbour's went before: what they need of the tree is in the processor's cache.
+  const std::vector<std::int32_t> order = order_along_curve(samples.points);
   const std::vector<Eigen::Vector3d> directions = cone_directions(options);
   result.build_seconds = seconds_since(build_start);
 
   const Clock::time_point query_start = Clock::now();
   result.values.resize(samples.points.rows());
   const auto answer = [&](const tbb::blocked_range<Eigen::Index>& range) {
-    Scratch scratch{std::vector<double>(directions.size()), std::vector<double>(directions.size())};
-    for (Eigen::Index i = range.begin(); i < range.end(); ++i) {
+    Cones cones(casters, directions);
+    for (Eigen::Index k = range.begin(); k < range.end(); ++k) {
+      const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Eigen::Vector3d inward = -samples.normals.row(i).transpose();
-      result.values[i] = inward.isZero(0) ? std::numeric_limits<double>::quiet_NaN()
-                                          : cone_sdf_at(caster, samples.points.row(i).transpose(), inward, directions,
-                                                        start_triangles.of(i), scratch);
+      result.values[i] = inward.isZero(0)
+                             ? std::numeric_limits<double>::quiet_NaN()
+                             : cones.sdf_at(samples.points.row(i).transpose(), inward, start_triangles.of(i));
     }
   };
   const tbb::blocked_range<Eigen::Index> all(0, samples.points.rows(), 256);

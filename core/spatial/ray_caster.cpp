@@ -20,8 +20,9 @@ namespace {
 /// ray grazes the triangle's plane, and the plane says nothing of where in the triangle the hit is.
 constexpr double grazing_difference = 1e-5;
 
-/// Embree's better tree takes half as long again to build, and rays a tenth less: so many a triangle pay for it.
-constexpr Eigen::Index rays_for_better_tree = 6;
+/// Closer than this to the origin, in diagonals, a triangle is not hit: it may be one that the origin lies on, seen
+/// from the wrong side for the rounding of both.
+constexpr float nearest_hit = 0x1p-22F;
 
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -75,6 +76,14 @@ struct RayCaster::Scene {
   UnitFrame frame;
 
   void add_triangles(const Shape& shape);
+
+  /// What Embree says of rays from one origin, in the scene's coordinates: triangles, and distances in single
+  /// precision.
+  void cast(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
+            std::span<const std::int32_t> skipped, std::span<RayHit> hits) const;
+
+  /// Completes such a hit by the plane of its triangle, and brings it back into the shape's units.
+  void complete(RayHit& hit, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
 };
 
 void RayCaster::Scene::add_triangles(const Shape& shape) {
@@ -108,12 +117,46 @@ void RayCaster::Scene::add_triangles(const Shape& shape) {
   rtcReleaseGeometry(geometry);
 }
 
-RayCaster::RayCaster(const Shape& shape, Eigen::Index rays) : scene_(std::make_unique<Scene>()) {
+void RayCaster::Scene::cast(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
+                            std::span<const std::int32_t> skipped, std::span<RayHit> hits) const {
+  Context context;
+  rtcInitIntersectContext(&context.embree);
+  context.skipped = skipped;
+  RTCRayHit query = {};
+  query.ray.org_x = static_cast<float>(from.x());
+  query.ray.org_y = static_cast<float>(from.y());
+  query.ray.org_z = static_cast<float>(from.z());
+  query.ray.tnear = nearest_hit;
+  query.ray.mask = ~0U;  // Embree may be built with ray masks, and then zero hits nothing
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    query.ray.dir_x = static_cast<float>(directions[i].x());
+    query.ray.dir_y = static_cast<float>(directions[i].y());
+    query.ray.dir_z = static_cast<float>(directions[i].z());
+    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    context.best_distance = std::numeric_limits<float>::infinity();
+    rtcIntersect1(scene.get(), &context.embree, &query);
+    const bool hit = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+    hits[i] = {.triangle = hit ? static_cast<std::int32_t>(query.hit.primID) : -1,
+               .distance = hit ? query.ray.tfar : 0,
+               .leaving = false};
+  }
+}
+
+void RayCaster::Scene::complete(RayHit& hit, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const {
+  const Plane& plane = planes[static_cast<std::size_t>(hit.triangle)];
+  const double slope = plane.normal.dot(direction);
+  const double distance = (plane.offset - plane.normal.dot(from)) / slope;
+  const bool plane_tells = std::abs(distance - hit.distance) <= grazing_difference;
+  hit.distance = std::max(0.0, plane_tells ? distance : hit.distance) * frame.diagonal;
+  hit.leaving = slope > 0;
+}
+
+RayCaster::RayCaster(const Shape& shape, RaysAtEdges at_edges) : scene_(std::make_unique<Scene>()) {
   scene_->frame = unit_frame(shape);
-  rtcSetSceneFlags(scene_->scene.get(), RTC_SCENE_FLAG_ROBUST);  // no gaps between triangles that share an edge
+  const bool robust = at_edges == RaysAtEdges::hit;
+  rtcSetSceneFlags(scene_->scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
-  const bool many_rays = rays > rays_for_better_tree * shape.triangles.rows();
-  rtcSetSceneBuildQuality(scene_->scene.get(), many_rays ? RTC_BUILD_QUALITY_HIGH : RTC_BUILD_QUALITY_MEDIUM);
   rtcCommitScene(scene_->scene.get());
 }
 
@@ -123,31 +166,19 @@ RayCaster& RayCaster::operator=(RayCaster&&) noexcept = default;
 
 RayHit RayCaster::first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                             std::span<const std::int32_t> skipped) const {
-  Context context;
-  rtcInitIntersectContext(&context.embree);
-  context.skipped = skipped;
-  const Eigen::Vector3d from = scene_->frame.to_unit(origin);
-  RTCRayHit query = {};
-  query.ray.org_x = static_cast<float>(from.x());
-  query.ray.org_y = static_cast<float>(from.y());
-  query.ray.org_z = static_cast<float>(from.z());
-  query.ray.dir_x = static_cast<float>(direction.x());
-  query.ray.dir_y = static_cast<float>(direction.y());
-  query.ray.dir_z = static_cast<float>(direction.z());
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0U;  // Embree may be built with ray masks, and then zero hits nothing
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_->scene.get(), &context.embree, &query);
-  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+  RayHit hit;
+  first_hits(origin, std::span(&direction, 1), skipped, std::span(&hit, 1));
+  return hit;
+}
 
-  const Plane& plane = scene_->planes[query.hit.primID];
-  const double slope = plane.normal.dot(direction);
-  const double distance = (plane.offset - plane.normal.dot(from)) / slope;
-  const double distance_in_float = query.ray.tfar;
-  const bool plane_tells = std::abs(distance - distance_in_float) <= grazing_difference;
-  return {.triangle = static_cast<std::int32_t>(query.hit.primID),
-          .distance = std::max(0.0, plane_tells ? distance : distance_in_float) * scene_->frame.diagonal,
-          .leaving = slope > 0};
+void RayCaster::first_hits(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
+                           std::span<const std::int32_t> skipped, std::span<RayHit> hits) const {
+  const Eigen::Vector3d from = scene_->frame.to_unit(origin);
+  scene_->cast(from, directions, skipped, hits);
+  // In a loop of their own: the planes are all over the memory, and so are fetched at the same time.
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    if (hits[i]) scene_->complete(hits[i], from, directions[i]);
+  }
 }
 
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 #include <vector>
@@ -152,6 +153,18 @@ TEST_P(ConeSdfSites, SlabAwayFromItsRim) {
   EXPECT_GT(inner, 100);
 }
 
+TEST_P(ConeSdfSites, NoRayIsLostAtEdgesThatFaceEachOther) {
+  // The rays from the vertices of one side pass exactly through vertices and edges of the other.
+  const Shape slab = test_shapes::box({10, 10, 1}, 40);
+  const Samples samples = sample_shape(slab, GetParam());
+  const Eigen::VectorXd values = cone_sdf(slab, samples, {}).values;
+  const double expected = expected_value([](const ConeRay& ray) { return 1 / std::cos(ray.from_axis); }).mean;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (samples.points.row(i).head<2>().cwiseAbs().maxCoeff() > 4) continue;
+    EXPECT_NEAR(values[i], expected, 1e-12);
+  }
+}
+
 TEST_P(ConeSdfSites, CapsuleOnItsSide) {
   const double radius = 0.5;
   // In the cross-section a chord at an angle from the diameter; along the axis it is longer by the slope.
@@ -243,6 +256,44 @@ TEST(ConeSdf, HitsOnFacesTurnedInwardsDoNotCount) {
     const bool on_a_large_side = std::abs(samples.normals(f, 2)) > 0.5;
     EXPECT_EQ(std::isnan(result.values[f]), on_a_large_side) << f;
   }
+}
+
+/// A tetrahedron whose first face has its centroid in the origin, and an edge from that face's first vertex through the
+/// point.
+Shape tetrahedron_with_edge_through(const Eigen::RowVector3d& point, const std::function<double(double, double)>& any) {
+  Shape shape;
+  shape.vertices.resize(4, 3);
+  for (int k = 0; k < 2; ++k) {
+    const double turn = 2 * std::numbers::pi / 3 * (k + any(0, 0.5));
+    shape.vertices.row(k) << std::cos(turn), std::sin(turn), 0;
+  }
+  shape.vertices.row(2) = -shape.vertices.row(0) - shape.vertices.row(1);
+  shape.vertices.row(3) = shape.vertices.row(0) + any(1.1, 3) * (point - shape.vertices.row(0));
+  shape.triangles.resize(4, 3);
+  shape.triangles << 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3;
+  return shape;
+}
+
+TEST(ConeSdf, NoRayIsLostAtAnEdge) {
+  std::mt19937 random(1);
+  const auto any = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const ConeRay ray = cone_rays(60, 2)[1];
+  const double out = std::tan(ray.from_axis);
+  const Eigen::RowVector3d along_ray(out * std::cos(ray.about_axis), out * std::sin(ray.about_axis), 1);
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::RowVector3d point = any(0.5, 2) * along_ray;
+    const Shape shape = tetrahedron_with_edge_through(point, any);
+    const auto at_the_base = [&](int rays) { return cone_sdf_at(shape, SampleSite::faces, {.rays = rays}).values[0]; };
+    EXPECT_NEAR(at_the_base(2), (at_the_base(1) + point.norm()) / 2, 1e-4) << i;
+  }
+}
+
+TEST(ConeSdf, FacesListedTwiceDoNotEndEachOthersRays) {
+  const Shape torus = generic(test_shapes::torus(3, 1, 20, 40));
+  const Eigen::VectorXd once = cone_sdf_at(torus, SampleSite::faces).values;
+  const Eigen::VectorXd twice = cone_sdf_at(test_shapes::joined({torus, torus}), SampleSite::faces).values;
+  EXPECT_EQ(twice.head(once.size()), once);
+  EXPECT_EQ(twice.tail(once.size()), once);
 }
 
 TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {

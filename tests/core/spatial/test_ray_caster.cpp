@@ -6,6 +6,9 @@
 #include <limits>
 #include <random>
 #include <rapidcheck/gtest.h>
+#include <span>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 #include <vector>
 
 #include "shapegauge/core/spatial/ray_caster.h"
@@ -76,7 +79,7 @@ Expected brute_force(const Shape& shape, const Eigen::Vector3d& origin, const Ei
 RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) {
   std::mt19937 random(seed);
   const Shape soup = random_soup(random, 40);
-  const RayCaster caster(soup);
+  const RayCaster caster(soup, seed % 2 == 0 ? RaysAtEdges::hit : RaysAtEdges::may_slip);
   int compared = 0;
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d origin = random_point(random, 2);
@@ -120,6 +123,88 @@ TEST(RayCaster, NoRayEscapesThroughAnEdgeOrVertex) {
   }
 }
 
+/// Directions to corners, to middles of edges and to interiors of the shape's triangles.
+std::vector<Eigen::Vector3d> directions_to(const Shape& shape, const Eigen::Vector3d& origin) {
+  std::vector<Eigen::Vector3d> directions;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
+    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(f, 1));
+    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(f, 2));
+    for (const Eigen::Vector3d& target : {a, ((a + b) / 2).eval(), ((a + b + c) / 3).eval()}) {
+      directions.push_back((target - origin).normalized());
+    }
+  }
+  return directions;
+}
+
+/// Spheres within each other, the outer one listed twice, and a third time turned over.
+Shape nested_spheres(int subdivisions) {
+  const Shape outer = test_shapes::sphere(1, subdivisions);
+  const Shape shape = test_shapes::joined({outer, test_shapes::sphere(0.4, 2), test_shapes::flipped(outer), outer});
+  return test_shapes::transformed(shape, 3, test_shapes::rotation(5), {7, -2, 1});
+}
+
+std::vector<RayHit> hits_of(const Shape& shape, RaysAtEdges at_edges, const Eigen::Vector3d& origin,
+                            std::span<const Eigen::Vector3d> directions, std::span<const std::int32_t> skipped = {}) {
+  std::vector<RayHit> hits(directions.size());
+  RayCaster(shape, at_edges).first_hits(origin, directions, skipped, hits);
+  return hits;
+}
+
+TEST(RayCaster, ManyRaysHitWhatEachHits) {
+  const Shape shape = nested_spheres(2);
+  const Eigen::Vector3d origin(7.3, -1, -1);
+  std::vector<Eigen::Vector3d> directions = directions_to(shape, origin);
+  directions.emplace_back(directions.front());
+  const std::array<std::int32_t, 3> skipped = {12, 400, 3};
+  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
+    const RayCaster caster(shape, at_edges);
+    for (const std::size_t count : {std::size_t{2}, std::size_t{0}, skipped.size()}) {
+      const std::span<const std::int32_t> without = std::span(skipped).first(count);
+      const std::vector<RayHit> hits = hits_of(shape, at_edges, origin, directions, without);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        const RayHit hit = caster.first_hit(origin, directions[i], without);
+        EXPECT_EQ(hits[i].triangle, hit.triangle);
+        EXPECT_EQ(hits[i].distance, hit.distance);
+        EXPECT_EQ(hits[i].leaving, hit.leaving);
+        EXPECT_EQ(std::ranges::count(without, hits[i].triangle), 0);
+      }
+    }
+  }
+}
+
+TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
+  const Shape shape = nested_spheres(5);  // enough triangles for Embree to build with many threads
+  const Eigen::Vector3d origin(7.3, -1, -1);
+  const std::vector<Eigen::Vector3d> directions = directions_to(test_shapes::sphere(1, 4), {0.1, 0.2, 0.3});
+  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
+  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
+    tbb::task_arena alone(1);
+    const std::vector<RayHit> expected = alone.execute([&] { return hits_of(shape, at_edges, origin, directions); });
+    for (const int threads : {2, 8}) {
+      tbb::task_arena arena(threads);
+      const std::vector<RayHit> hits = arena.execute([&] { return hits_of(shape, at_edges, origin, directions); });
+      for (std::size_t i = 0; i < hits.size(); ++i) {
+        ASSERT_EQ(hits[i].triangle, expected[i].triangle);
+        ASSERT_EQ(hits[i].distance, expected[i].distance);
+      }
+    }
+  }
+}
+
+TEST(RayCaster, TrianglesThatTheOriginLiesOnAreNotHit) {
+  const Shape sphere = nested_spheres(3);
+  const Eigen::Vector3d centre(7, -2, 1);
+  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
+    const RayCaster caster(sphere, at_edges);
+    for (Eigen::Index f = 0; f < 1280; ++f) {
+      Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+      for (int k = 0; k < 3; ++k) origin += sphere.vertices.row(sphere.triangles(f, k)).transpose() / 3;
+      EXPECT_GT(caster.first_hit(origin, (centre - origin).normalized()).distance, 1.5) << f;
+    }
+  }
+}
+
 TEST(RayCaster, SizeAndPlaceDoNotMatter) {
   const Shape torus = test_shapes::torus(3, 1, 30, 60);
   const Eigen::Vector3d origin(3.2, 0.1, 0.2);
@@ -139,10 +224,12 @@ TEST(RayCaster, SizeAndPlaceDoNotMatter) {
 TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
   const Shape sheet = test_shapes::box({1, 1, 1}, 1);
   const Shape sheets = test_shapes::joined({sheet, sheet, test_shapes::flipped(sheet)});
-  const RayHit alone = RayCaster(sheet).first_hit({0.1, 0.2, 5}, {0, 0, -1});
-  const RayHit hit = RayCaster(sheets).first_hit({0.1, 0.2, 5}, {0, 0, -1});
-  EXPECT_EQ(hit.triangle, alone.triangle);
-  EXPECT_FALSE(hit.leaving);
+  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
+    const RayHit alone = RayCaster(sheet, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+    const RayHit hit = RayCaster(sheets, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+    EXPECT_EQ(hit.triangle, alone.triangle);
+    EXPECT_FALSE(hit.leaving);
+  }
 }
 
 TEST(RayCaster, SkipsAllThatAreNamed) {
@@ -167,6 +254,9 @@ TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
 
 TEST(RayCaster, NothingToHit) {
   EXPECT_FALSE(RayCaster(Shape{}).first_hit({0, 0, 0}, {0, 0, 1}));
+  const std::array<Eigen::Vector3d, 2> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
+  for (const RayHit& hit : hits_of(Shape{}, RaysAtEdges::may_slip, {0, 0, 0}, directions)) EXPECT_FALSE(hit);
+  EXPECT_TRUE(hits_of(test_shapes::sphere(1, 1), RaysAtEdges::hit, {0, 0, 0}, {}).empty());
   Shape point = test_shapes::box({0, 0, 0}, 1);
   EXPECT_FALSE(RayCaster(point).first_hit({1, 1, 1}, {0, 0, 1}));
   EXPECT_FALSE(RayCaster(test_shapes::sphere(1, 1)).first_hit({0, 0, 3}, {0, 0, 1}));

@@ -50,9 +50,9 @@ TEST(AlgorithmVersions, WithOtherValuesComesAnotherVersion) {
   const std::vector<Recorded> fields{
       {{{"type", "offset_sdf"}, {"offset", 0.05}}, {{"offset_sdf", 2}}, "3f71eb3e0bac2faa"},
       {{{"type", "offset_sdf"}, {"offset", "auto"}}, {{"offset_sdf", 2}, {"automatic_offset", 1}}, "9cb0af5e2ec0d591"},
-      {{{"type", "cone_sdf"}, {"at", "vertices"}}, {{"cone_sdf", 1}}, "3994f7ae6cc0f57b"},
-      {{{"type", "cone_sdf"}, {"engine", "cgal"}}, {{"cone_sdf", 1}}, "25dbfe15ab2dcd0c"},
-      {{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}}, {{"cone_sdf", 1}}, "ad40e7c67919d611"}};
+      {{{"type", "cone_sdf"}, {"at", "vertices"}}, {{"cone_sdf", 2}}, "e62d620270aa17ec"},
+      {{{"type", "cone_sdf"}, {"engine", "cgal"}}, {{"cone_sdf", 2}}, "25dbfe15ab2dcd0c"},
+      {{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}}, {{"cone_sdf", 2}}, "eeae307b8d5651c8"}};
   for (const Recorded& recorded : fields) {
     const Field field = make_field(recorded.settings);
     std::string hashes;
