@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -122,13 +123,17 @@ class StartTriangles {
 /// A ray that leaves through a face turned inwards says nothing of the inside.
 bool leaves(const RayHit& hit) { return hit && hit.leaving; }
 
+/// A second tree takes as long to build as its quicker rays save when there are so many for each triangle.
+constexpr Eigen::Index rays_that_pay = 5;
+
 /// Of the same shape, for most rays and for those that must not slip.
 struct RayCasters {
-  explicit RayCasters(const Shape& shape)
-      : quick(shape, RaysAtEdges::may_slip), without_gaps(shape, RaysAtEdges::hit) {}
+  RayCasters(const Shape& shape, Eigen::Index rays) : without_gaps(shape, RaysAtEdges::hit) {
+    if (rays > rays_that_pay * shape.triangles.rows()) quick.emplace(shape, RaysAtEdges::may_slip);
+  }
 
-  RayCaster quick;
   RayCaster without_gaps;
+  std::optional<RayCaster> quick;  ///< nothing where it would not pay
 };
 
 /// The cones of a shape, one at a time: it keeps room for the rays of one, so that every thread needs its own.
@@ -161,8 +166,9 @@ class Cones {
   void cast(const Eigen::Vector3d& point, std::span<const std::int32_t> start) {
     const std::span<const Eigen::Vector3d> directions(directions_);
     const std::span<RayHit> hits(hits_);
+    if (!casters_.quick) return casters_.without_gaps.first_hits(point, directions, start, hits);
     casters_.without_gaps.first_hits(point, directions.first(1), start, hits.first(1));
-    casters_.quick.first_hits(point, directions.subspan(1), start, hits.subspan(1));
+    casters_.quick->first_hits(point, directions.subspan(1), start, hits.subspan(1));
     // Slipping is rare: where more rays than a few do not leave, the surface is open there or turned.
     const std::size_t few = (hits.size() + 9) / 10;
     const auto leaving = static_cast<std::size_t>(std::ranges::count_if(hits, leaves));
@@ -184,7 +190,7 @@ class Cones {
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;
   const Clock::time_point build_start = Clock::now();
-  const RayCasters casters(shape);
+  const RayCasters casters(shape, samples.points.rows() * options.rays);
   const StartTriangles start_triangles(shape, samples);
   // Where a sample's rays go, its neighbour's went before: what they need of the tree is in the processor's cache.
   const std::vector<std::int32_t> order = order_along_curve(samples.points);

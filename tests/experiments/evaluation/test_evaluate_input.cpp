@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <string>
 
-#include "shapegauge/random/random_numbers.h"
 #include "shapegauge/experiments/evaluation/evaluate_input.h"
 #include "shapegauge/experiments/evaluation/matrix_remarks.h"
 #include "shapegauge/experiments/matrices/npy.h"
 #include "shapegauge/experiments/results/evaluation_json.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/random/random_numbers.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/text_files.h"
 
