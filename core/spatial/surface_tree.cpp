@@ -147,6 +147,8 @@ std::optional<RayCrossings> SurfaceTree::count_crossings(const Eigen::Vector3d& 
   return crossings;
 }
 
-Triangle SurfaceTree::triangle(std::int32_t index) const { return layout_->triangles[static_cast<std::size_t>(index)]; }
+const Triangle& SurfaceTree::triangle(std::int32_t index) const {
+  return layout_->triangles[static_cast<std::size_t>(index)];
+}
 
 }  // namespace shapegauge

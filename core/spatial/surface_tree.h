@@ -71,7 +71,7 @@ class SurfaceTree {
                                                             const Eigen::Vector3d& direction) const;
 
   /// The corners of a triangle, in the shape's numbering.
-  [[nodiscard]] Triangle triangle(std::int32_t index) const;
+  [[nodiscard]] const Triangle& triangle(std::int32_t index) const;
 
  private:
   struct Layout;
