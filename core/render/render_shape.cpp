@@ -103,8 +103,8 @@ Normals normals_of(const Shape& shape) {
 /// The shape with what its look needs.
 class Scene {
  public:
-  Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site)
-      : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)), caster_(shape) {}
+  Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, RaysAtEdges at_edges)
+      : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)), caster_(shape, at_edges) {}
 
   /// Red, green, blue and 255 of what the ray meets; zeros where it meets nothing.
   [[nodiscard]] Eigen::Array4d look(const Eigen::Vector3d& origin, const Camera& camera) const {
@@ -180,9 +180,10 @@ std::array<std::uint8_t, 4> pixel_of(const Eigen::Array4d& sum, int rays, bool t
   return bytes;
 }
 
-Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, const RenderOptions& options) {
+Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, RaysAtEdges at_edges,
+           const RenderOptions& options) {
   const Camera camera = camera_for(shape, options);
-  const Scene scene(shape, colours, site);
+  const Scene scene(shape, colours, site, at_edges);
   const int n = options.rays_per_side;
   Image image{.width = options.width, .height = options.height, .pixels = {}};
   image.pixels.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
@@ -215,8 +216,9 @@ Image render_shape(const Shape& shape, const std::vector<Colour>& colours, Sampl
                    const RenderOptions& options) {
   check(shape, colours, site);
   check(options);
-  if (is_cloud(shape)) return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, options);
-  return draw(shape, colours, site, options);
+  if (!is_cloud(shape)) return draw(shape, colours, site, RaysAtEdges::hit, options);
+  // Splats overlap: what slips between the triangles of one meets another.
+  return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, RaysAtEdges::may_slip, options);
 }
 
 }  // namespace shapegauge

@@ -56,7 +56,8 @@ Shape splats(const Shape& cloud) {
   Points points(n, 3);  // in coordinates near 1, whose squares neither vanish nor overflow
   for (Eigen::Index i = 0; i < n; ++i) points.row(i) = frame.to_unit(cloud.vertices.row(i).transpose()).transpose();
   const Eigen::VectorXd weights = point_weights(points);
-  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
+  const bool has_all_normals = cloud.normals.rows() > 0 && (cloud.normals.array() != 0).rowwise().any().all();
+  const PointNeighbours nearest = has_all_normals ? PointNeighbours() : nearest_neighbours(points, neighbours);
   Shape mesh;
   mesh.vertices.resize((triangles_per_splat + 2) * n, 3);
   mesh.triangles.resize(triangles_per_splat * n, 3);

@@ -256,9 +256,8 @@ void doubt_large_leaves(const LeafGraph& graph, double largest, std::vector<Exte
 
 /// Settles by a ray's crossings what the surroundings of a mixed leaf leave open. All free points in the leaf are on
 /// the side of its centre where that is within r of them: no surface passes between.
-/// Notes the leaves that are outside though nothing around them was reached.
-void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes,
-                         std::vector<bool>& leads_nowhere) {
+/// Points in leaves that are outside though nothing around them was reached have to climb.
+void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph, std::vector<ExteriorNode>& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     ExteriorNode& node = nodes[i];
     const bool open = node.space == FreeSpace::none || node.space == FreeSpace::both;
@@ -270,8 +269,7 @@ void settle_by_crossings(const OffsetExterior& exterior, const LeafGraph& graph,
     if (!*outside) {
       node.space = FreeSpace::enclosed;
     } else if (node.space == FreeSpace::none) {
-      node.space = FreeSpace::exterior;
-      leads_nowhere[i] = true;
+      node.space = FreeSpace::both;
     }
   }
 }
@@ -350,7 +348,7 @@ void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNo
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
   if (exterior.is_closed()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
-  settle_by_crossings(exterior, graph_, nodes, leads_nowhere_);
+  settle_by_crossings(exterior, graph_, nodes);
   if (!exterior.is_closed()) enclose_dead_ends(graph_, nodes);
 }
 

@@ -21,8 +21,8 @@ class ExteriorFlood {
   /// ones.
   void run(const OffsetExterior& exterior, std::vector<ExteriorNode>& nodes);
 
-  /// The mixed leaves of the smallest size in and around places that the crossings of a ray find outside of a closed
-  /// surface though the flood did not get there: smaller cubes might show a way, or that there is none.
+  /// The mixed leaves of the smallest size near free space that the crossings of a ray find outside of a closed surface
+  /// though the flood did not get there: smaller cubes might show a way, or that there is none.
   [[nodiscard]] std::vector<ExteriorCell> possible_passages(const OffsetExterior& exterior) const;
 
  private:

@@ -35,12 +35,11 @@ std::string model_picture(const Shape& shape, const Samples& samples, const Eige
   RenderOptions view{.width = options.width, .height = options.height};
   view.rays_per_side = 2;
   view.transparent = true;
-  view = principal_view(shape, view);
   if (samples.site == SampleSite::surface) {
     const Shape cloud{.vertices = samples.points, .triangles = {}, .normals = samples.normals};
-    return encode_small(render_shape(cloud, colours, SampleSite::vertices, view));
+    return encode_small(render_shape(cloud, colours, SampleSite::vertices, principal_view(cloud, view)));
   }
-  return encode_small(render_shape(shape, colours, samples.site, view));
+  return encode_small(render_shape(shape, colours, samples.site, principal_view(shape, view)));
 }
 
 }  // namespace shapegauge
