@@ -103,6 +103,12 @@ std::vector<std::string_view> shape_extensions() {
   return all;
 }
 
+std::vector<std::string_view> unambiguous_shape_extensions() {
+  std::vector<std::string_view> all;
+  for (const ShapeFormat& format : registry()) std::ranges::copy(format.extensions, std::back_inserter(all));
+  return all;
+}
+
 std::vector<std::string_view> written_shape_extensions() {
   std::vector<std::string_view> all;
   for (const ShapeFormat& format : registry()) {

@@ -64,6 +64,9 @@ void register_shape_format(const ShapeFormat& format);
 /// The extensions of all files that read_shape() knows by their names.
 std::vector<std::string_view> shape_extensions();
 
+/// Of these, the ones that tell a shape's file from any other: without .txt.
+std::vector<std::string_view> unambiguous_shape_extensions();
+
 /// The extensions of all files that shape_writer() writes.
 std::vector<std::string_view> written_shape_extensions();
 
