@@ -440,7 +440,7 @@ void check_ply_header(const std::string& bytes, const std::string& name) {
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<Colour>& colours) {
+               const std::vector<std::array<std::uint8_t, 3>>& colours) {
   const Eigen::Index samples = sample_count(shape, site);
   if (values.size() != samples || colours.size() != static_cast<std::size_t>(samples)) {
     throw InputError(fmt::format("cannot write {}: {} values and {} colours for {} samples", path.string(),

@@ -10,8 +10,8 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of the shape that a sound file is read as: what a cache holds of earlier versions is
-/// then computed anew.
+/// Raised with every change of the shape that a valid file is read as, which makes cached results of earlier versions
+/// stale.
 inline constexpr int shape_reading_version = 1;
 
 /// Reads a shape from a file of a format in shape_formats(), by the name's extension and, failing that, by the first

@@ -42,71 +42,6 @@ Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
   return shape.vertices.row(corners[0]) / 3 + shape.vertices.row(corners[1]) / 3 + shape.vertices.row(corners[2]) / 3;
 }
 
-}  // namespace
-
-Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random) {
-  require_in_bounds("the amplitude of noise", options.amplitude, VertexNoiseOptions::amplitude_bounds);
-  const double length = options.amplitude * required_diagonal(shape);
-  const bool gaussian = options.distribution == NoiseDistribution::gaussian;
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    const Eigen::Vector3d displacement = gaussian ? gaussian_vector(random) : point_in_unit_ball(random);
-    shape.vertices.row(i) += length * displacement.transpose();
-  }
-  return shape;
-}
-
-Shape remove_faces(Shape shape, double fraction, RandomNumbers& random) {
-  const std::vector<bool> removed = random_selection(element_count(shape), fraction, random);
-  return without_elements(std::move(shape), removed);
-}
-
-Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random) {
-  const std::vector<bool> flipped = random_selection(element_count(shape), fraction, random);
-  for (std::size_t i = 0; i < flipped.size(); ++i) {
-    if (!flipped[i]) continue;
-    const auto element = static_cast<Eigen::Index>(i);
-    if (!is_cloud(shape)) {
-      std::swap(shape.triangles(element, 1), shape.triangles(element, 2));
-    } else if (shape.normals.rows() > 0) {
-      shape.normals.row(element) *= -1;
-    }
-  }
-  return shape;
-}
-
-Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random) {
-  require_in_bounds("the number of holes", options.number, PunchHolesOptions::number_bounds);
-  require_in_bounds("the radius of holes", options.radius, PunchHolesOptions::radius_bounds);
-  if (options.number == 0) return shape;
-  const double radius = options.radius * required_diagonal(shape);
-  const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;
-  std::vector<bool> removed(static_cast<std::size_t>(element_count(shape)));
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    const Eigen::RowVector3d centre = centre_of_element(shape, static_cast<Eigen::Index>(i));
-    removed[i] = ((centres.rowwise() - centre).rowwise().norm().array() <= radius).any();
-  }
-  return without_elements(std::move(shape), removed);
-}
-
-Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
-  require_in_bounds("the largest scale of a motion", scale, motion_scale_bounds);
-  const Eigen::RowVector3d shift = required_diagonal(shape) * point_in_unit_ball(random).transpose();
-  const Eigen::Matrix3d rotation = uniform_rotation(random);
-  const double factor = std::exp(std::log(scale) * random.uniform(-1, 1));
-  const Eigen::RowVector3d centre = bounding_box(shape).center().transpose();
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    const Eigen::RowVector3d turned = factor * (shape.vertices.row(i) - centre) * rotation.transpose();
-    shape.vertices.row(i) = turned + centre + shift;
-  }
-  for (Eigen::Index i = 0; i < shape.normals.rows(); ++i) {
-    const Eigen::RowVector3d turned = shape.normals.row(i) * rotation.transpose();
-    shape.normals.row(i) = turned;
-  }
-  return shape;
-}
-
-namespace {
-
 constexpr std::array<std::string_view, 2> noise_distributions{"gaussian", "uniform"};
 
 constexpr std::array vertex_noise_parameters{
@@ -216,6 +151,67 @@ std::vector<ShapePerturbation>& registry() {
 
 }  // namespace
 
+Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random) {
+  require_in_bounds("the amplitude of noise", options.amplitude, VertexNoiseOptions::amplitude_bounds);
+  const double length = options.amplitude * required_diagonal(shape);
+  const bool gaussian = options.distribution == NoiseDistribution::gaussian;
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    const Eigen::Vector3d displacement = gaussian ? gaussian_vector(random) : point_in_unit_ball(random);
+    shape.vertices.row(i) += length * displacement.transpose();
+  }
+  return shape;
+}
+
+Shape remove_faces(Shape shape, double fraction, RandomNumbers& random) {
+  const std::vector<bool> removed = random_selection(element_count(shape), fraction, random);
+  return without_elements(std::move(shape), removed);
+}
+
+Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random) {
+  const std::vector<bool> flipped = random_selection(element_count(shape), fraction, random);
+  for (std::size_t i = 0; i < flipped.size(); ++i) {
+    if (!flipped[i]) continue;
+    const auto element = static_cast<Eigen::Index>(i);
+    if (!is_cloud(shape)) {
+      std::swap(shape.triangles(element, 1), shape.triangles(element, 2));
+    } else if (shape.normals.rows() > 0) {
+      shape.normals.row(element) *= -1;
+    }
+  }
+  return shape;
+}
+
+Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random) {
+  require_in_bounds("the number of holes", options.number, PunchHolesOptions::number_bounds);
+  require_in_bounds("the radius of holes", options.radius, PunchHolesOptions::radius_bounds);
+  if (options.number == 0) return shape;
+  const double radius = options.radius * required_diagonal(shape);
+  const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;
+  std::vector<bool> removed(static_cast<std::size_t>(element_count(shape)));
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    const Eigen::RowVector3d centre = centre_of_element(shape, static_cast<Eigen::Index>(i));
+    removed[i] = ((centres.rowwise() - centre).rowwise().norm().array() <= radius).any();
+  }
+  return without_elements(std::move(shape), removed);
+}
+
+Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
+  require_in_bounds("the largest scale of a motion", scale, motion_scale_bounds);
+  const Eigen::RowVector3d shift = required_diagonal(shape) * point_in_unit_ball(random).transpose();
+  const Eigen::Matrix3d rotation = uniform_rotation(random);
+  const double factor = std::exp(std::log(scale) * random.uniform(-1, 1));
+  const Eigen::RowVector3d centre = bounding_box(shape).center().transpose();
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    const Eigen::RowVector3d turned = factor * (shape.vertices.row(i) - centre) * rotation.transpose();
+    shape.vertices.row(i) = turned + centre + shift;
+  }
+  for (Eigen::Index i = 0; i < shape.normals.rows(); ++i) {
+    const Eigen::RowVector3d turned = shape.normals.row(i) * rotation.transpose();
+    shape.normals.row(i) = turned;
+  }
+  return shape;
+}
+
 std::span<const ShapePerturbation> shape_perturbations() { return registry(); }
 
 void register_shape_perturbation(const ShapePerturbation& perturbation) {
@@ -265,15 +261,8 @@ Eigen::Index element_count(const Shape& shape) {
 
 std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNumbers& random) {
   require_in_bounds("the fraction of the shape's faces or points", fraction, fraction_bounds);
-  std::vector<bool> selected(static_cast<std::size_t>(count));
-  auto wanted = static_cast<double>(std::llround(fraction * static_cast<double>(count)));
-  auto remaining = static_cast<double>(count);
-  for (auto&& mark : selected) {
-    mark = random.uniform(0, remaining) < wanted;
-    if (mark) --wanted;
-    --remaining;
-  }
-  return selected;
+  const auto selected = static_cast<std::size_t>(std::llround(fraction * static_cast<double>(count)));
+  return random_subset(static_cast<std::size_t>(count), selected, random);
 }
 
 Shape without_elements(Shape shape, const std::vector<bool>& removed) {

@@ -101,8 +101,8 @@ double required_diagonal(const Shape& shape);
 /// The elements of a mesh are its triangles, those of a cloud its points.
 Eigen::Index element_count(const Shape& shape);
 
-/// Marks exactly round(fraction * count) elements, every set of that size as likely as any other (selection sampling:
-/// Knuth, The Art of Computer Programming, 3.4.2, algorithm S). Throws InputError for a fraction out of bounds.
+/// Marks exactly round(fraction * count) elements at random (random_subset()). Throws InputError for a fraction out of
+/// bounds.
 std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNumbers& random);
 
 /// The shape without the marked elements, one mark an element; the others keep their order. The vertices of a mesh all
