@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -96,7 +98,8 @@ nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
 }
 
 void add_shape_argument(CLI::App& command, std::filesystem::path& input) {
-  command.add_option("input", input, "Mesh or point cloud: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT")->required();
+  command.add_option("input", input, fmt::format("Mesh or point cloud: {}", fmt::join(shape_extensions(), ", ")))
+      ->required();
 }
 
 void add_threads_option(CLI::App& command, int& threads) {

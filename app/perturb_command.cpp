@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <optional>
 #include <string>
@@ -66,7 +68,10 @@ void add_perturb_command(CLI::App& app, int& status) {
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
   add_shape_argument(*command, arguments->input);
-  command->add_option("-o,--output", arguments->output, "Result: .off or .ply")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   fmt::format("Result: {}", fmt::join(written_shape_extensions(), ", ")))
+      ->required();
   command->add_option("--seed", arguments->seed, "The same seed gives the same result")->capture_default_str();
   command->add_option("--decimate", arguments->faces, "Simplify the mesh to so many faces");
   command->add_option("--noise", arguments->noise,

@@ -289,13 +289,6 @@ constexpr std::array formats = {
     Format{".dat", without_ids<read_text_matrix>, text_table},
 };
 
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 const Format& format_of(const std::filesystem::path& path) {
   const auto* const found = std::ranges::find(formats, lower_case(path.extension().string()), &Format::extension);
   if (found != formats.end()) return *found;

@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"

@@ -47,6 +47,16 @@ TEST(IndependentReader, ReadsTheSameInEveryFormat) {
   }
 }
 
+TEST(IndependentReader, ReadsWhatTheLibraryWrites) {
+  const test_io::TemporaryFolder folder;
+  const Shape shape = test_shapes::torus(3, 1, 20, 30);
+  for (const std::string_view extension : written_shape_extensions()) {
+    const auto path = folder.path() / ("torus" + std::string(extension));
+    shape_writer(path)(path, shape);
+    expect_as_cgal_reads(path);
+  }
+}
+
 TEST(IndependentReader, ReadsTheSameFromRealMeshes) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";

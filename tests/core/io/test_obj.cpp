@@ -4,6 +4,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/obj.h"
 #include "tests/core/io/encoded_shapes.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace shapegauge {
 
@@ -109,6 +110,22 @@ TEST(ReadObj, NothingUsableIsAnError) {
 TEST(ReadObj, HeaderAloneCanBeChecked) {
   EXPECT_NO_THROW(check_obj_header("# v\no x\nv 0", "t.obj"));
   EXPECT_THROW(check_obj_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
+}
+
+TEST(WriteObj, Plain) {
+  const test_io::TemporaryFolder folder;
+  Shape shape = tetrahedron();
+  shape.vertices(1, 0) = -1.5e-300;
+  shape.vertices(3, 2) = 0.1;
+  write_obj(folder.path() / "t.obj", shape);
+  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.obj"),
+            "v 0 0 0\nv -1.5e-300 0 0\nv 0 1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+}
+
+TEST(WriteObj, CloudWithNormals) {
+  const test_io::TemporaryFolder folder;
+  write_obj(folder.path() / "t.obj", test_io::small_cloud());
+  test_io::expect_same(read_obj(test_io::bytes_of(folder.path() / "t.obj"), "t.obj"), test_io::small_cloud());
 }
 
 }  // namespace

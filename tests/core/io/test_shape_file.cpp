@@ -1,8 +1,12 @@
+#include <array>
 #include <gmock/gmock.h>
+#include <limits>
+#include <set>
 #include <string>
 #include <sys/stat.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/core/io/ordinary_user.h"
@@ -57,8 +61,13 @@ TEST(ReadShape, ExtensionInCapitals) {
 TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   const TemporaryFolder folder;
   test_io::expect_same(read_shape(folder.file("T12", "C" + test_io::as_ascii_off(tetrahedron()))), tetrahedron());
+  test_io::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test_io::as_ascii_off(tetrahedron()))),
+                       tetrahedron());
   test_io::expect_same(read_shape(folder.file("a.mesh", test_io::as_ascii_ply(tetrahedron()))), tetrahedron());
   EXPECT_EQ(read_shape(folder.file("b.dat", test_io::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
+  std::string of_off = test_io::as_ascii_stl(tetrahedron());
+  of_off.insert(of_off.find('\n'), " OFF");  // in the name of the solid
+  EXPECT_EQ(read_shape(folder.file("c.dat", of_off)).triangles.rows(), 4);
 }
 
 TEST(ReadShape, UnknownFormatIsAnError) {
@@ -131,25 +140,85 @@ TEST(ReadShape, HeaderBehindALongCommentIsFound) {
   EXPECT_THROW(check_shape_header(folder.file("u.off", comment + "hello")), InputError);
 }
 
-}  // namespace
-
-namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
-
 TEST(ShapeWriter, WritesWhatTheExtensionSays) {
-  const test_io::TemporaryFolder folder;
-  for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}}) {
+  const TemporaryFolder folder;
+  for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}, {"t.obj", "v 0"}, {"t.Stl", "bin"}}) {
     const auto path = folder.path() / name;
-    shape_writer(path)(path, test_io::tetrahedron());
+    shape_writer(path)(path, tetrahedron());
     EXPECT_EQ(test_io::bytes_of(path).substr(0, 3), begin);
-    test_io::expect_same(read_shape(path), test_io::tetrahedron());
+    EXPECT_NO_THROW(check_shape_header(path));
+    EXPECT_EQ(corners_of(read_shape(path)), corners_of(tetrahedron())) << name;
   }
 }
 
 TEST(ShapeWriter, RefusesAnotherExtension) {
-  EXPECT_THAT([] { shape_writer("t.stl"); }, ThrowsMessage<InputError>(HasSubstr("t.stl: the name must end in")));
+  for (const char* const name : {"t.xyz", "t.doc", "t"}) EXPECT_THROW(shape_writer(name), InputError) << name;
+  EXPECT_THAT(
+      [] { shape_writer("t.xyz"); },
+      ThrowsMessage<InputError>(StrEq("cannot write t.xyz: the name must end in one of .off, .obj, .ply, .stl")));
+}
+
+TEST(ShapeWriter, RefusesWhatCouldNotBeReadAgain) {
+  const TemporaryFolder folder;
+  Shape not_finite = tetrahedron();
+  not_finite.vertices(2, 1) = std::numeric_limits<double>::infinity();
+  Shape no_such_vertex = tetrahedron();
+  no_such_vertex.triangles(0, 0) = 4;
+  for (const std::string_view extension : written_shape_extensions()) {
+    const auto path = folder.path() / ("t" + std::string(extension));
+    EXPECT_THROW(shape_writer(path)(path, not_finite), InputError) << extension;
+    EXPECT_THROW(shape_writer(path)(path, no_such_vertex), InputError) << extension;
+    EXPECT_FALSE(std::filesystem::exists(path)) << extension;
+  }
+}
+
+TEST(ShapeFormats, ExtensionsAreInLowerCaseAndOfOneFormat) {
+  std::set<std::string_view> seen;
+  for (const std::string_view extension : shape_extensions()) {
+    EXPECT_TRUE(extension.starts_with('.')) << extension;
+    EXPECT_EQ(lower_case(std::string(extension)), extension);
+    EXPECT_TRUE(seen.insert(extension).second) << extension;
+  }
+  for (const std::string_view extension : written_shape_extensions()) EXPECT_TRUE(seen.contains(extension));
+  for (const ShapeFormat& format : shape_formats()) {
+    EXPECT_FALSE(format.name.empty());
+    EXPECT_FALSE(format.description.empty()) << format.name;
+  }
+}
+
+TEST(ShapeFormats, NamesOfShapeFilesLoseTheirExtension) {
+  EXPECT_EQ(without_shape_extension("T12.off"), "T12");
+  EXPECT_EQ(without_shape_extension("T12.PlY"), "T12");
+  EXPECT_EQ(without_shape_extension("a.off.pwn"), "a.off");
+  for (const std::string_view name : {"notes.txt", "T12", ".off", "off", "a.offs", "x.off/b", ""}) {
+    EXPECT_EQ(without_shape_extension(name), name);
+  }
+}
+
+/// What a user of the library writes to add a format.
+TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
+  static constexpr std::array<std::string_view, 1> extensions{".point"};
+  const ShapeFormat format{.name = "point",
+                           .description = "Three bytes: a point",
+                           .extensions = extensions,
+                           .check_header =
+                               [](const std::string& bytes, const std::string& name) {
+                                 if (bytes.size() != 3) throw InputError(name + ": not three bytes");
+                               },
+                           .read =
+                               [](const std::string& bytes, const std::string& /*name*/) {
+                                 Shape shape;
+                                 shape.vertices.resize(1, 3);
+                                 shape.vertices << bytes[0] - '0', bytes[1] - '0', bytes[2] - '0';
+                                 return shape;
+                               }};
+  register_shape_format(format);
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_shape(folder.file("a.Point", "123")).vertices, (Points(1, 3) << 1, 2, 3).finished());
+  EXPECT_THROW(check_shape_header(folder.file("b.point", "12")), InputError);
+  EXPECT_EQ(without_shape_extension("a.point"), "a");
+  EXPECT_THROW(shape_writer("a.point"), InputError);
+  EXPECT_THROW(register_shape_format(format), InputError);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <limits>
 #include <string>
@@ -5,6 +6,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/stl.h"
 #include "tests/core/io/encoded_shapes.h"
+#include "tests/core/io/temporary_folder.h"
 
 namespace shapegauge {
 
@@ -99,6 +101,45 @@ TEST(ReadStl, HeaderAloneCanBeChecked) {
   EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
   EXPECT_NO_THROW(check_stl_header(as_binary_stl(test_io::tetrahedron()).substr(0, 84), "t.stl"));
   EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
+}
+
+TEST(WriteStl, IsTheBinaryFormatByteForByte) {
+  const test_io::TemporaryFolder folder;
+  Shape triangle;
+  triangle.vertices.resize(3, 3);
+  triangle.vertices << 0, 0, 0, 0, 2, 0, 0, 0, 3;  // its normal is along x
+  triangle.triangles.resize(1, 3);
+  triangle.triangles << 0, 1, 2;
+  write_stl(folder.path() / "t.stl", triangle);
+  const std::string bytes = test_io::bytes_of(folder.path() / "t.stl");
+  ASSERT_EQ(bytes.size(), 84U + 50U);
+  using namespace std::string_literals;
+  EXPECT_EQ(bytes.substr(80, 4), "\1\0\0\0"s);
+  const std::string zero = "\0\0\0\0"s;
+  const std::string one = "\0\0\x80\x3F"s;
+  const std::string two = "\0\0\0\x40"s;
+  const std::string three = "\0\0\x40\x40"s;
+  EXPECT_EQ(bytes.substr(84),
+            one + zero + zero + zero + zero + zero + zero + two + zero + zero + zero + three + "\0\0"s);
+}
+
+TEST(WriteStl, DegenerateTrianglesHaveNoNormal) {
+  const test_io::TemporaryFolder folder;
+  Shape flat = test_io::tetrahedron();
+  flat.vertices.setOnes();
+  write_stl(folder.path() / "t.stl", flat);
+  const std::string bytes = test_io::bytes_of(folder.path() / "t.stl");
+  EXPECT_EQ(bytes.substr(84, 12), std::string(12, '\0'));
+  EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
+}
+
+TEST(WriteStl, RefusesWhatTheFormatCannotHold) {
+  const test_io::TemporaryFolder folder;
+  EXPECT_THROW(write_stl(folder.path() / "t.stl", test_io::small_cloud()), InputError);
+  Shape large = test_io::tetrahedron();
+  large.vertices(3, 2) = 1e39;
+  EXPECT_THROW(write_stl(folder.path() / "t.stl", large), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "t.stl"));
 }
 
 }  // namespace

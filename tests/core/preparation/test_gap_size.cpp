@@ -10,7 +10,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/gap_size.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
 

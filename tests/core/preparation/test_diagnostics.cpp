@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "shapegauge/core/shape/connectivity.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
@@ -49,7 +49,7 @@ Shape moebius_strip(int n) {
 
 TEST(Diagnose, ACubeIsSound) {
   const ShapeDiagnostics found = diagnose(cube());
-  EXPECT_TRUE(found.closed);
+  EXPECT_TRUE(found.watertight);
   EXPECT_EQ(found.vertices, 8U);
   EXPECT_EQ(found.triangles, 12U);
   EXPECT_EQ(found.edges, 18U);
@@ -66,7 +66,7 @@ TEST(Diagnose, ACubeWithoutASideHasItsRimAsBoundary) {
   Shape open = cube();
   open.triangles = open.triangles.bottomRows(10).eval();
   const ShapeDiagnostics found = diagnose(open);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(found.boundary_edges, 4U);
   EXPECT_DOUBLE_EQ(found.boundary_length, 4);
   EXPECT_EQ(found.unreferenced_vertices, 0U);
@@ -79,7 +79,7 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
   Shape shape = cube();
   std::swap(shape.triangles(3, 0), shape.triangles(3, 1));
   EXPECT_EQ(diagnose(shape).inconsistent_edges, 3U);
-  EXPECT_TRUE(diagnose(shape).closed);
+  EXPECT_TRUE(diagnose(shape).watertight);
   EXPECT_EQ(diagnose(test_shapes::flipped(cube())).inconsistent_edges, 0U);
 }
 
@@ -94,7 +94,7 @@ TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   EXPECT_EQ(touching.components, 1U);
   EXPECT_EQ(touching.coincident_vertices, 2U);
   EXPECT_EQ(touching.non_manifold_edges, 1U) << "the common edge has four triangles";
-  EXPECT_TRUE(touching.closed);
+  EXPECT_TRUE(touching.watertight);
 }
 
 TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
@@ -105,7 +105,7 @@ TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
   EXPECT_EQ(found.edges, 7U);
   EXPECT_EQ(found.non_manifold_edges, 1U);
   EXPECT_EQ(found.boundary_edges, 6U);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(found.components, 1U);
 }
 
@@ -119,7 +119,7 @@ TEST(Diagnose, AMoebiusStripCannotBeOriented) {
 
 TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_EQ(diagnose(with_triangle(cube(), 0, 0, 1)).degenerate_triangles, 1U);
-  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).closed);
+  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).watertight);
   Shape needle = cube();
   needle.vertices.conservativeResize(9, Eigen::NoChange);
   needle.vertices.row(8) << 0.5, 0, 0;
@@ -137,7 +137,7 @@ TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
                     0, 1, 2),
       5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
-  EXPECT_EQ(found.closed, is_watertight(broken));
+  EXPECT_EQ(found.watertight, is_watertight(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
     Shape other = test_shapes::permuted(broken, seed).shape;
     other.vertices *= 0x1p100;
@@ -150,7 +150,7 @@ TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
     EXPECT_EQ(again.inconsistent_edges, found.inconsistent_edges);
     EXPECT_EQ(again.degenerate_triangles, found.degenerate_triangles);
     EXPECT_EQ(again.duplicate_triangles, found.duplicate_triangles);
-    EXPECT_EQ(again.closed, found.closed);
+    EXPECT_EQ(again.watertight, found.watertight);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(Diagnose, ACloudHasPointsOnly) {
   EXPECT_EQ(found.unreferenced_vertices, 0U);
   EXPECT_DOUBLE_EQ(found.diagonal, 5);
   EXPECT_EQ(found.triangles + found.components + found.edges, 0U);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(diagnose(Shape{}).vertices, 0U);
 }
 
