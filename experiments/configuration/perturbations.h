@@ -5,17 +5,15 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
-
-/// To be raised with every change of what any perturbation makes of a shape: what a cache holds of earlier versions is
-/// then computed anew.
-inline constexpr int perturbations_version = 1;
 
 /// What a perturbation may depend on besides the shape.
 struct PerturbationContext {
@@ -24,10 +22,14 @@ struct PerturbationContext {
   std::vector<std::size_t>* chosen = nullptr;  ///< where steps that choose append what they chose
 };
 
+/// Changes a shape.
+using PerturbationFunction = std::function<Shape(Shape, PerturbationContext&)>;
+
 /// A step that a configuration asks for: how shapes are changed before anything is computed of them.
 struct Perturbation {
   nlohmann::json settings;  ///< type and all settings, defaults filled in
-  std::function<Shape(Shape, PerturbationContext&)> apply;
+  nlohmann::json versions;  ///< of the step's type, and of the types of the steps that it may choose
+  PerturbationFunction apply;
 };
 
 /// Applies the steps one after the other. Each has a stream of its own, which the parent's next number seeds: what one
@@ -44,25 +46,34 @@ struct PerturbedShape {
 PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps, std::uint64_t seed,
                              std::string_view id, std::size_t model);
 
-/// A kind of perturbation that configurations can name.
+/// A type of perturbation that configurations can name.
 struct PerturbationType {
-  std::string_view name;
-  /// The step of the given settings, which the schema has accepted.
-  Perturbation (*make)(const nlohmann::json& settings);
+  std::string name;         ///< the value of "type"
+  std::string description;  ///< one sentence
+  /// Its settings besides "type". Names, choices and descriptions are referred to, not copied.
+  std::vector<Parameter> parameters;
+  /// Makes the step. `choices`: the lists of steps in the setting "choices", where has_choices says that there is one.
+  std::function<PerturbationFunction(const ParameterValues& values, std::vector<std::vector<Perturbation>> choices)>
+      make;
+  int version = 1;  ///< to be raised with every change of what the step makes of a shape, so that caches forget it
+  bool has_choices = false;
 };
 
-/// All kinds of perturbations. A new one is a function in core/perturbation, one line in perturbation_registry.cpp, and
-/// the description of its settings in configs/experiment.schema.json.
+/// All types of perturbations. A new one of the library is a function and an entry in perturbations.cpp
+/// (docs/extending.md).
 std::span<const PerturbationType> perturbation_types();
 
+/// Adds a type of perturbation for the rest of the program, as register_field() adds a field.
+void register_perturbation(PerturbationType type);
+
 /// The step that the settings describe, by their "type". Throws InputError for a type that is not in
-/// perturbation_types().
+/// perturbation_types(), and for settings that the type does not take.
 Perturbation make_perturbation(const nlohmann::json& settings);
 
 /// The steps of a list.
 std::vector<Perturbation> make_perturbations(const nlohmann::json& list);
 
-/// The settings of the steps, defaults filled in, in the form that make_perturbations takes.
+/// The settings of the steps, defaults filled in, in the form that make_perturbations() takes.
 nlohmann::json to_json(const std::vector<Perturbation>& steps);
 
 }  // namespace shapegauge

@@ -42,6 +42,19 @@ const Shape& required_mesh(const Shape& shape) {
   return shape;
 }
 
+/// The value of the reference nearest to each point.
+Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
+  const Shape sites{.vertices = reference.points, .triangles = {}};
+  const UnitFrame frame = unit_frame(sites);
+  const TriangleBVH tree(in_unit_frame(sites, frame));
+  Eigen::VectorXd nearest(points.rows());
+  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+    const auto hit = tree.closest(frame.to_unit(points.row(i).transpose()));
+    nearest[i] = reference.values[hit.value().triangle];
+  });
+  return nearest;
+}
+
 }  // namespace
 
 TrueNormals::TrueNormals(const Shape& mesh)
@@ -72,23 +85,6 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
           .median = weighted_quantile(angles, counted, 0.5),
           .percentile_90 = weighted_quantile(angles, counted, 0.9)};
 }
-
-namespace {
-
-/// The value of the reference nearest to each point.
-Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
-  const Shape sites{.vertices = reference.points, .triangles = {}};
-  const UnitFrame frame = unit_frame(sites);
-  const TriangleBVH tree(in_unit_frame(sites, frame));
-  Eigen::VectorXd nearest(points.rows());
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
-    const auto hit = tree.closest(frame.to_unit(points.row(i).transpose()));
-    nearest[i] = reference.values[hit.value().triangle];
-  });
-  return nearest;
-}
-
-}  // namespace
 
 PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit) {
   std::vector<Eigen::Index> kept;
