@@ -16,6 +16,8 @@ namespace shapegauge {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view tag =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder is a cache of shapegauge; see `shapegauge cache --help`. It can be removed at any time.\n";
@@ -101,8 +103,6 @@ bool has_cache_tag(const std::filesystem::path& cache) {
   }
 }
 
-namespace fs = std::filesystem;
-
 fs::path default_cache_folder() {
   if (const char* named = variable("SHAPEGAUGE_CACHE")) return named;
   if (const fs::path caches = folder_in("XDG_CACHE_HOME"); !caches.empty()) return caches / "shapegauge";
@@ -130,8 +130,6 @@ std::uintmax_t cache_limit() {
   const char* given = variable("SHAPEGAUGE_CACHE_LIMIT");
   return parse_size(given == nullptr ? "10G" : given, "SHAPEGAUGE_CACHE_LIMIT");
 }
-
-namespace fs = std::filesystem;
 
 fs::path entry_path(const fs::path& cache, EntryKind kind, const std::string& key) {
   return cache / key.substr(0, digits_of_folder) / fmt::format("{}.{}", key.substr(digits_of_folder), name_of(kind));

@@ -167,7 +167,7 @@ constexpr std::array<std::string_view, 2> assignments{"random", "in_turn"};
 PerturbationType one_of_type() {
   return {
       .name = "one_of",
-      .description = "Gives each model one of several lists of steps, the choices.",
+      .description = "Gives each model one of the lists of steps in its `choices`.",
       .parameters = {{.name = "assign",
                       .kind = ParameterKind::choice,
                       .default_value = assignments[0],
