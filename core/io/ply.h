@@ -11,6 +11,8 @@
 
 namespace shapegauge {
 
+struct ShapeFormat;
+
 /// The shape in the bytes of a PLY file, ASCII or binary of either byte order: x, y, z of the element `vertex` and
 /// `vertex_indices` (or `vertex_index`) of the element `face`; everything else is passed over. Polygons become fans;
 /// faces of fewer than three vertices leave no triangle. Without faces it is a point cloud, whose normals are nx, ny,
@@ -41,5 +43,8 @@ void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite
 ///
 /// Throws InputError as above, and where the number of normals is not the site's number of samples.
 void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, const Points& normals);
+
+/// The entry of the registry (shape_file.h).
+ShapeFormat ply_format();
 
 }  // namespace shapegauge

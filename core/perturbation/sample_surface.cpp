@@ -1,7 +1,6 @@
 #include "shapegauge/core/perturbation/sample_surface.h"
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 #include <utility>
 #include <vector>
 
@@ -37,9 +36,7 @@ Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
 }  // namespace
 
 Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random) {
-  if (options.points < 1) {
-    throw InputError(fmt::format("the number of points must be at least 1, not {}", options.points));
-  }
+  require_in_bounds("the number of points", static_cast<double>(options.points), SampleSurfaceOptions::points_bounds);
   if (shape.vertices.rows() == 0) throw InputError("no points can be taken of a shape without any");
   if (is_cloud(shape)) return thinned(shape, options, random);
   SurfacePoints sampled = surface_points(shape, options.points, random);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -17,6 +18,9 @@ enum class ConeSdfEngine { embree, cgal };
 
 /// Settings of the conventional SDF: a cone of rays about the inward normal.
 struct ConeSdfOptions {
+  static constexpr Bounds opening_angle_degrees_bounds{.low = 0, .high = 180, .low_open = true, .high_open = true};
+  static constexpr Bounds rays_bounds{.low = 1, .high = 10'000};
+
   ConeSdfEngine engine = ConeSdfEngine::embree;
   double opening_angle_degrees = 60;
   int rays = 25;

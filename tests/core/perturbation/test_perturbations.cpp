@@ -10,48 +10,47 @@
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
-
 namespace {
 
-constexpr int count = 100000;
+constexpr int draws = 100000;
 
 TEST(GaussianVector, HasMeanZeroAndUnitCovariance) {
   RandomNumbers random(3);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   int beyond_two = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const Eigen::Vector3d x = gaussian_vector(random);
     sum += x;
     squares += x * x.transpose();
     if (std::abs(x[2]) > 2) ++beyond_two;
   }
-  // Standard deviations over sqrt(count): 0.0032 of a mean, 0.0045 of a variance; five of them.
-  EXPECT_LT((sum / count).cwiseAbs().maxCoeff(), 0.016);
-  EXPECT_LT((squares / count - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.023);
-  EXPECT_NEAR(beyond_two / static_cast<double>(count), 0.0455, 0.0033);
+  // Standard deviations over sqrt(draws): 0.0032 of a mean, 0.0045 of a variance; five of them.
+  EXPECT_LT((sum / draws).cwiseAbs().maxCoeff(), 0.016);
+  EXPECT_LT((squares / draws - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 0.023);
+  EXPECT_NEAR(beyond_two / static_cast<double>(draws), 0.0455, 0.0033);
 }
 
 TEST(PointInUnitBall, IsUniformInTheBall) {
   RandomNumbers random(4);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   int in_half_radius = 0;
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const Eigen::Vector3d x = point_in_unit_ball(random);
     ASSERT_LE(x.norm(), 1);
     sum += x;
     if (x.norm() < 0.5) ++in_half_radius;
   }
   // A coordinate's variance is 1/5; an eighth of the volume is in half the radius.
-  EXPECT_LT((sum / count).cwiseAbs().maxCoeff(), 0.0071);
-  EXPECT_NEAR(in_half_radius / static_cast<double>(count), 0.125, 0.0053);
+  EXPECT_LT((sum / draws).cwiseAbs().maxCoeff(), 0.0071);
+  EXPECT_NEAR(in_half_radius / static_cast<double>(draws), 0.125, 0.0053);
 }
 
 TEST(UniformRotation, TurnsADirectionToAllDirectionsAlike) {
   RandomNumbers random(5);
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < draws; ++i) {
     const Eigen::Matrix3d r = uniform_rotation(random);
     if (i < 100) {
       ASSERT_LT((r * r.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-14);
@@ -61,13 +60,9 @@ TEST(UniformRotation, TurnsADirectionToAllDirectionsAlike) {
     squares += r.cwiseProduct(r);
   }
   // Every entry is uniform in [-1, 1]: mean 0, variance 1/3 (of which the variance is 4/45).
-  EXPECT_LT((sum / count).cwiseAbs().maxCoeff(), 0.0092);
-  EXPECT_LT((squares / count - Eigen::Matrix3d::Constant(1. / 3)).cwiseAbs().maxCoeff(), 0.0048);
+  EXPECT_LT((sum / draws).cwiseAbs().maxCoeff(), 0.0092);
+  EXPECT_LT((squares / draws - Eigen::Matrix3d::Constant(1. / 3)).cwiseAbs().maxCoeff(), 0.0048);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(RandomSelection, HasExactlyTheRoundedNumber) {
   RandomNumbers random(1);
@@ -127,10 +122,6 @@ TEST(WithoutElements, LeavesSomething) {
   EXPECT_THROW(without_elements(Shape{}, {}), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 Shape noisy(const Shape& shape, const VertexNoiseOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);
   return vertex_noise(shape, options, random);
@@ -187,10 +178,6 @@ TEST(VertexNoise, RefusesAShapeWithoutExtentAndAnImpossibleAmplitude) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 Shape thinned(const Shape& shape, double fraction, std::uint64_t seed) {
   RandomNumbers random(seed);
   return remove_faces(shape, fraction, random);
@@ -216,10 +203,6 @@ TEST(RemoveFaces, LeavesAtLeastOne) {
   EXPECT_THROW(thinned(test_shapes::box({1, 1, 1}, 1), -0.5, 1), InputError);
   EXPECT_THROW(thinned(Shape{}, 0, 1), InputError);
 }
-
-}  // namespace
-
-namespace {
 
 Shape turned(const Shape& shape, double fraction, std::uint64_t seed) {
   RandomNumbers random(seed);
@@ -249,10 +232,6 @@ TEST(FlipOrientation, TurnsTheNormalsOfACloud) {
 TEST(FlipOrientation, RefusesWhatIsNoFraction) {
   EXPECT_THROW(turned(test_shapes::box({1, 1, 1}, 1), 1.5, 1), InputError);
 }
-
-}  // namespace
-
-namespace {
 
 Shape punched(const Shape& shape, const PunchHolesOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);
@@ -291,7 +270,8 @@ TEST(PunchHoles, RemovesPointsOfACloudAboutSomeOfThem) {
 
 TEST(PunchHoles, RefusesToLeaveNothingAndOptionsOutOfRange) {
   const Shape box = test_shapes::box({1, 1, 1}, 2);
-  EXPECT_THROW(punched(box, {.number = 1, .radius = 2}, 1), InputError);
+  EXPECT_THROW(punched(box, {.number = 1, .radius = 1}, 1), InputError);
+  EXPECT_THROW(punched(box, {.number = 1, .radius = 1.5}, 1), InputError);
   EXPECT_THROW(punched(box, {.number = -1}, 1), InputError);
   EXPECT_THROW(punched(box, {.radius = -1}, 1), InputError);
   EXPECT_THROW(punched(Shape{}, {}, 1), InputError);
@@ -302,10 +282,6 @@ TEST(PunchHoles, RefusesToLeaveNothingAndOptionsOutOfRange) {
   needle.triangles << 0, 1, 1;
   EXPECT_THROW(punched(needle, {}, 1), InputError);
 }
-
-}  // namespace
-
-namespace {
 
 Shape moved(const Shape& shape, double scale, std::uint64_t seed) {
   RandomNumbers random(seed);
@@ -379,5 +355,4 @@ TEST(RandomMotion, RefusesAShapeWithoutExtentAndAScaleBelowOne) {
 }
 
 }  // namespace
-
 }  // namespace shapegauge

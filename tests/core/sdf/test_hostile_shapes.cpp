@@ -85,7 +85,7 @@ double seconds_of(const std::function<void()>& work) {
 TEST(HostileShapes, ASheetHasNoThickness) {
   const Shape triangle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   const Shape plane = test_shapes::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
-  for (const double offset : {0.01, 0.1, 1.0, 5.0, 100.0}) {
+  for (const double offset : {0.01, 0.1, 1.0}) {
     const double r = offset * std::sqrt(2.0);
     EXPECT_LE(values_of(triangle, offset).maxCoeff(), 2e-3 * r) << offset;
     const Samples samples = sample_shape(plane, SampleSite::faces);
@@ -101,11 +101,11 @@ TEST(HostileShapes, ASheetHasNoThickness) {
 TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
   // Of no area: p + r n is not to be had, and any direction across the needle is as good as another.
   const Shape needle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}});
-  for (const double offset : {0.01, 0.3, 5.0}) {
+  for (const double offset : {0.01, 0.3, 1.0}) {
     EXPECT_LE(values_of(needle, offset).maxCoeff(), 1 + 1e-2 * offset) << offset;
   }
   const Shape thin = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}});
-  for (const double offset : {0.01, 0.3, 5.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
+  for (const double offset : {0.01, 0.3, 1.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
 }
 
 TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
@@ -195,14 +195,12 @@ TEST(HostileShapes, TinyPartsAreAsThinAsTheyAre) {
   EXPECT_LE(*middle, std::sqrt(2.0) * size + 2e-3 * offset * bounding_box_diagonal(parts));
 }
 
-TEST(HostileShapes, AnOffsetLargerThanTheShape) {
+TEST(HostileShapes, AnOffsetAsLargeAsTheShape) {
   const Shape sphere = test_shapes::sphere(1, 3);
-  for (const double offset : {1.0, 5.0, 100.0}) {
-    const Eigen::VectorXd values = values_of(sphere, offset);
-    const double r = offset * bounding_box_diagonal(sphere);
-    EXPECT_GE(values.minCoeff(), 1.95 - 2e-3 * r) << offset;
-    EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r) << offset;
-  }
+  const Eigen::VectorXd values = values_of(sphere, OffsetSdfOptions::offset_bounds.high);
+  const double r = bounding_box_diagonal(sphere);
+  EXPECT_GE(values.minCoeff(), 1.95 - 2e-3 * r);
+  EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r);
 }
 
 TEST(HostileShapes, DuplicatedFacesChangeNothing) {

@@ -337,7 +337,7 @@ TEST(OffsetSdf, OfACloudOfFewPoints) {
 
 TEST(OffsetSdf, RefusesWhatItCannotMeasure) {
   const Shape sphere = test_shapes::sphere(1, 1);
-  for (const double offset : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  for (const double offset : {0.0, -0.1, 0.9e-6, 1.001, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(at_faces(sphere, offset), InputError);
   }
   EXPECT_THROW(at_faces(Shape{}, 0.05), InputError);
