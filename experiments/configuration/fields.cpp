@@ -50,7 +50,7 @@ constexpr std::array<std::string_view, 1> automatic{"auto"};
 
 std::vector<Parameter> offset_sdf_parameters() {
   return {{.name = "offset",
-           .bounds = {.low = 0, .high = 1, .low_open = true},
+           .bounds = OffsetSdfOptions::offset_bounds,
            .choices = automatic,
            .description = "Offset distance as a fraction of the bounding box's diagonal; auto: chosen for each shape "
                           "between 1 and 5 % by its gaps and its noise."}};
@@ -91,12 +91,12 @@ std::vector<Parameter> cone_sdf_parameters() {
            .description = "Who casts the rays: embree is fast; cgal is CGAL's own, the reference, at faces only."},
           {.name = "opening_angle_degrees",
            .default_value = usual.opening_angle_degrees,
-           .bounds = {.low = 0, .high = 180, .low_open = true, .high_open = true},
+           .bounds = ConeSdfOptions::opening_angle_degrees_bounds,
            .description = "Full opening angle of the cone."},
           {.name = "rays",
            .kind = ParameterKind::integer,
            .default_value = std::int64_t{usual.rays},
-           .bounds = {.low = 1, .high = 1'000'000},
+           .bounds = ConeSdfOptions::rays_bounds,
            .description = "Number of rays."},
           {.name = "postprocess",
            .kind = ParameterKind::boolean,

@@ -5,7 +5,6 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,14 +21,11 @@ struct PerturbationContext {
   std::vector<std::size_t>* chosen = nullptr;  ///< where steps that choose append what they chose
 };
 
-/// Changes a shape.
-using PerturbationFunction = std::function<Shape(Shape, PerturbationContext&)>;
-
 /// A step that a configuration asks for: how shapes are changed before anything is computed of them.
 struct Perturbation {
   nlohmann::json settings;  ///< type and all settings, defaults filled in
   nlohmann::json versions;  ///< of the step's type, and of the types of the steps that it may choose
-  PerturbationFunction apply;
+  std::function<Shape(Shape, PerturbationContext&)> apply;
 };
 
 /// Applies the steps one after the other. Each has a stream of its own, which the parent's next number seeds: what one
@@ -48,23 +44,15 @@ PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps
 
 /// A type of perturbation that configurations can name.
 struct PerturbationType {
-  std::string name;         ///< the value of "type"
-  std::string description;  ///< one sentence
-  /// Its settings besides "type". Names, choices and descriptions are referred to, not copied.
-  std::vector<Parameter> parameters;
-  /// Makes the step. `choices`: the lists of steps in the setting "choices", where has_choices says that there is one.
-  std::function<PerturbationFunction(const ParameterValues& values, std::vector<std::vector<Perturbation>> choices)>
-      make;
-  int version = 1;  ///< to be raised with every change of what the step makes of a shape, so that caches forget it
-  bool has_choices = false;
+  std::string_view name;         ///< the value of "type"
+  std::string_view description;  ///< one sentence
+  std::span<const Parameter> parameters;
+  bool has_choices = false;  ///< has the setting "choices", too: lists of steps
 };
 
-/// All types of perturbations. A new one of the library is a function and an entry in perturbations.cpp
-/// (docs/extending.md).
-std::span<const PerturbationType> perturbation_types();
-
-/// Adds a type of perturbation for the rest of the program, as register_field() adds a field.
-void register_perturbation(PerturbationType type);
+/// All types of perturbations: those of shape_perturbations(), to which register_shape_perturbation() adds, and
+/// "one_of", which gives each model one of several lists of steps.
+std::vector<PerturbationType> perturbation_types();
 
 /// The step that the settings describe, by their "type". Throws InputError for a type that is not in
 /// perturbation_types(), and for settings that the type does not take.

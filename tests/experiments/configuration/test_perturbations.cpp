@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -158,24 +159,26 @@ TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
   EXPECT_EQ(make_perturbation(outer).versions, (Json{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
 }
 
-TEST(RegisterPerturbation, AddsATypeThatConfigurationsCanName) {
-  const std::size_t known = perturbation_types().size();
-  register_perturbation({.name = "test_shift",
-                         .description = "Moves the shape along x.",
-                         .parameters = {{.name = "by", .default_value = 1.0, .description = "How far."}},
-                         .make = [](const ParameterValues& values, const auto& /*choices*/) -> PerturbationFunction {
-                           return [by = values.number("by")](Shape shape, PerturbationContext& /*context*/) {
-                             shape.vertices.col(0).array() += by;
-                             return shape;
-                           };
-                         }});
-  ASSERT_EQ(perturbation_types().size(), known + 1);
-  const Points moved = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
-  const Points expected =
-      (test_shapes::box({1, 2, 3}, 2).vertices.array().rowwise() + Eigen::RowVector3d(3, 0, 0).array()).matrix();
-  EXPECT_EQ(moved, expected);
-  EXPECT_THROW(register_perturbation({.name = "holes", .make = perturbation_types()[0].make}), std::invalid_argument);
-  EXPECT_THROW(register_perturbation({.name = "test_without_function"}), std::invalid_argument);
+TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
+  static constexpr std::array parameters{
+      Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
+  register_shape_perturbation({.name = "test_shift",
+                               .description = "Moves the shape along x.",
+                               .parameters = parameters,
+                               .apply =
+                                   [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+                                     shape.vertices.col(0).array() += settings.number("by");
+                                     return shape;
+                                   },
+                               .version = 4});
+  const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
+  EXPECT_EQ(moved, 1U);
+  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
+  EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
+  EXPECT_EQ(shifted.col(1), box.vertices.col(1));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).settings, (Json{{"type", "test_shift"}, {"by", 1.0}}));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).versions, (Json{{"test_shift", 4}}));
 }
 
 TEST(MakePerturbation, AnUnknownTypeIsAnError) {

@@ -99,8 +99,8 @@ TEST(SchemaCheck, WrongTypes) {
 
 TEST(SchemaCheck, NumbersOutOfRange) {
   EXPECT_THAT(message_with("/signatures/0/field/offset", 0),
-              Eq("x.json: signatures.0.field.offset: must be above 0 and at most 1, not 0"));
-  EXPECT_THAT(message_with("/signatures/0/field/offset", 5), HasSubstr("must be above 0 and at most 1, not 5"));
+              Eq("x.json: signatures.0.field.offset: must be from 1e-06 to 1, not 0"));
+  EXPECT_THAT(message_with("/signatures/0/field/offset", 5), HasSubstr("must be from 1e-06 to 1, not 5"));
   EXPECT_THAT(message_with("/signatures/0/histogram/bins", 0), HasSubstr("must be from 1 to 100000, not 0"));
 }
 
