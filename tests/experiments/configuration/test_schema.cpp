@@ -4,6 +4,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
@@ -248,6 +249,19 @@ TEST(CommittedReference, IsWhatTheRegistriesSay) {
       if (!group.parameters.empty()) EXPECT_THAT(page, HasSubstr(markdown_table(group.parameters))) << group.name;
     }
   }
+}
+
+TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
+  const std::string program = text_of(SHAPEGAUGE_EXTENDING_EXAMPLE);
+  const std::string page = text_of(SHAPEGAUGE_EXTENDING_GUIDE);
+  const std::string_view fence = "```cpp\n";
+  int shown = 0;
+  for (auto begin = page.find(fence); begin != std::string::npos; begin = page.find(fence, begin + 1)) {
+    const std::size_t code = begin + fence.size();
+    EXPECT_THAT(program, HasSubstr(page.substr(code, page.find("```", code) - code)));
+    ++shown;
+  }
+  EXPECT_EQ(shown, 5);
 }
 
 }  // namespace
