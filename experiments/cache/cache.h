@@ -46,17 +46,18 @@ struct CacheUse {
   std::size_t computed = 0;
 };
 
-/// What a run made of the cache.
+/// How a run used the cache.
 struct CacheReport {
   std::filesystem::path folder;  ///< empty: there was none
   std::array<CacheUse, number_of_entry_kinds> uses;
 };
 
-/// Results kept on disk under keys that stand for all that they depend on (runner/cache_records.h).
+/// A store of results on disk, each under a key that stands for all that the result depends on
+/// (runner/cache_records.h).
 ///
-/// Each is a file of its own that is there whole or not at all, checked when it is read. Several threads and several
-/// runs may use one folder. Trouble with the disk is never an error: what cannot be found is computed, what cannot be
-/// stored is not stored, and warnings() says so.
+/// Every entry is one file, written as a whole or not at all and verified when it is read. Safe to use from several
+/// threads and several processes. Disk errors never fail a run: what cannot be looked up is computed, what cannot be
+/// stored is not, and warnings() says so.
 class Cache {
  public:
   /// No cache: finds nothing and stores nothing.
@@ -88,7 +89,7 @@ class Cache {
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] CacheReport report() const;
-  /// One line each: damaged entries, a disk that cannot be written to.
+  /// One line each, for damaged entries and for a folder that cannot be written to.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:

@@ -58,7 +58,7 @@ nlohmann::json to_json(const SamplePlan& plan);
 /// The samples of a shape that the plan asks for (sample_shape, sample_surface_of).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
-/// How many samples had which outcome, by the outcome's name. "total" is always there; "undecided" and "missing" are
+/// Number of samples by outcome. "total" is always there; "undecided" and "missing" are
 /// the outcomes that a run warns about.
 using FieldOutcomes = std::map<std::string, std::size_t>;
 

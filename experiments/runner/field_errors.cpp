@@ -15,7 +15,7 @@
 
 namespace shapegauge {
 
-double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share) {
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction) {
   if (values.size() != weights.size()) throw std::invalid_argument("as many weights as values are needed");
   const double total = weights.sum();
   if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
@@ -25,7 +25,7 @@ double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& w
   double below = 0;
   for (const Eigen::Index i : order) {
     below += weights[i];
-    if (weights[i] > 0 && below >= share * total) return values[i];
+    if (weights[i] > 0 && below >= fraction * total) return values[i];
   }
   return values[order.back()];  // rounding kept the sum short of the total
 }
