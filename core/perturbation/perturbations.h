@@ -73,6 +73,7 @@ struct ShapePerturbation {
   std::span<const Parameter> parameters;
   /// The settings are complete and of these parameters. Throws InputError for a shape that cannot be changed so.
   Shape (*apply)(Shape shape, const ParameterValues& settings, RandomNumbers& random);
+  int version = 1;  ///< to be raised with every change of what it makes of a shape, so that caches forget the old ones
 };
 
 /// All kinds of perturbations of a shape: those of this folder, and those registered.

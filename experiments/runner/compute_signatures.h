@@ -18,7 +18,7 @@
 
 namespace shapegauge {
 
-/// What a run found of one model, as it was measured: after the perturbations, in the file's units.
+/// What a run found of one model, after the perturbations, in the file's units.
 struct ShapeReport {
   std::string sha256 = {};  ///< of the file; empty where there is none
   ShapeDiagnostics diagnostics;
@@ -40,7 +40,7 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const PlannedField> plan);
 
-/// What is reported of a model.
+/// The report of a model.
 ShapeReport report_shape(const ModelDescription& model);
 
 /// The range of each model's histogram of a field.

@@ -147,7 +147,7 @@ TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
   EXPECT_EQ(cache_contents(folder()).total().entries, 3U);
   // The first is the oldest, but is used now.
   const auto same = [](const nlohmann::json& value) { return value; };
-  EXPECT_TRUE(Cache(folder()).find(EntryKind::field, std::string(64, '1'), same));
+  EXPECT_TRUE(Cache(folder()).lookup(EntryKind::field, std::string(64, '1'), same));
   trim_cache(folder(), 2500);
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '1'))));
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '2'))));

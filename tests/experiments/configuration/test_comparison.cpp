@@ -1,5 +1,7 @@
+#include <cstdlib>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -62,7 +64,7 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
   EXPECT_THAT(message_with("/shapes/1/name", "clean"),
               HasSubstr("shapes.1.name: \"clean\" is the name of shapes.0 already"));
   EXPECT_THAT(message_with("/shapes/2/generate/class", "hose"),
-              HasSubstr("shapes.2.generate.class: there is no class \"hose\"; did you mean \"horse\"?"));
+              HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
   EXPECT_THAT(message_with("/shapes/2/file", "c.off"), HasSubstr("shapes.2.file: does not go with \"generate\""));
   EXPECT_THAT(message_with("/shapes/0/fiel", "c.off"),
               HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));

@@ -63,12 +63,6 @@ TEST(ReadJson, AnAbsentFileAndAFolderAreErrors) {
   EXPECT_THAT(input_error_of([] { read_json("/"); }), HasSubstr("cannot be read"));
 }
 
-}  // namespace
-
-namespace {
-
-using testing::HasSubstr;
-
 class ExpandVariables : public testing::Test {
  protected:
   void SetUp() override {
@@ -100,11 +94,6 @@ TEST_F(ExpandVariables, AMissingBraceIsAnError) {
   EXPECT_THAT(input_error_of([] { expand_variables("${SHAPEGAUGE"); }), HasSubstr("without its }"));
 }
 
-}  // namespace
-
-namespace {
-
-using testing::HasSubstr;
 using Json = nlohmann::json;
 
 Json overridden(const std::string& assignment) {

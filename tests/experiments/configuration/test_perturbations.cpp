@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,10 +51,6 @@ TEST(PerturbModel, WithoutStepsChangesNothing) {
   EXPECT_TRUE(same.chosen.empty());
 }
 
-}  // namespace
-
-namespace {
-
 using Json = nlohmann::json;
 
 /// Nothing, 24 faces, or a cloud of 50 points.
@@ -96,18 +93,13 @@ TEST(OneOf, MayHoldAnother) {
 }
 
 TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
-  const Json settings = one_of_step(Json{{"type", "one_of"}, {"choices", choices()}}).settings;
+  const Json settings = make_perturbation({{"type", "one_of"}, {"choices", choices()}}).settings;
   EXPECT_EQ(settings["assign"], "random");
   EXPECT_EQ(settings["choices"][0], Json::array());
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::HasSubstr;
-using Json = nlohmann::json;
 
 /// Expects that the step is what the function of the core does, and that its settings make the same step again.
 template <typename OfTheCore>
@@ -151,6 +143,42 @@ TEST(MakePerturbation, FillsInDefaults) {
   EXPECT_EQ(to_json(make_perturbations(Json::parse(R"([{"type": "holes"}, {"type": "flip_orientation"}])"))),
             Json::parse(
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
+}
+
+TEST(MakePerturbation, SettingsOutOfBoundsAreErrors) {
+  const auto message = [](const Json& settings) { return input_error_of([&] { make_perturbation(settings); }); };
+  EXPECT_THAT(message({{"type", "vertex_noise"}, {"amplitude", 2}}), HasSubstr("amplitude is 2"));
+  EXPECT_THAT(message({{"type", "remove_faces"}}), HasSubstr("fraction is missing"));
+  EXPECT_THAT(message({{"type", "motion"}, {"scale", 0.5}}), HasSubstr("scale is 0.5"));
+}
+
+TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
+  EXPECT_EQ(make_perturbation({{"type", "holes"}}).versions, (Json{{"holes", 1}}));
+  const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};
+  const Json outer{{"type", "one_of"}, {"choices", {Json::array({{{"type", "holes"}}}), Json::array({inner})}}};
+  EXPECT_EQ(make_perturbation(outer).versions, (Json{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
+}
+
+TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
+  static constexpr std::array parameters{
+      Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
+  register_shape_perturbation({.name = "test_shift",
+                               .description = "Moves the shape along x.",
+                               .parameters = parameters,
+                               .apply =
+                                   [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+                                     shape.vertices.col(0).array() += settings.number("by");
+                                     return shape;
+                                   },
+                               .version = 4});
+  const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
+  EXPECT_EQ(moved, 1U);
+  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
+  EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
+  EXPECT_EQ(shifted.col(1), box.vertices.col(1));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).settings, (Json{{"type", "test_shift"}, {"by", 1.0}}));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).versions, (Json{{"test_shift", 4}}));
 }
 
 TEST(MakePerturbation, AnUnknownTypeIsAnError) {

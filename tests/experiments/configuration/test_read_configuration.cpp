@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/core/io/temporary_folder.h"
@@ -156,7 +157,7 @@ TEST(Configuration, SettingsThatContradictEachOther) {
   EXPECT_THAT(message_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
               HasSubstr("dataset.classification: "));
   EXPECT_THAT(message_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
-              HasSubstr("dataset.generate.classes: there are"));
+              HasSubstr("dataset.generate.classes: must be from 1 to 16, not 1000"));
 }
 
 TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {

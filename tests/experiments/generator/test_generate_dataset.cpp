@@ -11,6 +11,7 @@
 
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/generator/articulated_body.h"
 #include "shapegauge/experiments/generator/class_skeletons.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"

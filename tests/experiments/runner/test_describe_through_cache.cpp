@@ -29,7 +29,7 @@ Uses uses_of(const ExperimentResults& results) {
   Uses uses;
   for (const EntryKind kind : {EntryKind::shape, EntryKind::field, EntryKind::histogram, EntryKind::distances}) {
     const CacheUse& use = results.cache.uses.at(static_cast<std::size_t>(kind));
-    uses[std::string(name_of(kind))] = {use.taken, use.computed};
+    uses[std::string(name_of(kind))] = {use.hits, use.computed};
   }
   return uses;
 }
@@ -136,7 +136,7 @@ TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
     EXPECT_EQ(uses_of(drawn), all_taken);
     EXPECT_EQ(files_of(drawn), fresh);
     const CacheUse& pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
-    EXPECT_EQ(pictures.taken, 9U);
+    EXPECT_EQ(pictures.hits, 9U);
     EXPECT_EQ(pictures.computed, 0U);
   }
 }

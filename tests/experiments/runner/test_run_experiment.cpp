@@ -81,7 +81,7 @@ TEST(DistancesThroughCache, AreComputedOnce) {
   EXPECT_EQ(use_of(first).computed, 1U);
   Cache second(folder.path() / "cache");
   EXPECT_EQ(distances_through_cache(signatures, "l1", second), expected);
-  EXPECT_EQ(use_of(second).taken, 1U);
+  EXPECT_EQ(use_of(second).hits, 1U);
   Signatures other = signatures;
   other(3, 3) += 1;
   EXPECT_EQ(distances_through_cache(other, "l1", second), distance_matrix(other));
