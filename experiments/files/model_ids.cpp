@@ -59,6 +59,4 @@ std::string canonical_model_id(std::string_view id) {
   return std::string(id);
 }
 
-bool same_model(std::string_view a, std::string_view b) { return canonical_model_id(a) == canonical_model_id(b); }
-
 }  // namespace shapegauge

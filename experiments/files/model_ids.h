@@ -15,7 +15,4 @@ bool natural_less(std::string_view a, std::string_view b);
 /// "12". Other ids stay as they are.
 std::string canonical_model_id(std::string_view id);
 
-/// Whether two ids mean the same model: their canonical forms are equal.
-bool same_model(std::string_view a, std::string_view b);
-
 }  // namespace shapegauge

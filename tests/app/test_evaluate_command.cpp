@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/files/write_matrix.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {

@@ -13,9 +13,11 @@ namespace shapegauge {
 
 namespace {
 
+using test_io::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const Classification animals = {{{"animal", std::nullopt, {}}, {"horse", 0, {"10", "2"}}, {"bird", 0, {"1"}}}};
 
@@ -38,15 +40,6 @@ TEST(ClassLabels, NameTheModelThatDoesNotFit) {
   EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" is classified")));
   EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" occurs twice"));
 }
-
-}  // namespace
-
-namespace {
-
-using test_io::TemporaryFolder;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 constexpr std::string_view valid =
     "PSB 1\n"

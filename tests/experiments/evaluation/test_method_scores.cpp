@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/input_error.h"
 #include "tests/experiments/text_files.h"
@@ -17,11 +17,11 @@ const std::string table =
     "method,protocol,id,class,NN,FT\n"
     "a,psb,1,ant,100.0000,50.0000\na,psb,2,ant,0,25\nb,psb,2,ant,100,75\nb,psb,1,ant,0,100\n";
 
-class MethodValuesTest : public testing::Test {
+class MethodScoresTest : public testing::Test {
  protected:
-  std::vector<MethodValues> read(const std::string& text, const std::string& name = "per_query.csv") {
+  std::vector<MethodScores> read(const std::string& text, const std::string& name = "per_query.csv") {
     test_experiments::write_text(folder_.path() / name, text);
-    return read_method_values(folder_.path() / name);
+    return read_method_scores(folder_.path() / name);
   }
   std::string error_of(const std::string& text) {
     return input_error_of([&] { read(text); });
@@ -31,8 +31,8 @@ class MethodValuesTest : public testing::Test {
   test_io::TemporaryFolder folder_;
 };
 
-TEST_F(MethodValuesTest, AreReadByMethodAndAlignedByQuery) {
-  const std::vector<MethodValues> methods = read(table);
+TEST_F(MethodScoresTest, AreReadByMethodAndAlignedByQuery) {
+  const std::vector<MethodScores> methods = read(table);
   ASSERT_EQ(methods.size(), 2U);
   EXPECT_EQ(methods[0].values(1, 1), 0.25);
   const AlignedMethods aligned = align_methods(methods, {});
@@ -43,17 +43,17 @@ TEST_F(MethodValuesTest, AreReadByMethodAndAlignedByQuery) {
   EXPECT_THAT(align_methods(methods, std::vector<std::string>{"FT"}).measures, ElementsAre("FT"));
 }
 
-TEST_F(MethodValuesTest, EqualNamesGetThatOfTheirFile) {
-  std::vector<MethodValues> methods = read(table, "one/per_query.csv");
-  const std::vector<MethodValues> more = read(table, "two.csv");
+TEST_F(MethodScoresTest, EqualNamesGetThatOfTheirFile) {
+  std::vector<MethodScores> methods = read(table, "one/per_query.csv");
+  const std::vector<MethodScores> more = read(table, "two.csv");
   methods.insert(methods.end(), more.begin(), more.end());
   EXPECT_THAT(align_methods(methods, {}).methods, ElementsAre("one: a", "one: b", "two: a", "two: b"));
 }
 
-TEST_F(MethodValuesTest, WhatCannotBeComparedIsOneError) {
+TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
   const auto align_error = [&](const std::string& more, const std::vector<std::string>& measures = {}) {
-    std::vector<MethodValues> methods = read(table);
-    const std::vector<MethodValues> others = read(more, "other.csv");
+    std::vector<MethodScores> methods = read(table);
+    const std::vector<MethodScores> others = read(more, "other.csv");
     methods.insert(methods.end(), others.begin(), others.end());
     return input_error_of([&] { align_methods(methods, measures); });
   };
@@ -66,12 +66,12 @@ TEST_F(MethodValuesTest, WhatCannotBeComparedIsOneError) {
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\nc,psb,2,ant,1\n", {"FT"}), HasSubstr("no measure \"FT\" for \"c\""));
   EXPECT_THAT(align_error("method,protocol,id,class,ST\nc,psb,1,ant,1\nc,psb,2,ant,1\n"),
               HasSubstr("no measure in common"));
-  const std::vector<MethodValues> one = {read(table)[0]};
+  const std::vector<MethodScores> one = {read(table)[0]};
   EXPECT_THAT(input_error_of([&] { align_methods(one, {}); }), HasSubstr("one method only"));
 }
 
-TEST_F(MethodValuesTest, FaultsAreOneErrorWithTheLine) {
-  EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected figures of each query"));
+TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
+  EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected scores of each query"));
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"), HasSubstr("per_query.csv:2: 4 cells"));
   for (const char* figure : {"x", "nan", "-1", "101"}) {
     EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant," + std::string(figure) + "\n"),
