@@ -1,6 +1,6 @@
 #include "shapegauge/experiments/results/manifest.h"
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/error.h"
@@ -49,8 +49,6 @@ Json execution_json(int threads, std::span<const std::pair<std::string, double>>
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// SHA-256 of a file; nothing where it cannot be read.
 std::string readable_hash(const std::filesystem::path& file) {

@@ -8,6 +8,7 @@ namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
+using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
@@ -17,6 +18,7 @@ using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
+using testing::StartsWith;
 
 /// A run over the small data set, recorded in out/manifest.json.
 class ReplayReport : public SmallRun {
@@ -103,23 +105,6 @@ TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
        {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},
        {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
 }
-
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test_command_line::expect_error_line;
-using test_command_line::expect_error_lines;
-using test_command_line::Outcome;
-using test_command_line::run_executable;
-using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
-using testing::HasSubstr;
-using testing::MatchesRegex;
-using testing::Not;
-using testing::StartsWith;
 
 class RunCommand : public SmallRun {
  protected:

@@ -11,7 +11,11 @@ namespace shapegauge {
 
 namespace {
 
+namespace fs = std::filesystem;
+using test_experiments::text_of;
+using test_experiments::write_text;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 TEST(FileSafeName, KeepsWhatIsSafe) {
   EXPECT_EQ(file_safe_name("Our SDF (d = 1%)"), "Our_SDF_d_1");
@@ -36,14 +40,7 @@ RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
             std::string::npos);
 }
 
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using testing::HasSubstr;
-
-std::string error_for(const fs::path& folder) {
+std::string lock_error(const fs::path& folder) {
   return input_error_of([&] { const FolderLock lock(folder); });
 }
 
@@ -51,43 +48,36 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
   const test_io::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run is under way in"));
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("--output"));
-    EXPECT_EQ(error_for(folder.path() / "a"), "no error");
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is under way in"));
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("--output"));
+    EXPECT_EQ(lock_error(folder.path() / "a"), "no error");
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
   }
   EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
-  EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
+  EXPECT_EQ(lock_error(folder.path() / "a/b"), "no error");
 }
 
 TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
   const test_io::TemporaryFolder folder;
   test_experiments::write_text(folder.path() / ".shapegauge-lock", "");
-  EXPECT_EQ(error_for(folder.path()), "no error");
+  EXPECT_EQ(lock_error(folder.path()), "no error");
 }
 
 TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
-  EXPECT_THAT(error_for("/proc/x"), HasSubstr("/proc/x"));
-  EXPECT_THAT(error_for("/proc"), HasSubstr("cannot write to the folder /proc"));
+  EXPECT_THAT(lock_error("/proc/x"), HasSubstr("/proc/x"));
+  EXPECT_THAT(lock_error("/proc"), HasSubstr("cannot write to the folder /proc"));
 }
-
-}  // namespace
-
-namespace {
-
-using test_experiments::write_text;
-using testing::HasSubstr;
 
 const nlohmann::json mine{{"name", "mine"}};
 
-std::string error_for(const std::filesystem::path& folder, bool replace = false) {
+std::string error_for(const fs::path& folder, bool replace = false) {
   return input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
 TEST(ResultFolder, IsMadeWithThoseAbove) {
   const test_io::TemporaryFolder folder;
   EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a/b"));
+  EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
 }
 
 TEST(ResultFolder, OtherFilesDoNotMatter) {
@@ -121,14 +111,6 @@ TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
   EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot make the folder"));
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
-
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
 
 /// A folder with the results of an earlier run and a file of the user's.
 class StagedResultsTest : public testing::Test {

@@ -26,10 +26,6 @@ TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
   EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
 }
 
-}  // namespace
-
-namespace {
-
 ExperimentResults two_models() {
   ExperimentResults results;
   results.classes = {"ant", "bird"};

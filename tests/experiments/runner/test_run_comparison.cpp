@@ -5,7 +5,7 @@
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/files/csv.h"
-#include "shapegauge/experiments/results/write_comparison.h"
+#include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/test_shapes.h"
