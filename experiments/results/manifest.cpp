@@ -33,7 +33,11 @@ Json outputs_json(const std::filesystem::path& folder, std::span<const std::stri
 
 Json fields_json(std::span<const FieldReport> fields) {
   Json list = Json::array();
-  for (const FieldReport& field : fields) list.push_back({{"field", field.settings}, {"samples", field.outcomes}});
+  for (const FieldReport& field : fields) {
+    Json entry{{"field", field.settings}, {"samples", field.outcomes}};
+    if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
+    list.push_back(std::move(entry));
+  }
   return list;
 }
 

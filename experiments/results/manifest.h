@@ -31,7 +31,7 @@ nlohmann::ordered_json program_json();
 /// SHA-256 of the result files in the folder, by name; not of tables of timings, which differ from run to run.
 nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);
 
-/// For each field its settings and its samples by outcome.
+/// For each field its settings, its samples by outcome, and how many shapes its offset leaks into.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
 
 /// Threads, seconds by stage, and seconds by field: what differs from run to run.

@@ -151,6 +151,9 @@ std::string summary_markdown(const ComparisonResults& results) {
   for (const auto& [title, table] : comparing_tables(results)) {
     text += fmt::format("\n## {}\n\n{}", title, to_markdown(table));
   }
+  const std::vector<std::string> warnings = field_warnings(results.fields);
+  if (!warnings.empty()) text += "\n## Warnings\n\n";
+  for (const std::string& warning : warnings) text += fmt::format("- {}\n", warning);
   return text;
 }
 
