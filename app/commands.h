@@ -11,10 +11,11 @@ namespace shapegauge {
 inline constexpr int exit_success = 0;
 inline constexpr int exit_with_failures = 1;   ///< finished, but something failed that the messages name
 inline constexpr int exit_unusable_input = 2;  ///< unusable input or arguments; nothing was done
-inline constexpr int exit_interrupted = 130;   ///< as shells report SIGINT
 /// @}
+// An interrupted program exits with 128 and the number of the signal: 130 (SIGINT), 143 (SIGTERM), 129 (SIGHUP).
 
-/// Makes interrupted() answer the first Ctrl-C (SIGINT) instead of ending the program; a second one ends it.
+/// Makes interrupted() answer the first SIGINT (Ctrl-C), SIGTERM or SIGHUP instead of ending the program; a second one
+/// ends it. A SIGHUP that is ignored (nohup) stays so.
 void catch_interruption();
 
 /// Whether the program has been interrupted since catch_interruption().

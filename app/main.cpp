@@ -1,14 +1,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
+#include <iostream>
 #include <malloc.h>
 #include <new>
 #include <optional>
 #include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "app/commands.h"
@@ -21,11 +24,11 @@ namespace shapegauge {
 namespace {
 
 // A signal handler may touch lock-free atomics only, and has no other way to say something.
-std::atomic<bool> was_interrupted = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> received_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 void remember(int signal) {
-  was_interrupted = true;
+  received_signal = signal;
   std::signal(signal, SIG_DFL);
 }
 
@@ -78,9 +81,8 @@ int parse_and_run(CLI::App& app, std::span<const std::string> arguments) {
   return exit_success;
 }
 
-/// The program: does what the arguments (without the program's name) say and returns the exit status. Results go to
-/// standard output or files; messages and progress to standard error.
-int run_program(std::span<const std::string> arguments) {
+/// Does what the arguments (without the program's name) say. Returns the exit status.
+int run_command(std::span<const std::string> arguments) {
   CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
   app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
   app.require_subcommand(1);
@@ -94,7 +96,7 @@ int run_program(std::span<const std::string> arguments) {
   try {
     return std::max(parse_and_run(app, arguments), status);
   } catch (const Interrupted& interruption) {
-    return report(interruption.what(), exit_interrupted);
+    return report(interruption.what(), 128 + received_signal);
   } catch (const std::bad_alloc&) {
     return report("out of memory", exit_unusable_input);
   } catch (const std::exception& error) {
@@ -102,11 +104,26 @@ int run_program(std::span<const std::string> arguments) {
   }
 }
 
+/// The program. Results go to standard output or files, messages and progress to standard error. Results that do not
+/// reach standard output (a full disk, a closed pipe) are an error like any other.
+int run_program(std::span<const std::string> arguments) {
+  const int status = run_command(arguments);
+  errno = 0;
+  std::cout.flush();
+  const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (written || status == exit_unusable_input) return status;
+  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  return report("cannot write to standard output" + reason, exit_unusable_input);
+}
+
 }  // namespace
 
-void catch_interruption() { std::signal(SIGINT, remember); }
+void catch_interruption() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember);
+  if (std::signal(SIGHUP, remember) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+}
 
-bool interrupted() { return was_interrupted; }
+bool interrupted() { return received_signal != 0; }
 
 }  // namespace shapegauge
 

@@ -144,6 +144,23 @@ TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
   EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
 }
 
+TEST_F(RunWithCache, ATerminatedRunEndsAsAnInterruptedOne) {
+  write_configuration(2000);
+  std::size_t kept = 0;
+  for (const auto& [signal, status] : {std::pair{SIGTERM, 143}, std::pair{SIGHUP, 129}}) {
+    BackgroundRun terminated(arguments("out"), at("errors"));
+    ASSERT_TRUE(terminated.wait_until([&] { return fields_kept() >= kept + 1; })) << text_of(at("errors"));
+    terminated.send(signal);
+    EXPECT_EQ(terminated.wait(), status);
+    EXPECT_THAT(text_of(at("errors")),
+                MatchesRegex("shapegauge: error: interrupted; no results were written\\. [^\n]*\n"));
+    EXPECT_TRUE(fs::is_empty(at("out"))) << "the lock is gone too";
+    kept = fields_kept();
+  }
+  ASSERT_EQ(run_with_cache("out").status, 0);
+  EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
+}
+
 TEST_F(RunWithCache, ASecondRunIntoTheSameFolderIsRefused) {
   write_configuration(1000);
   BackgroundRun first(arguments("out"), at("errors"));
