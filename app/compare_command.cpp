@@ -1,5 +1,3 @@
-#include "app/compare_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -8,8 +6,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "app/commands.h"
 #include "app/evaluation_arguments.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"

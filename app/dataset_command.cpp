@@ -1,14 +1,12 @@
-#include "app/dataset_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/progress_line.h"
-#include "app/run_program.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/table.h"

@@ -1,5 +1,3 @@
-#include "app/evaluate_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -7,11 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include "app/commands.h"
 #include "app/evaluation_arguments.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/report/report_page.h"
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 
 namespace shapegauge {

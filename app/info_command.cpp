@@ -1,14 +1,13 @@
-#include "app/info_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 

@@ -1,5 +1,3 @@
-#include "app/normals_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -8,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/offset_normals.h"

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -15,27 +16,6 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 
 namespace shapegauge {
-
-void add_cache_option(CLI::App& command, CacheOption& option) {
-  command.add_option("--cache", option.named,
-                     "Folder of the cache (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)");
-}
-
-std::filesystem::path chosen_cache(const CacheOption& option) {
-  if (option.none) return {};
-  return option.named.empty() ? default_cache_folder() : option.named;
-}
-
-Shape denoised_with_report(Shape shape) {
-  DenoisedShape result = denoised(std::move(shape));
-  if (result.pass_band > 0) {
-    fmt::print(stderr, "shapegauge: noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}\n",
-               result.noise.relative(), result.pass_band);
-  } else {
-    fmt::print(stderr, "shapegauge: no noise beyond doubt, the shape stays as it is\n");
-  }
-  return std::move(result.shape);
-}
 
 namespace {
 
@@ -55,6 +35,25 @@ void warn_of_gaps(const ChosenOffset& chosen) {
 }
 
 }  // namespace
+
+void add_shape_argument(CLI::App& command, std::filesystem::path& input) {
+  command.add_option("input", input, fmt::format("Mesh or point cloud: {}", fmt::join(shape_extensions(), ", ")))
+      ->required();
+}
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+}
+
+void add_cache_option(CLI::App& command, CacheOption& option) {
+  command.add_option("--cache", option.named,
+                     "Folder of the cache (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)");
+}
+
+std::filesystem::path chosen_cache(const CacheOption& option) {
+  if (option.none) return {};
+  return option.named.empty() ? default_cache_folder() : option.named;
+}
 
 std::optional<double> parse_offset(const std::string& text) {
   if (text == "auto") return std::nullopt;
@@ -97,13 +96,15 @@ nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
   return json;
 }
 
-void add_shape_argument(CLI::App& command, std::filesystem::path& input) {
-  command.add_option("input", input, fmt::format("Mesh or point cloud: {}", fmt::join(shape_extensions(), ", ")))
-      ->required();
-}
-
-void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+Shape denoised_with_report(Shape shape) {
+  DenoisedShape result = denoised(std::move(shape));
+  if (result.pass_band > 0) {
+    fmt::print(stderr, "shapegauge: noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}\n",
+               result.noise.relative(), result.pass_band);
+  } else {
+    fmt::print(stderr, "shapegauge: no noise beyond doubt, the shape stays as it is\n");
+  }
+  return std::move(result.shape);
 }
 
 }  // namespace shapegauge

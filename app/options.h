@@ -1,8 +1,7 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -13,48 +12,49 @@ namespace CLI {
 class App;
 }
 
+/// The options that several commands share, and what they stand for.
+
 namespace shapegauge {
 
-/// The folder of the cache that the user wants.
+/// Adds the shape file that a command reads: any format of read_shape().
+void add_shape_argument(CLI::App& command, std::filesystem::path& input);
+
+/// Adds --threads, for with_threads().
+void add_threads_option(CLI::App& command, int& threads);
+
+/// The cache folder that the user asks for.
 struct CacheOption {
   std::filesystem::path named;  ///< empty: default_cache_folder()
   bool none = false;
 };
 
-/// Adds `--cache` to a command, which leaves what the user says in `option`.
+/// Adds --cache.
 void add_cache_option(CLI::App& command, CacheOption& option);
 
-/// The folder; empty where there is to be no cache.
+/// The cache folder; empty for no cache.
 std::filesystem::path chosen_cache(const CacheOption& option);
 
-/// What the option --denoise does: the shape without its noise (denoised()), with a line on standard error that says
-/// what was found.
-Shape denoised_with_report(Shape shape);
-
-/// The offset that a shape is measured with, as fractions of the bounding-box diagonal.
-struct ChosenOffset {
-  double offset = 0;
-  double gap = 0;                            ///< the shape's gap_size()
-  std::optional<AutomaticOffset> automatic;  ///< why it was chosen, where the option says "auto"
-};
-
-/// The number that the option --offset gives, or nothing for "auto". Throws InputError for anything else, and for a
-/// number that is not a fraction of the diagonal (above 0, at most 1).
+/// The value of --offset, a fraction of the bounding-box diagonal; nothing for "auto". Throws InputError for anything
+/// else.
 std::optional<double> parse_offset(const std::string& text);
 
-/// The offset for a shape: the one given, or automatic_offset(). Throws InputError where the shape has no extent.
+/// The offset that a shape is measured with. Lengths are fractions of the bounding-box diagonal.
+struct ChosenOffset {
+  double offset = 0;
+  double gap = 0;                            ///< gap_size() of the shape
+  std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
+};
+
+/// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Tells on standard error which offset was chosen, and warns of one that is smaller than the shape's gaps.
+/// Prints on standard error an offset that was chosen automatically, and warns of one below the gaps of the shape.
 void report(const ChosenOffset& chosen);
 
-/// What `--timings` tells of it: `offset`, `gap_fraction`, and of a choice `noise_fraction` and `sufficient`.
+/// The offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`, `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// Adds the file of the shape that a command is about: whatever read_shape() reads.
-void add_shape_argument(CLI::App& command, std::filesystem::path& input);
-
-/// Adds --threads; with_threads() takes what it gives.
-void add_threads_option(CLI::App& command, int& threads);
+/// The option --denoise: denoised(), with a line on standard error about what it found.
+Shape denoised_with_report(Shape shape);
 
 }  // namespace shapegauge

@@ -1,5 +1,3 @@
-#include "app/perturb_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -9,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/configuration/perturbations.h"

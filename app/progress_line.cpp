@@ -1,4 +1,4 @@
-#include "app/progress_line.h"
+#include "app/terminal.h"
 
 #include <cmath>
 #include <cstdio>

@@ -89,6 +89,8 @@ struct FieldReport {
   nlohmann::json settings;
   FieldOutcomes outcomes;  ///< sums
   double seconds = 0;      ///< sum over the models, whatever ran at the same time
+  std::size_t models = 0;
+  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()): it leaks into them
 };
 
 /// How a field of given settings is computed, and the versions of the algorithms behind it: a version is raised with

@@ -98,14 +98,27 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
   return tables;
 }
 
+namespace {
+
+/// Whether the model's gaps are wider than the offset of a field on it. Fields without an offset do not leak.
+bool leaks(const ShapeDiagnostics& model, const FieldDescription& found, const nlohmann::json& settings) {
+  const auto given = settings.find("offset");
+  if (given == settings.end()) return false;
+  return model.gap_size > (found.offset ? *found.offset : given->get<double>()) * model.diagonal;
+}
+
+}  // namespace
+
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const PlannedField> plan) {
   std::vector<FieldReport> reports;
   for (std::size_t field = 0; field < plan.size(); ++field) {
     FieldReport& report = reports.emplace_back();
     report.settings = plan[field].field.settings;
+    report.models = models.size();
     for (const ModelDescription* model : models) {
       report.seconds += model->fields[field].seconds;
+      if (leaks(model->diagnostics, model->fields[field], report.settings)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
     }
   }
@@ -168,6 +181,12 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
   std::vector<std::string> warnings;
   for (const FieldReport& field : fields) {
+    if (field.leaking > 0) {
+      warnings.push_back(fmt::format(
+          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
+          R"(use a larger offset or "auto")",
+          field.leaking, field.models, field.settings.dump()));
+    }
     for (const char* outcome : {"undecided", "missing"}) {
       const auto count = field.outcomes.find(outcome);
       if (count == field.outcomes.end() || count->second == 0) continue;

@@ -65,7 +65,7 @@ struct ComputedSignatures {
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache);
 
-/// What a reader of the results should know of the fields: a sentence for each outcome that leaves samples undecided or
+/// What a reader of the results should know of the fields, a sentence each: offsets that leak, samples undecided or
 /// without a value.
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields);
 

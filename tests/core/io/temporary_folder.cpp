@@ -1,4 +1,4 @@
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,4 @@ std::string bytes_of(const fs::path& path) {
   return std::move(bytes).str();
 }
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

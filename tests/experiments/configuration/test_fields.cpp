@@ -5,8 +5,8 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/fields.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_shapes.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -18,7 +18,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.samples.site, SampleSite::vertices);
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, samples, false);
@@ -29,7 +29,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
 TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "cone_sdf"}, {"rays", 9}, {"opening_angle_degrees", 40}});
   EXPECT_EQ(field.samples.site, SampleSite::faces);
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   const ConeSdfOptions options{.opening_angle_degrees = 40, .rays = 9, .parallel = false};
   FieldSource source(shape);
@@ -53,7 +53,7 @@ TEST(MakeField, TheAutomaticOffsetIsReported) {
   EXPECT_EQ(field.settings["offset"], "auto");
   EXPECT_EQ(field.versions,
             (nlohmann::json{{"offset_sdf", offset_sdf_version}, {"automatic_offset", automatic_offset_version}}));
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, samples, false);
@@ -63,7 +63,7 @@ TEST(MakeField, TheAutomaticOffsetIsReported) {
 }
 
 TEST(MakeField, SettingsThatATypeDoesNotTakeAreErrors) {
-  const auto message = [](const nlohmann::json& settings) { return input_error_of([&] { make_field(settings); }); };
+  const auto message = [](const nlohmann::json& settings) { return test::input_error_of([&] { make_field(settings); }); };
   EXPECT_THAT(message({{"type", "offset_sdf"}}), HasSubstr("offset is missing"));
   EXPECT_THAT(message({{"type", "offset_sdf"}, {"offset", 0}}), HasSubstr("offset is 0"));
   EXPECT_THAT(message({{"type", "cone_sdf"}, {"rays", 0}}), HasSubstr("rays is 0"));
@@ -86,7 +86,7 @@ TEST(RegisterField, AddsATypeThatConfigurationsCanName) {
   EXPECT_EQ(field_types().back().name, "test_height");
   const Field field = make_field({{"type", "test_height"}, {"factor", 2}, {"at", "vertices"}});
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "test_height"}, {"factor", 2.0}, {"at", "vertices"}}));
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, take_samples(shape, field.samples), false);
   EXPECT_EQ(computed.values, 2 * shape.vertices.col(2));
@@ -111,13 +111,13 @@ TEST(RegisterField, AValueForEachSampleIsNeeded) {
                             }};
                   }});
   const Field field = make_field({{"type", "test_one_value"}});
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   FieldSource source(shape);
   EXPECT_THROW(field.compute(source, take_samples(shape, field.samples), false), std::logic_error);
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(input_error_of([] { make_field({{"type", "offset_sfd"}}); }), HasSubstr("did you mean \"offset_sdf\"?"));
+  EXPECT_THAT(test::input_error_of([] { make_field({{"type", "offset_sfd"}}); }), HasSubstr("did you mean \"offset_sdf\"?"));
 }
 
 }  // namespace

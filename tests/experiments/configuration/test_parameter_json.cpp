@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -40,7 +40,7 @@ TEST(ParameterJson, FillsInDefaultsAndReadsBackAsTheSame) {
 
 TEST(ParameterJson, RefusesWhatTheParameterDoesNotTake) {
   const auto message = [](const Json& settings) {
-    return input_error_of([&] { read_parameters(parameters, settings); });
+    return test::input_error_of([&] { read_parameters(parameters, settings); });
   };
   EXPECT_THAT(message(Json::object()), HasSubstr("width is missing"));
   EXPECT_THAT(message({{"width", 0}}), HasSubstr("width is 0"));

@@ -13,7 +13,7 @@
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -40,13 +40,13 @@ Json valid() {
 std::string message_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 std::string message_without(const std::string& parent, const std::string& key) {
   Json document = valid();
   document[Json::json_pointer(parent)].erase(key);
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
@@ -70,7 +70,7 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
-  EXPECT_THAT(input_error_of([&] { check_against_schema(document, "x.json"); }),
+  EXPECT_THAT(test::input_error_of([&] { check_against_schema(document, "x.json"); }),
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
@@ -94,7 +94,7 @@ TEST(SchemaCheck, WrongTypes) {
   EXPECT_THAT(message_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
   EXPECT_THAT(message_with("/signatures", Json::object()), HasSubstr("signatures: must be of type array, not object"));
   EXPECT_THAT(message_with("/dataset", "data"), HasSubstr("dataset: must be of type object, not string"));
-  EXPECT_THAT(input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
+  EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
               HasSubstr("x.json: must be of type object, not array"));
 }
 
@@ -161,7 +161,7 @@ TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
     for (const Json& other : others) {
       Json changed = document;
       changed[Json::json_pointer(place)] = other;
-      const std::string message = input_error_of([&] { check_against_schema(changed, "x.json"); });
+      const std::string message = test::input_error_of([&] { check_against_schema(changed, "x.json"); });
       refused += message == "no error" ? 0 : 1;
       EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << place << " = " << other;
     }

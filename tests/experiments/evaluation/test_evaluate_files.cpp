@@ -7,9 +7,8 @@
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/experiments/files/write_matrix.h"
-#include "tests/experiments/text_files.h"
 
 namespace shapegauge {
 
@@ -42,8 +41,8 @@ class EvaluateFiles : public testing::Test {
       labels += line + "\n";
       sets += line + (model % 3 == 0 ? ",query\n" : ",target\n");
     }
-    test_experiments::write_text(at("labels.csv"), labels);
-    test_experiments::write_text(at("sets.csv"), sets);
+    test::write_text(at("labels.csv"), labels);
+    test::write_text(at("sets.csv"), sets);
   }
 
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
@@ -78,7 +77,7 @@ class EvaluateFiles : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
@@ -105,8 +104,8 @@ TEST_F(EvaluateFiles, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
 class MatrixWarnings : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {
-    test_experiments::write_text(folder_.path() / "labels.csv", "id,class\na,x\nb,x\nc,y\nd,y\n");
-    test_experiments::write_text(folder_.path() / "m.txt", matrix);
+    test::write_text(folder_.path() / "labels.csv", "id,class\na,x\nb,x\nc,y\nd,y\n");
+    test::write_text(folder_.path() / "m.txt", matrix);
     return evaluate_files(
                {.matrix = folder_.path() / "m.txt", .labels = folder_.path() / "labels.csv", .similarity = similarity},
                {})
@@ -114,7 +113,7 @@ class MatrixWarnings : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(MatrixWarnings, NothingOddIsNoWarning) {

@@ -6,16 +6,15 @@
 #include <string>
 
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 #include "tests/experiments/files/random_matrices.h"
-#include "tests/experiments/input_error.h"
 
 namespace shapegauge {
 
 namespace {
 
 using namespace std::string_literals;
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -26,7 +25,7 @@ std::string version_1(const std::string& dictionary) {
 }
 
 std::string header_error(const std::string& bytes) {
-  return input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
+  return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
 }
 
 TEST(NpyHeader, IsAPythonDictionaryInAnyOrderAndSpacing) {
@@ -113,7 +112,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string error_of(const std::string& bytes) {
-  return input_error_of([&] { parse_npy(bytes, "x.npy"); });
+  return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
 }
 
 TEST(Npy, ReadsWhatNumpyWrites) {
@@ -127,13 +126,13 @@ TEST(Npy, ReadsWhatNumpyWrites) {
 TEST(Npy, WritesWhatNumpyWrites) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "x.npy", example());
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "x.npy"), float64_version_1);
+  EXPECT_EQ(test::bytes_of(folder.path() / "x.npy"), float64_version_1);
 }
 
 TEST(Npy, WritesVectorsAsNumpyDoes) {
   const TemporaryFolder folder;
   write_npy_vector(folder.path() / "v.npy", Eigen::Vector2d(0, 1.5));
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "v.npy"),
+  EXPECT_EQ(test::bytes_of(folder.path() / "v.npy"),
             "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }"s + std::string(60, ' ') +
                 "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?"s);
 }
@@ -187,7 +186,7 @@ RC_GTEST_PROP(Npy, ReadsBackWhatIsWritten, ()) {
   // A third of a float32 needs all of the float64.
   const DistanceMatrix matrix = *square_matrices() / 3;
   write_npy(folder.path() / "m.npy", matrix);
-  RC_ASSERT(parse_npy(test_io::bytes_of(folder.path() / "m.npy"), "m") == matrix);
+  RC_ASSERT(parse_npy(test::bytes_of(folder.path() / "m.npy"), "m") == matrix);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 // Values that the caches of users hold, with the versions of the algorithms that made them. A test that fails here says
 // that a value has changed: raise the version, so that caches give none of the old ones, and correct what is recorded.
@@ -23,9 +23,9 @@ using Json = nlohmann::json;
 
 /// A closed, a bent and an open surface.
 std::vector<Shape> shapes() {
-  Shape open = test_shapes::box({1, 2, 0.3}, 3);
+  Shape open = test::box({1, 2, 0.3}, 3);
   open.triangles.conservativeResize(open.triangles.rows() - 4, Eigen::NoChange);
-  return {test_shapes::capsule(0.2, 2, 16, 6), test_shapes::torus(1, 0.3, 12, 8), open};
+  return {test::capsule(0.2, 2, 16, 6), test::torus(1, 0.3, 12, 8), open};
 }
 
 /// What a field gives on one shape. Each number changes with most of the values; the deviation with where they are.
