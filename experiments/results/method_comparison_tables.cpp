@@ -86,8 +86,8 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
   return table;
 }
 
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                  const ScoreStyle& style, bool exact) {
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
+                  bool exact) {
   Table table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
                          "effect_size", "wins", "ties", "losses"},
               .rows = {},

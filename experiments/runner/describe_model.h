@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"

@@ -10,8 +10,8 @@
 #include <thread>
 #include <unistd.h>
 
-#include "tests/support/test_files.h"
 #include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge::test_command_line {
 

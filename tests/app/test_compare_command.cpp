@@ -11,11 +11,11 @@ namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test::text_of;
-using test::write_text;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;

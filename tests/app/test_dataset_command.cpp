@@ -1,16 +1,16 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/program.h"
-#include "tests/support/test_files.h"
 #include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::write_text;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test::write_text;
 using testing::HasSubstr;
 
 class DatasetCommand : public testing::Test {

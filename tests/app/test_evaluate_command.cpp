@@ -4,19 +4,19 @@
 
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/support/test_files.h"
 #include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
-using test::text_of;
-using test::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;

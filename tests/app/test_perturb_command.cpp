@@ -10,9 +10,9 @@ namespace shapegauge {
 
 namespace {
 
+using test::text_of;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test::text_of;
 using testing::HasSubstr;
 
 class PerturbCommand : public testing::Test {

@@ -11,13 +11,13 @@ namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test::text_of;
-using test::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;

@@ -17,12 +17,12 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::text_of;
+using test::write_text;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test::text_of;
-using test::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 

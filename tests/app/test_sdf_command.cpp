@@ -15,12 +15,12 @@ namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
-using test::text_of;
-using test::write_text;
 using testing::HasSubstr;
 using testing::StartsWith;
 

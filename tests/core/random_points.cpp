@@ -1,9 +1,8 @@
-#include "tests/support/test_shapes.h"
-
 #include <algorithm>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge::test {
 

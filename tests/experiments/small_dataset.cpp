@@ -3,8 +3,8 @@
 #include <array>
 
 #include "shapegauge/core/io/off.h"
-#include "tests/support/test_shapes.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge::test {
 

@@ -1,5 +1,3 @@
-#include "tests/support/test_files.h"
-
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -8,6 +6,8 @@
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
+
+#include "tests/support/test_files.h"
 
 namespace shapegauge::test {
 

@@ -163,8 +163,7 @@ TEST(ReadOff, BinaryNormalThatIsNotFinite) {
 TEST(ReadOff, Binary) { expect_same(read_off(test::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
 
 TEST(ReadOff, BinaryWithExtras) {
-  expect_same(read_off(test::as_binary_off(tetrahedron(), "COFF BINARY # a comment\r\n", 4), "t.off"),
-              tetrahedron());
+  expect_same(read_off(test::as_binary_off(tetrahedron(), "COFF BINARY # a comment\r\n", 4), "t.off"), tetrahedron());
   expect_same(read_off(test::as_binary_off(tetrahedron(), "STCNOFF  BINARY\n", 9), "t.off"), tetrahedron());
 }
 

@@ -60,8 +60,7 @@ TEST(ReadShape, ExtensionInCapitals) {
 TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   const TemporaryFolder folder;
   test::expect_same(read_shape(folder.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
-  test::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))),
-                       tetrahedron());
+  test::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
   test::expect_same(read_shape(folder.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
   EXPECT_EQ(read_shape(folder.file("b.dat", test::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
   std::string of_off = test::as_ascii_stl(tetrahedron());

@@ -38,9 +38,7 @@ std::string replaced_once(std::string text, const std::string& what, const std::
 
 TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
-TEST(ReadStl, Binary) {
-  expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron());
-}
+TEST(ReadStl, Binary) { expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
 TEST(ReadStl, BinaryThatBeginsWithSolid) {
   const std::string bytes = as_binary_stl(test::tetrahedron(), "solid by an exporter\nfacet normal");

@@ -82,8 +82,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
 TEST(Decimate, StaysClosedWhereSurfacesMeet) {
   // Two boxes with a common edge: four faces meet there.
   const Shape box = test::box({1, 1, 1}, 6);
-  const Shape pair =
-      test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
+  const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
   const Shape coarse = decimate(pair, 200);
   expect_valid(coarse);
   EXPECT_TRUE(is_watertight(coarse));

@@ -229,9 +229,7 @@ TEST(FlipOrientation, TurnsTheNormalsOfACloud) {
   EXPECT_EQ(turned(cloud, 1, 1).normals, -cloud.vertices);
 }
 
-TEST(FlipOrientation, RefusesWhatIsNoFraction) {
-  EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError);
-}
+TEST(FlipOrientation, RefusesWhatIsNoFraction) { EXPECT_THROW(turned(test::box({1, 1, 1}, 1), 1.5, 1), InputError); }
 
 Shape punched(const Shape& shape, const PunchHolesOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);

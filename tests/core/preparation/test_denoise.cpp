@@ -135,8 +135,7 @@ TEST(NoiseLevel, GoesWithTheScaleAndNotWithThePlace) {
   const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel level = level_of(noisy);
   for (const double scale : {1e-30, 1e-4, 1e30}) {
-    const Shape moved =
-        test::transformed(noisy, scale, test::rotation(2), scale * Eigen::Vector3d(5, 6, 7));
+    const Shape moved = test::transformed(noisy, scale, test::rotation(2), scale * Eigen::Vector3d(5, 6, 7));
     const NoiseLevel found = level_of(moved);
     EXPECT_NEAR(found.deviation / scale, level.deviation, 1e-9 * level.deviation);
     EXPECT_NEAR(found.edge_length / scale, level.edge_length, 1e-9 * level.edge_length);
@@ -152,8 +151,7 @@ TEST(NoiseLevel, OfASoupIsThatOfItsMesh) {
   EXPECT_NEAR(soup.deviation, mesh.deviation, 1e-6 * mesh.deviation);
   EXPECT_NEAR(soup.agreement, mesh.agreement, 1e-6);
   EXPECT_TRUE(is_noisy(test::soup(noisy)));
-  const Shape far = test::transformed(test::soup(test::sphere(1, 3)), 1,
-                                             Eigen::Matrix3d::Identity(), {1e7, 1e7, 1e7});
+  const Shape far = test::transformed(test::soup(test::sphere(1, 3)), 1, Eigen::Matrix3d::Identity(), {1e7, 1e7, 1e7});
   EXPECT_FALSE(is_noisy(far));
 }
 
@@ -303,9 +301,8 @@ TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
 }
 
 TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
-  for (const Shape& shape :
-       {test::sphere(1, 4), test::torus(2, 0.7, 30, 60), test::box({1, 2, 3}, 12),
-        test::capsule(0.5, 400, 48, 12), test::random_points(test::sphere(1, 4), 3000, 1)}) {
+  for (const Shape& shape : {test::sphere(1, 4), test::torus(2, 0.7, 30, 60), test::box({1, 2, 3}, 12),
+                             test::capsule(0.5, 400, 48, 12), test::random_points(test::sphere(1, 4), 3000, 1)}) {
     const DenoisedShape result = denoised(shape);
     EXPECT_EQ(result.shape.vertices, shape.vertices);
     EXPECT_EQ(result.shape.triangles, shape.triangles);

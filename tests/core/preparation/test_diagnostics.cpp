@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -85,8 +85,7 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
 
 TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   const auto beside = [](double x, double y) {
-    return test::joined(
-        {cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
+    return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
   EXPECT_EQ(diagnose(beside(3, 0)).components, 2U);
   EXPECT_EQ(diagnose(beside(3, 0)).coincident_vertices, 0U);
@@ -133,9 +132,7 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
 
 TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
   const Shape broken = with_triangle(
-      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}),
-                    0, 1, 2),
-      5, 5, 9);
+      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
   EXPECT_EQ(found.watertight, is_watertight(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {

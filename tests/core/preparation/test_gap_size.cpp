@@ -9,8 +9,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/preparation/gap_size.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -243,8 +243,7 @@ TEST(GapSize, GoesWithTheScaleAndFallsWithDensity) {
   const Shape sphere = test::sphere(1, 4);
   const Shape cloud = test::random_points(sphere, 2000, 1);
   const double gap = gap_size(cloud);
-  EXPECT_NEAR(gap_size(test::transformed(cloud, 1e30, test::rotation(1), {0, 0, 0})), 1e30 * gap,
-              1e21 * gap);
+  EXPECT_NEAR(gap_size(test::transformed(cloud, 1e30, test::rotation(1), {0, 0, 0})), 1e30 * gap, 1e21 * gap);
   // Four times the points, half of the distances.
   EXPECT_NEAR(gap_size(test::random_points(sphere, 8000, 1)) / gap, 0.5, 0.1);
 }

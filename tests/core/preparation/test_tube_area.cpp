@@ -44,8 +44,7 @@ TEST(TubeArea, OfATubeFinerThanTheFinestCubes) {
 }
 
 TEST(TubeArea, StaysWhereFacesAreMissing) {
-  for (const Shape& mesh :
-       {test::sphere(1, 4), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
+  for (const Shape& mesh : {test::sphere(1, 4), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     RandomNumbers random(1);
     const Shape cracked = remove_faces(mesh, 0.15, random);
     EXPECT_NEAR(surface_area(cracked) / surface_area(mesh), 0.85, 0.01);
@@ -62,8 +61,7 @@ TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
 }
 
 TEST(TubeArea, OfACloudIsThatOfItsSurface) {
-  for (const Shape& mesh :
-       {test::sphere(1, 5), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
+  for (const Shape& mesh : {test::sphere(1, 5), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     for (const auto& [points, tolerance] : {std::pair(3000, 0.03), {10000, 0.01}}) {
       const Shape cloud = test::random_points(mesh, points, 1);
       EXPECT_NEAR(tube_area(cloud) / tube_area(mesh), 1, tolerance) << points;
@@ -79,8 +77,7 @@ TEST(TubeArea, GoesWithTheScaleAndNotWithThePlace) {
     const Shape scaled = test::transformed(torus, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
     EXPECT_NEAR(tube_area(scaled) / scale / scale, area, 1e-3 * area);
     // Turned, the box and its diagonal, and so r, are others.
-    const Shape turned =
-        test::transformed(scaled, 1, test::rotation(3), scale * Eigen::Vector3d(5, 6, 7));
+    const Shape turned = test::transformed(scaled, 1, test::rotation(3), scale * Eigen::Vector3d(5, 6, 7));
     EXPECT_NEAR(tube_area(turned) / scale / scale, area, 3e-3 * area);
   }
 }

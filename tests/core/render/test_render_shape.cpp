@@ -203,8 +203,8 @@ Shape lopsided() {
     return test::transformed(part, 1, Eigen::Matrix3d::Identity(), move);
   };
   return test::joined({test::box({6, 2, 1}, 2), placed(test::sphere(0.9, 2), {4, 0.4, 0}),
-                              placed(test::box({0.5, 1, 0.5}, 1), {1, 1.6, 0}),
-                              placed(test::box({0.4, 0.4, 0.8}, 1), {0.5, 0, 1})});
+                       placed(test::box({0.5, 1, 0.5}, 1), {1, 1.6, 0}),
+                       placed(test::box({0.4, 0.4, 0.8}, 1), {0.5, 0, 1})});
 }
 
 double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.normalized().dot(b.normalized()); }

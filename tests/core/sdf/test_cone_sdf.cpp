@@ -79,9 +79,7 @@ ConeSdfResult cone_sdf_at(const Shape& shape, SampleSite site, const ConeSdfOpti
 }
 
 /// A mesh without symmetry to the axes, so that no ray meets an edge and no normal lies on an axis.
-Shape generic(const Shape& shape) {
-  return test::transformed(shape, 1.7, test::rotation(11), {3, -1, 2});
-}
+Shape generic(const Shape& shape) { return test::transformed(shape, 1.7, test::rotation(11), {3, -1, 2}); }
 
 double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();

@@ -132,16 +132,15 @@ TEST(HostileShapes, TwoPartsFarApart) {
 
 TEST(HostileShapes, HugeAndTinyCoordinates) {
   for (const double scale : {1e-300, 1e-30, 1e30, 1e300}) {
-    const Shape sphere = test::transformed(test::sphere(1, 2), scale, Eigen::Matrix3d::Identity(),
-                                                  Eigen::Vector3d::Constant(3 * scale));
+    const Shape sphere =
+        test::transformed(test::sphere(1, 2), scale, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Constant(3 * scale));
     const Eigen::VectorXd values = values_of(sphere, 0.05) / scale;
     EXPECT_GE(values.minCoeff(), 1.8) << scale;
     EXPECT_LE(values.maxCoeff(), 2.01) << scale;
   }
   // Parts of size 1 and 1e-30 at a corner of a triangle of size 1e30: no value exceeds the extent, and rounding.
-  const Shape mixed =
-      test::joined({test::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
-                           triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
+  const Shape mixed = test::joined({test::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
+                                    triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
   for (const double offset : {0.02, 1.0}) {
     const double diagonal = bounding_box_diagonal(mixed);
     EXPECT_LE(values_of(mixed, offset).maxCoeff(), (1 + 2e-3 * offset) * diagonal) << offset;

@@ -58,8 +58,8 @@ TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdg
   for (const auto& [noise, site] :
        {std::pair(0.005, SampleSite::faces), {0.02, SampleSite::faces}, {0.02, SampleSite::vertices}}) {
     RandomNumbers random(1);
-    const Shape noisy = vertex_noise(test::sphere(1, 5),
-                                     {.amplitude = noise, .distribution = NoiseDistribution::uniform}, random);
+    const Shape noisy =
+        vertex_noise(test::sphere(1, 5), {.amplitude = noise, .distribution = NoiseDistribution::uniform}, random);
     const Samples samples = sample_shape(noisy, site);
     const double averaged = errors_on_sphere(samples.points, samples.normals).mean();
     const double by_offset = errors_on_sphere(samples.points, normals_of(noisy, samples, 0.05)).mean();

@@ -237,7 +237,7 @@ RC_GTEST_PROP(OffsetSdf, IsInvariantUnderRigidMotionAndProportionalToScale, ()) 
   const double offset = *rc::gen::inRange(15, 150) / 1000.0;
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
   const Shape moved = test::transformed(shape, scale, test::rotation(*rc::gen::arbitrary<unsigned>()),
-                                               scale * Eigen::Vector3d(3, -2, 5));
+                                        scale * Eigen::Vector3d(3, -2, 5));
   const double r = offset * bounding_box_diagonal(shape);
   // The box turns too: r is the same length only when it is given as a fraction of the turned box.
   const Eigen::VectorXd before = at_faces(shape, offset).values;

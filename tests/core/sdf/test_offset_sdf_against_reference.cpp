@@ -26,7 +26,7 @@ Shape star() {
   std::vector<Shape> arms;
   for (unsigned i = 0; i < 4; ++i) {
     arms.push_back(test::transformed(test::capsule(0.18, 1, 8, 3), 1, test::rotation(i),
-                                            0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
+                                     0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
   }
   return test::joined(arms);
 }
@@ -56,7 +56,7 @@ class OffsetSdfAgainstReference : public testing::TestWithParam<Case> {};
 
 TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
   const Shape shape = test::transformed(GetParam().shape, 1 / bounding_box_diagonal(GetParam().shape),
-                                               test::rotation(5), Eigen::Vector3d::Zero());
+                                        test::rotation(5), Eigen::Vector3d::Zero());
   const double r = GetParam().offset;
   const OffsetSdfReference reference(shape, r);
   const TriangleBVH tree(shape);

@@ -179,8 +179,7 @@ TEST_F(DamagedTorus, DebrisInside) {
     const Eigen::Vector3d place(std::cos(angle), std::sin(angle), 0.1);
     // Some are oriented the other way: what they enclose, then, is a void.
     const Shape part = test::sphere(0.02 + 0.01 * (i % 6), 1);
-    parts.push_back(test::transformed(i % 2 == 0 ? part : test::flipped(part), 1,
-                                             Eigen::Matrix3d::Identity(), place));
+    parts.push_back(test::transformed(i % 2 == 0 ? part : test::flipped(part), 1, Eigen::Matrix3d::Identity(), place));
   }
   expect_same_in(test::joined(parts));
 }

@@ -121,9 +121,7 @@ TEST(Closedness, EndsWithOneTriangle) {
   EXPECT_FALSE(is_watertight(Shape{}));
 }
 
-TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) {
-  EXPECT_TRUE(is_watertight(test::soup(test::sphere(1, 1))));
-}
+TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_watertight(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {
   Shape sphere = test::sphere(1, 1);

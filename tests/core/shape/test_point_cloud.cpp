@@ -162,8 +162,7 @@ RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
 RC_GTEST_PROP(PointWeights, FollowScaleAndMotion, (unsigned seed)) {
   const Shape cloud{scattered(seed, 60), {}, {}};
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
-  const Shape moved =
-      test::transformed(cloud, scale, test::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
+  const Shape moved = test::transformed(cloud, scale, test::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
   const Eigen::VectorXd before = point_weights(cloud.vertices);
   RC_ASSERT(before.minCoeff() > 0);
   RC_ASSERT((point_weights(moved.vertices) / scale / scale).isApprox(before, 1e-9));

@@ -28,8 +28,8 @@ INSTANTIATE_TEST_SUITE_P(Both, SampleSites, testing::Values(SampleSite::faces, S
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
 
 TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
-  for (const Shape& shape : {test::sphere(2, 3), test::box({1, 2, 3}, 4),
-                             test::capsule(0.1, 20, 12, 3), test::torus(3, 1, 10, 40)}) {
+  for (const Shape& shape :
+       {test::sphere(2, 3), test::box({1, 2, 3}, 4), test::capsule(0.1, 20, 12, 3), test::torus(3, 1, 10, 40)}) {
     const Samples samples = sample_shape(shape, GetParam());
     EXPECT_GT(samples.weights.minCoeff(), 0);
     EXPECT_NEAR(samples.weights.sum() / surface_area(shape), 1, 1e-13);
@@ -131,8 +131,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
 }
 
 TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
-  Shape sheet =
-      test::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test::rotation(3), {1, 2, 3});
+  Shape sheet = test::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test::rotation(3), {1, 2, 3});
   sheet.vertices.conservativeResize(4, 3);
   sheet.vertices.bottomRows<1>() << 9, 9, 9;
   sheet.triangles.conservativeResize(2, 3);

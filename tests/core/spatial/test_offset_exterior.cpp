@@ -52,8 +52,7 @@ TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
 }
 
 TEST(OffsetExterior, SeesAShellsVoidAsEnclosed) {
-  const Shape hollow =
-      test::joined({test::sphere(0.5, 3), test::flipped(test::sphere(0.25, 3))});
+  const Shape hollow = test::joined({test::sphere(0.5, 3), test::flipped(test::sphere(0.25, 3))});
   const TriangleBVH tree(hollow);
   for (const bool closed : {true, false}) {
     const OffsetExterior exterior(tree, bounding_box(hollow), 0.05, closed);

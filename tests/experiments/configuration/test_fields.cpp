@@ -5,8 +5,8 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/fields.h"
-#include "tests/support/test_shapes.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -63,7 +63,9 @@ TEST(MakeField, TheAutomaticOffsetIsReported) {
 }
 
 TEST(MakeField, SettingsThatATypeDoesNotTakeAreErrors) {
-  const auto message = [](const nlohmann::json& settings) { return test::input_error_of([&] { make_field(settings); }); };
+  const auto message = [](const nlohmann::json& settings) {
+    return test::input_error_of([&] { make_field(settings); });
+  };
   EXPECT_THAT(message({{"type", "offset_sdf"}}), HasSubstr("offset is missing"));
   EXPECT_THAT(message({{"type", "offset_sdf"}, {"offset", 0}}), HasSubstr("offset is 0"));
   EXPECT_THAT(message({{"type", "cone_sdf"}, {"rays", 0}}), HasSubstr("rays is 0"));
@@ -117,7 +119,10 @@ TEST(RegisterField, AValueForEachSampleIsNeeded) {
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(test::input_error_of([] { make_field({{"type", "offset_sfd"}}); }), HasSubstr("did you mean \"offset_sdf\"?"));
+  EXPECT_THAT(test::input_error_of([] {
+                make_field({{"type", "offset_sfd"}});
+              }),
+              HasSubstr("did you mean \"offset_sdf\"?"));
 }
 
 }  // namespace

@@ -42,14 +42,17 @@ TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_NO_THROW(parse_json(nested(100), "x.json"));
   EXPECT_THAT(test::input_error_of([&] { parse_json(nested(102), "x.json"); }), HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }), HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(test::input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }), HasSubstr("not valid JSON"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }),
+              HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }),
+              HasSubstr("not valid JSON"));
 }
 
 TEST(ParseJson, MessagesAreShort) {
   const std::string word(100'000, 'x');
   EXPECT_LT(test::input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
-  EXPECT_LT(test::input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(), 500U);
+  EXPECT_LT(test::input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(),
+            500U);
 }
 
 TEST(ParseIfJson, GivesNothingForOtherText) {

@@ -8,8 +8,8 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "tests/support/test_shapes.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 

@@ -7,8 +7,8 @@
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "tests/support/test_files.h"
 #include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 

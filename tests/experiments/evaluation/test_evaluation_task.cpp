@@ -62,8 +62,9 @@ TEST_F(EvaluationTaskTest, FeaturesAreCompared) {
     EXPECT_DOUBLE_EQ(whole_matrix(input.distances)(0, 2), header ? std::sqrt(2.0) : std::sqrt(3.0));
   }
   const auto bad = file("g.csv", "1,-1\n2,1\n3,1\n4,1\n");
-  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = bad, .labels = labels, .distance = "emd"}); }),
-              HasSubstr("g.csv: the distance emd is not defined for signature 0"));
+  EXPECT_THAT(
+      test::input_error_of([&] { open_evaluation_files({.matrix = bad, .labels = labels, .distance = "emd"}); }),
+      HasSubstr("g.csv: the distance emd is not defined for signature 0"));
 }
 
 TEST_F(EvaluationTaskTest, QueriesByTargetsOrAllByAll) {

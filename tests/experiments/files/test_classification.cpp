@@ -158,7 +158,8 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
       Classification{},
   };
   for (const Classification& bad : cases) {
-    EXPECT_THAT(test::input_error_of([&] { write_classification(path, bad); }), StartsWith("cannot write " + path.string()));
+    EXPECT_THAT(test::input_error_of([&] { write_classification(path, bad); }),
+                StartsWith("cannot write " + path.string()));
   }
   EXPECT_EQ(folder.size(), 0U);
 }

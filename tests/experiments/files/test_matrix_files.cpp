@@ -8,9 +8,9 @@
 
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/support/test_files.h"
 #include "tests/experiments/files/random_matrices.h"
 #include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 

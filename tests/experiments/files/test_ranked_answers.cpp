@@ -40,7 +40,9 @@ TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\" is no finite number"));
   EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: the model \"a\" occurs twice for this query"));
   EXPECT_THAT(run("\n \n"), HasSubstr("r: there are no lines"));
-  const auto lists = [](const std::string& text) { return test::input_error_of([&] { parse_ranked_lists(text, "l"); }); };
+  const auto lists = [](const std::string& text) {
+    return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
+  };
   EXPECT_THAT(lists("q\n"), HasSubstr("l:1: the query has no models"));
   EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: the query \"q\" has a line already"));
   EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: the model \"a\" occurs twice"));

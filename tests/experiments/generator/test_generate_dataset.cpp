@@ -15,8 +15,8 @@
 #include "shapegauge/experiments/generator/class_skeletons.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
-#include "tests/support/test_files.h"
 #include "tests/experiments/generator/mesh_topology.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 

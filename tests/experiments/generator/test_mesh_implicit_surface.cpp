@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
-#include "tests/support/test_shapes.h"
 #include "tests/experiments/generator/mesh_topology.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 

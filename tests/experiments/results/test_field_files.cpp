@@ -55,7 +55,8 @@ TEST_F(FieldFiles, PlyAndPng) {
 }
 
 TEST_F(FieldFiles, AnotherExtensionIsAnError) {
-  EXPECT_THAT(test::input_error_of([] { field_file_writer("x.xlsx"); }), HasSubstr("must end in .csv, .npy, .ply or .png"));
+  EXPECT_THAT(test::input_error_of([] { field_file_writer("x.xlsx"); }),
+              HasSubstr("must end in .csv, .npy, .ply or .png"));
 }
 
 TEST_F(FieldFiles, AnUnwritableFileIsAnError) {

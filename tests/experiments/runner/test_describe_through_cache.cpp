@@ -5,8 +5,8 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "tests/support/test_files.h"
 #include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 

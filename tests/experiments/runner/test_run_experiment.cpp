@@ -12,9 +12,9 @@
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
-#include "tests/support/small_dataset.h"
 
 namespace shapegauge {
 
@@ -263,7 +263,8 @@ TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
   bool began = false;
   RunControl control;
   control.progress = [&](std::string_view, std::size_t, std::size_t) { began = true; };
-  const std::string message = test::input_error_of([&] { run_experiment(configuration(), folder("generated"), control); });
+  const std::string message =
+      test::input_error_of([&] { run_experiment(configuration(), folder("generated"), control); });
   EXPECT_THAT(message, HasSubstr("model 8: "));
   EXPECT_FALSE(began);
 }
@@ -282,7 +283,10 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
 }
 
 TEST_F(RunExperiment, NoClassLargeEnoughIsAnError) {
-  EXPECT_NE(test::input_error_of([&] { static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}})); }), "no error");
+  EXPECT_NE(test::input_error_of([&] {
+              static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}}));
+            }),
+            "no error");
 }
 
 TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
