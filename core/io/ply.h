@@ -31,9 +31,9 @@ void check_ply_header(const std::string& bytes, const std::string& name);
 /// written, a coordinate or a cloud's normal is not finite or a triangle's vertex does not exist.
 void write_ply(const std::filesystem::path& path, const Shape& shape);
 
-/// Writes a shape with a value and a colour (red, green, blue) at each of its triangles or vertices, as above. The element `face` or
-/// `vertex`, as the site says, has the properties `red`, `green`, `blue` and `sdf` (a double, written exactly; NaN
-/// where a value is). A point cloud has values at its vertices.
+/// Writes a shape with a value and a colour (red, green, blue) at each of its triangles or vertices, as above. The
+/// element `face` or `vertex`, as the site says, has the properties `red`, `green`, `blue` and `sdf` (a double, written
+/// exactly; NaN where a value is). A point cloud has values at its vertices.
 ///
 /// Throws InputError as above, and where the numbers of values or colours are not the site's number of samples.
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,

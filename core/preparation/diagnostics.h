@@ -9,9 +9,9 @@ namespace shapegauge {
 /// Raised with every change of what diagnose() finds, which makes cached results of earlier versions stale.
 inline constexpr int diagnostics_version = 1;
 
-/// Defects and properties of a shape before it is measured. For edges and components, vertices at exactly the same place
-/// are one vertex, and a triangle whose corners are not at three places has no edges. Nothing depends on the order of
-/// vertices and triangles.
+/// Defects and properties of a shape before it is measured. For edges and components, vertices at exactly the same
+/// place are one vertex, and a triangle whose corners are not at three places has no edges. Nothing depends on the
+/// order of vertices and triangles.
 struct ShapeDiagnostics {
   std::size_t vertices = 0;
   std::size_t unreferenced_vertices = 0;  ///< of a mesh: vertices that no triangle uses
@@ -37,7 +37,8 @@ struct ShapeDiagnostics {
   bool noisy = false;          ///< whether that is noise beyond doubt (is_noisy())
 };
 
-/// Diagnoses a mesh or a cloud; all zero for an empty shape. Throws InputError for an unusable shape (require_usable()).
+/// Diagnoses a mesh or a cloud; all zero for an empty shape. Throws InputError for an unusable shape
+/// (require_usable()).
 ShapeDiagnostics diagnose(const Shape& shape);
 
 }  // namespace shapegauge

@@ -21,19 +21,19 @@ struct BoundaryLoop {
   [[nodiscard]] double radius_bound() const { return std::sqrt(vector_area.norm() / std::numbers::pi); }
 };
 
-/// The boundary loops of a mesh. A boundary edge has one triangle; vertices at the same place are merged. Loops that touch
-/// at a vertex are separated there. A path that does not close, as non-manifold edges can leave, is closed by joining its
-/// ends. Orientation plays no part. None for a watertight mesh or a cloud. Throws InputError for an unusable shape
-/// (require_usable()).
+/// The boundary loops of a mesh. A boundary edge has one triangle; vertices at the same place are merged. Loops that
+/// touch at a vertex are separated there. A path that does not close, as non-manifold edges can leave, is closed by
+/// joining its ends. Orientation plays no part. None for a watertight mesh or a cloud. Throws InputError for an
+/// unusable shape (require_usable()).
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape);
 
-/// The radius of the largest circle inside a plane polygon (corners in order, either way round): never too large, and too
-/// small by at most 1 % of itself plus 0.1 % of the diagonal of the polygon's bounding box. 0 for fewer than three
+/// The radius of the largest circle inside a plane polygon (corners in order, either way round): never too large, and
+/// too small by at most 1 % of itself plus 0.1 % of the diagonal of the polygon's bounding box. 0 for fewer than three
 /// corners.
 double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon);
 
-/// The radius of the widest gap through which an offset surface leaks into a shape, in the shape's units; a larger offset
-/// closes all gaps.
+/// The radius of the widest gap through which an offset surface leaks into a shape, in the shape's units; a larger
+/// offset closes all gaps.
 ///
 /// Of a mesh: the radius of the largest circle that fits into a hole, each hole being a boundary loop seen along its
 /// vector area; holes wider than the limit do not count, so that the mouth of a vase need not pass for a gap. 0 for a
@@ -42,8 +42,8 @@ double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon);
 /// a scan are not detected. Throws InputError for an unusable shape (require_usable()).
 double gap_size(const Shape& shape, double limit = std::numeric_limits<double>::infinity());
 
-/// The spacing of a cloud's points: the median distance to the sixth neighbour, on a regular surface about 1.4 times the
-/// mean distance. 0 for a mesh. Throws InputError for an unusable shape (require_usable()).
+/// The spacing of a cloud's points: the median distance to the sixth neighbour, on a regular surface about 1.4 times
+/// the mean distance. 0 for a mesh. Throws InputError for an unusable shape (require_usable()).
 double point_spacing(const Shape& shape);
 
 }  // namespace shapegauge

@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// The surface area, or the sum of a point cloud's point_weights(), in the shape's units squared. Throws InputError where
-/// it is zero or not finite, and for an unusable shape (require_usable()).
+/// The surface area, or the sum of a point cloud's point_weights(), in the shape's units squared. Throws InputError
+/// where it is zero or not finite, and for an unusable shape (require_usable()).
 double positive_area(const Shape& shape);
 
 /// The shape scaled about the origin to a positive_area() of 1 (docs/definitions.md#scale). Throws what positive_area()
@@ -37,8 +37,8 @@ struct PreparedShape {
   double area = 0;       ///< what was scaled to 1, in units of the shape given, squared
 };
 
-/// Removes noise, if so wanted, and scales the shape about the origin to unit area. Throws InputError as positive_area()
-/// and tube_area() do, and for an unusable shape (require_usable()).
+/// Removes noise, if so wanted, and scales the shape about the origin to unit area. Throws InputError as
+/// positive_area() and tube_area() do, and for an unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 
 }  // namespace shapegauge

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double finest_cube = 1.0 / 256;  // of the diagonal
 
-/// The volume of the tube in a cube and its parts, down to the smallest: of those, the fraction that the tube of a plane
-/// would fill, parallel to a side and as far from the centre as the surface is.
+/// The volume of the tube in a cube and its parts, down to the smallest: of those, the fraction that the tube of a
+/// plane would fill, parallel to a side and as far from the centre as the surface is.
 class TubeVolume {
  public:
   TubeVolume(const TriangleBVH& tree, double r)

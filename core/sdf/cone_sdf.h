@@ -47,7 +47,8 @@ struct ConeSdfResult {
 /// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
 /// then says where, not what. With embree, what is closer to the sample than 2^-22 diagonals touches it. The same input
 /// gives the same bytes on any number of threads. Throws InputError for options out of range, a shape without triangles
-/// or otherwise unusable (require_usable()), samples that are not the shape's, and a mesh that the cgal engine cannot use.
+/// or otherwise unusable (require_usable()), samples that are not the shape's, and a mesh that the cgal engine cannot
+/// use.
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

@@ -86,8 +86,8 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
 }
 
 /// Whether the triangles separate an inside from an outside by ray parity: every edge belongs to an even number of
-/// triangles. Vertices at the same place are merged, triangles without area are left out, and orientation plays no part.
-/// False without triangles. Throws InputError for an unusable shape (require_usable()).
+/// triangles. Vertices at the same place are merged, triangles without area are left out, and orientation plays no
+/// part. False without triangles. Throws InputError for an unusable shape (require_usable()).
 bool is_watertight(const Shape& shape);
 
 /// Whether the shape is watertight and consistently oriented: every edge is traversed equally often both ways. Then any

@@ -16,12 +16,13 @@ struct PointNeighbours {
 };
 
 /// Finds the neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is lowered to n - 1 for
-/// smaller clouds. Ties at the k-th distance are broken by the tree, the same way for the same points in the same order.
+/// smaller clouds. Ties at the k-th distance are broken by the tree, the same way for the same points in the same
+/// order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 
 /// Unoriented normals of a cloud: for each point the direction of least variance of it and its 12 nearest neighbours
-/// (Hoppe et al. 1992), a unit vector of either sign; zero where the neighbours are all at one place. Runs in the calling
-/// TBB arena.
+/// (Hoppe et al. 1992), a unit vector of either sign; zero where the neighbours are all at one place. Runs in the
+/// calling TBB arena.
 Points unsigned_point_normals(const Points& points);
 
 /// The area that each point of a cloud stands for, estimated from its nearest neighbours: the mean over k = 5 to 12 of

@@ -15,9 +15,9 @@ struct SurfacePoints {
   std::vector<std::int32_t> triangles;
 };
 
-/// Points of a mesh, uniform by area and stratified: the area is cut, triangle after triangle, into `count` equal parts,
-/// and each part has one point, which spreads them better than independent ones. Throws InputError for a mesh whose area
-/// is zero or not finite, and for less than one point.
+/// Points of a mesh, uniform by area and stratified: the area is cut, triangle after triangle, into `count` equal
+/// parts, and each part has one point, which spreads them better than independent ones. Throws InputError for a mesh
+/// whose area is zero or not finite, and for less than one point.
 SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
 /// Raised with every change of the samples of a shape (places, normals, weights), which makes cached results of earlier
@@ -41,17 +41,17 @@ struct Samples {
   std::vector<std::int32_t> triangles;  ///< surface samples of a mesh: the triangle of each; otherwise empty
 };
 
-/// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed Voronoi
-/// area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). A point cloud is sampled at its
-/// points whatever the site (weight: point_weights(), whose errors it throws; normal: the file's, or
+/// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
+/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). A point cloud is
+/// sampled at its points whatever the site (weight: point_weights(), whose errors it throws; normal: the file's, or
 /// unsigned_point_normals()), and the result's site is `vertices`. Throws InputError for an unusable shape
 /// (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
-/// Samples at `count` points of the surface (SampleSite::surface; see surface_points()), with the triangles' normals and
-/// equal weights that sum to the area. The same shape and seed give the same samples. Of a cloud, `count` of its points
-/// at random, or all where there are no more; the result's site is then `vertices`. Throws InputError as above, for a
-/// mesh without area, and for less than one sample.
+/// Samples at `count` points of the surface (SampleSite::surface; see surface_points()), with the triangles' normals
+/// and equal weights that sum to the area. The same shape and seed give the same samples. Of a cloud, `count` of its
+/// points at random, or all where there are no more; the result's site is then `vertices`. Throws InputError as above,
+/// for a mesh without area, and for less than one sample.
 Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
 
 /// A value for each sample, and the area that the sample stands for. A missing value is NaN; whoever computes or uses a

@@ -50,8 +50,8 @@ std::optional<std::string> defect_of(const Shape& shape);
 /// Throws InputError "the shape is unusable: ..." where the shape has a defect.
 void require_usable(const Shape& shape);
 
-/// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1, so that single precision
-/// and fixed thresholds serve for every position and size.
+/// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1, so that single
+/// precision and fixed thresholds serve for every position and size.
 struct UnitFrame {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double diagonal = 1;

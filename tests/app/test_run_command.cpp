@@ -1,19 +1,19 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/program.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -109,13 +109,13 @@ TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;

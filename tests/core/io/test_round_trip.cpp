@@ -13,14 +13,14 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/stl.h"
 #include "tests/core/io/random_shapes.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 namespace {
 
-using test_io::any_polygons;
-using test_io::Polygons;
-using test_io::shape_of;
+using test::any_polygons;
+using test::Polygons;
+using test::shape_of;
 
 /// Every bit is the same: also the sign of 0.
 void require_identical(const Shape& actual, const Shape& expected) {
@@ -32,14 +32,14 @@ void require_identical(const Shape& actual, const Shape& expected) {
 }
 
 RC_GTEST_PROP(RoundTrip, OffGivesTheSameDoublesAndIndices, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_off(folder.path() / "t.off", shape);
   require_identical(read_shape(folder.path() / "t.off"), shape);
 }
 
 RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   const Eigen::Index samples = shape.vertices.rows();
   write_ply(folder.path() / "t.ply", shape, SampleSite::vertices, Eigen::VectorXd::Zero(samples),
@@ -48,7 +48,7 @@ RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
 }
 
 RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_obj(folder.path() / "t.obj", shape);
   require_identical(read_shape(folder.path() / "t.obj"), shape);
@@ -56,7 +56,7 @@ RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
 
 /// STL keeps the corners of the triangles in their order, in single precision.
 RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   Shape shape = shape_of(*any_polygons(true));
   RC_PRE(shape.triangles.rows() > 0);
   shape.vertices = shape.vertices.unaryExpr([](double x) { return std::remainder(x, 1e30); });
@@ -72,7 +72,7 @@ RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
 }
 
 RC_GTEST_PROP(RoundTrip, CloudsGiveTheSameDoubles, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   Shape cloud{(*any_polygons(true)).vertices, {}, {}};
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
   for (Eigen::Index i = 0; i < cloud.normals.size(); ++i) cloud.normals.data()[i] = *rc::gen::inRange(-100, 101);

@@ -9,15 +9,14 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
-#include "tests/core/io/ordinary_user.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::TemporaryFolder;
-using test_io::tetrahedron;
+using test::TemporaryFolder;
+using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
@@ -34,7 +33,7 @@ Points corners_of(const Shape& shape) {
 
 TEST(ReadShape, EveryFormatByItsExtension) {
   const TemporaryFolder folder;
-  for (const auto& [name, bytes, optional] : test_io::encoded_in_every_format(tetrahedron())) {
+  for (const auto& [name, bytes, optional] : test::encoded_in_every_format(tetrahedron())) {
     const auto path = folder.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
     const Shape shape = read_shape(path);
@@ -45,27 +44,26 @@ TEST(ReadShape, EveryFormatByItsExtension) {
 
 TEST(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
   const TemporaryFolder folder;
-  for (const auto& [name, bytes, optional] : test_io::cloud_in_every_format(test_io::small_cloud())) {
+  for (const auto& [name, bytes, optional] : test::cloud_in_every_format(test::small_cloud())) {
     SCOPED_TRACE(name);
     const auto path = folder.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
-    test_io::expect_same(read_shape(path), test_io::small_cloud());
+    test::expect_same(read_shape(path), test::small_cloud());
   }
 }
 
 TEST(ReadShape, ExtensionInCapitals) {
   const TemporaryFolder folder;
-  test_io::expect_same(read_shape(folder.file("t.OFF", test_io::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());
 }
 
 TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   const TemporaryFolder folder;
-  test_io::expect_same(read_shape(folder.file("T12", "C" + test_io::as_ascii_off(tetrahedron()))), tetrahedron());
-  test_io::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test_io::as_ascii_off(tetrahedron()))),
-                       tetrahedron());
-  test_io::expect_same(read_shape(folder.file("a.mesh", test_io::as_ascii_ply(tetrahedron()))), tetrahedron());
-  EXPECT_EQ(read_shape(folder.file("b.dat", test_io::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
-  std::string of_off = test_io::as_ascii_stl(tetrahedron());
+  test::expect_same(read_shape(folder.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
+  EXPECT_EQ(read_shape(folder.file("b.dat", test::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
+  std::string of_off = test::as_ascii_stl(tetrahedron());
   of_off.insert(of_off.find('\n'), " OFF");  // in the name of the solid
   EXPECT_EQ(read_shape(folder.file("c.dat", of_off)).triangles.rows(), 4);
 }
@@ -101,10 +99,10 @@ TEST(ReadShape, PipeIsAnErrorAndDoesNotHang) {
 TEST(ReadShape, FileWithoutPermissionIsAnError) {
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-  const auto path = folder.file("t.off", test_io::as_ascii_off(tetrahedron()));
+  const auto path = folder.file("t.off", test::as_ascii_off(tetrahedron()));
   std::filesystem::permissions(path, std::filesystem::perms::none);
   {
-    const test_io::OrdinaryUser ordinary_user;
+    const test::OrdinaryUser ordinary_user;
     expect_error(path, "cannot read " + path.string() + ": Permission denied");
   }
 }
@@ -120,7 +118,7 @@ TEST(ReadShape, EmptyFileIsAnError) {
 TEST(ReadShape, FileWithoutVerticesIsAnError) {
   const TemporaryFolder folder;
   for (const auto& [name, bytes, optional] :
-       {test_io::Encoded{"t.off", "OFF\n0 0 0\n"},
+       {test::Encoded{"t.off", "OFF\n0 0 0\n"},
         {"t.ply",
          "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
          "property float z\nend_header\n"},
@@ -135,8 +133,8 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
 TEST(ReadShape, HeaderBehindALongCommentIsFound) {
   const TemporaryFolder folder;
   const std::string comment = "# " + std::string(200'000, 'x') + "\n";
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test_io::as_ascii_off(tetrahedron()))));
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.obj", comment + test_io::as_obj(tetrahedron()))));
+  EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test::as_ascii_off(tetrahedron()))));
+  EXPECT_NO_THROW(check_shape_header(folder.file("t.obj", comment + test::as_obj(tetrahedron()))));
   EXPECT_THROW(check_shape_header(folder.file("u.off", comment + "hello")), InputError);
 }
 
@@ -145,7 +143,7 @@ TEST(ShapeWriter, WritesWhatTheExtensionSays) {
   for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}, {"t.obj", "v 0"}, {"t.Stl", "bin"}}) {
     const auto path = folder.path() / name;
     shape_writer(path)(path, tetrahedron());
-    EXPECT_EQ(test_io::bytes_of(path).substr(0, 3), begin);
+    EXPECT_EQ(test::bytes_of(path).substr(0, 3), begin);
     EXPECT_NO_THROW(check_shape_header(path));
     EXPECT_EQ(corners_of(read_shape(path)), corners_of(tetrahedron())) << name;
   }

@@ -7,7 +7,7 @@
 #include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -30,7 +30,7 @@ Shape applied(std::string_view name, const Settings& settings, const Shape& shap
   return entry.apply(shape, values, random);
 }
 
-const Shape sphere = test_shapes::sphere(1, 3);
+const Shape sphere = test::sphere(1, 3);
 
 /// The entries do what their functions do, with the settings in the right places.
 TEST(ShapePerturbations, AreTheFunctionsOfTheirNames) {
@@ -91,7 +91,7 @@ TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
 /// What the registry lets pass, the function does too, and the other way round.
 TEST(ShapePerturbations, TheFunctionsHaveTheBoundsOfTheRegistry) {
   RandomNumbers random(1);
-  const Shape small = test_shapes::box({1, 1, 1}, 1);
+  const Shape small = test::box({1, 1, 1}, 1);
   EXPECT_THROW(applied("vertex_noise", {{"amplitude", 1.001}}, small), InputError);
   EXPECT_THROW(vertex_noise(small, {.amplitude = 1.001}, random), InputError);
   EXPECT_NO_THROW(vertex_noise(small, {.amplitude = 1}, random));

@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/preparation/diagnostics.h"
-#include "tests/core/test_shapes.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -80,13 +80,12 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
   std::swap(shape.triangles(3, 0), shape.triangles(3, 1));
   EXPECT_EQ(diagnose(shape).inconsistent_edges, 3U);
   EXPECT_TRUE(diagnose(shape).watertight);
-  EXPECT_EQ(diagnose(test_shapes::flipped(cube())).inconsistent_edges, 0U);
+  EXPECT_EQ(diagnose(test::flipped(cube())).inconsistent_edges, 0U);
 }
 
 TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   const auto beside = [](double x, double y) {
-    return test_shapes::joined(
-        {cube(), test_shapes::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
+    return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
   EXPECT_EQ(diagnose(beside(3, 0)).components, 2U);
   EXPECT_EQ(diagnose(beside(3, 0)).coincident_vertices, 0U);
@@ -133,13 +132,11 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
 
 TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
   const Shape broken = with_triangle(
-      with_triangle(test_shapes::joined({test_shapes::torus(3, 1, 12, 8), test_shapes::sphere(1, 1), moebius_strip(9)}),
-                    0, 1, 2),
-      5, 5, 9);
+      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
   EXPECT_EQ(found.watertight, is_watertight(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
-    Shape other = test_shapes::permuted(broken, seed).shape;
+    Shape other = test::permuted(broken, seed).shape;
     other.vertices *= 0x1p100;
     const ShapeDiagnostics again = diagnose(other);
     EXPECT_EQ(again.components, found.components);

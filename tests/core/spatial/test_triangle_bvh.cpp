@@ -10,7 +10,7 @@
 
 #include "shapegauge/core/spatial/triangle_bvh.h"
 #include "tests/core/spatial/random_triangle.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 /// The tree against all triangles tried in turn, on soups that trees find hard.
 namespace shapegauge {
@@ -290,9 +290,9 @@ RC_GTEST_PROP(TriangleBVH, CountsTheCrossingsOfEveryTriangle, ()) {
 /// Odd inside and even outside, however parts overlap; the balance says how often one is inside.
 RC_GTEST_PROP(TriangleBVH, ParityTellsTheInsideOfClosedMeshes, ()) {
   const Eigen::Vector3d centre = 0.3 * random_point();
-  const Shape ball = test_shapes::transformed(test_shapes::sphere(0.5, 3), 1, test_shapes::rotation(3), centre);
-  const Shape other = test_shapes::sphere(0.4, 2);
-  const TriangleBVH tree(test_shapes::joined({ball, other}));
+  const Shape ball = test::transformed(test::sphere(0.5, 3), 1, test::rotation(3), centre);
+  const Shape other = test::sphere(0.4, 2);
+  const TriangleBVH tree(test::joined({ball, other}));
   const Eigen::Vector3d x = random_point();
   const double to_ball = (x - centre).norm();
   const double to_other = x.norm();

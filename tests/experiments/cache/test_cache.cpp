@@ -9,9 +9,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "tests/core/io/ordinary_user.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -57,8 +55,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -74,7 +72,7 @@ class CacheTest : public testing::Test {
   void keep(const json& value) const { Cache(folder()).store(EntryKind::field, key, value); }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
@@ -168,7 +166,7 @@ TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
   fs::permissions(folder(), fs::perms(0555));
   Cache cache(folder());
   {
-    const test_io::OrdinaryUser ordinary_user;
+    const test::OrdinaryUser ordinary_user;
     cache.store(EntryKind::field, std::string(64, '1'), 1);
     cache.store(EntryKind::field, std::string(64, '2'), 2);
     EXPECT_EQ(cache.find(EntryKind::field, key, same), "value");

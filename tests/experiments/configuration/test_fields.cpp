@@ -3,8 +3,8 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/fields.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -16,7 +16,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.samples.site, SampleSite::vertices);
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, samples, false);
@@ -27,7 +27,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
 TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "cone_sdf"}, {"rays", 9}, {"opening_angle_degrees", 40}});
   EXPECT_EQ(field.samples.site, SampleSite::faces);
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   const ConeSdfOptions options{.opening_angle_degrees = 40, .rays = 9, .parallel = false};
   FieldSource source(shape);
@@ -47,7 +47,7 @@ TEST(MakeField, AMissingValueIsCounted) {
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(input_error_of([] { make_field({{"type", "heat"}}); }), HasSubstr("no field of type \"heat\""));
+  EXPECT_THAT(test::input_error_of([] { make_field({{"type", "heat"}}); }), HasSubstr("no field of type \"heat\""));
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -17,7 +17,7 @@ namespace {
 std::vector<Perturbation> steps_of(const char* text) { return make_perturbations(nlohmann::json::parse(text)); }
 
 Points vertices_of(const char* steps, std::uint64_t seed, const char* id, std::size_t model) {
-  return perturb_model(test_shapes::box({1, 2, 3}, 2), steps_of(steps), seed, id, model).shape.vertices;
+  return perturb_model(test::box({1, 2, 3}, 2), steps_of(steps), seed, id, model).shape.vertices;
 }
 
 constexpr const char* noise = R"([{"type": "vertex_noise", "amplitude": 0.01}])";
@@ -32,7 +32,7 @@ TEST(PerturbModel, IsTheSameOnEveryMachine) {
   // Of the id, 64-bit FNV-1a.
   RandomNumbers model(7, 0xaf63dc4c8601ec8cULL);  // the hash of "a", by its authors' table
   RandomNumbers step(model.next());
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_EQ(vertices_of(noise, 7, "a", 0), vertex_noise(box, {.amplitude = 0.01}, step).vertices);
 }
 
@@ -43,7 +43,7 @@ TEST(PerturbModel, AStepDrawsTheSameWhateverTheStepBeforeItDraws) {
 }
 
 TEST(PerturbModel, WithoutStepsChangesNothing) {
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   const PerturbedShape same = perturb_model(box, {}, 1, "T3", 0);
   EXPECT_EQ(same.shape.vertices, box.vertices);
   EXPECT_EQ(same.shape.triangles, box.triangles);
@@ -63,7 +63,7 @@ Json choices() {
 
 PerturbedShape perturbed(const std::string& assign, const std::string& id, std::size_t model) {
   const Json step{{"type", "one_of"}, {"assign", assign}, {"choices", choices()}};
-  return perturb_model(test_shapes::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
+  return perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
 }
 
 TEST(OneOf, InTurnGoesByTheModelsPlace) {
@@ -90,7 +90,7 @@ TEST(OneOf, MayHoldAnother) {
   const Json inner{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", choices()}};
   const Json outer{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", {Json::array(), Json::array({inner})}}};
   const PerturbedShape result =
-      perturb_model(test_shapes::box({1, 1, 1}, 2), make_perturbations(Json::array({outer})), 1, "T3", 5);
+      perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({outer})), 1, "T3", 5);
   EXPECT_EQ(result.chosen, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(result.shape.vertices.rows(), 50);
 }
@@ -112,7 +112,7 @@ using Json = nlohmann::json;
 /// Expects that the step is what the function of the core does, and that its settings make the same step again.
 template <typename OfTheCore>
 void expect_step(const Json& settings, const OfTheCore& of_the_core) {
-  const Shape sphere = test_shapes::sphere(1, 3);
+  const Shape sphere = test::sphere(1, 3);
   RandomNumbers random(5);
   const Shape expected = of_the_core(sphere, random);
   for (const Perturbation& step :
@@ -154,7 +154,7 @@ TEST(MakePerturbation, FillsInDefaults) {
 }
 
 TEST(MakePerturbation, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(input_error_of([] {
+  EXPECT_THAT(test::input_error_of([] {
                 make_perturbation({{"type", "melt"}});
               }),
               HasSubstr("no perturbation of type \"melt\""));

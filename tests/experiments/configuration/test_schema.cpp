@@ -6,7 +6,7 @@
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -32,13 +32,13 @@ Json valid() {
 std::string message_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 std::string message_without(const std::string& parent, const std::string& key) {
   Json document = valid();
   document[Json::json_pointer(parent)].erase(key);
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
@@ -62,7 +62,7 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
-  EXPECT_THAT(input_error_of([&] { check_against_schema(document, "x.json"); }),
+  EXPECT_THAT(test::input_error_of([&] { check_against_schema(document, "x.json"); }),
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
@@ -86,7 +86,7 @@ TEST(SchemaCheck, WrongTypes) {
   EXPECT_THAT(message_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
   EXPECT_THAT(message_with("/signatures", Json::object()), HasSubstr("signatures: must be of type array, not object"));
   EXPECT_THAT(message_with("/dataset", "data"), HasSubstr("dataset: must be of type object, not string"));
-  EXPECT_THAT(input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
+  EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
               HasSubstr("x.json: must be of type object, not array"));
 }
 

@@ -5,15 +5,14 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/evaluation/evaluation_input.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 // The worked example of docs/evaluation.md: what stands there is what the library gives.
 
 namespace shapegauge {
 namespace {
 
-using test_experiments::text_of;
+using test::text_of;
 
 const std::string& guide() {
   static const std::string text = text_of(SHAPEGAUGE_EVALUATION_GUIDE);
@@ -55,8 +54,8 @@ std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
 class FiveShapes : public testing::Test {
  protected:
   FiveShapes() {
-    test_experiments::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
-    test_experiments::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
+    test::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
+    test::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
     input = read_evaluation_input({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
   }
 
@@ -73,7 +72,7 @@ class FiveShapes : public testing::Test {
   EvaluationInput input;
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 void expect_printed(const std::string& printed, double value, const std::string& what) {

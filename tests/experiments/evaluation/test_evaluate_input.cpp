@@ -7,8 +7,7 @@
 #include "shapegauge/experiments/evaluation/evaluate_input.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -74,8 +73,8 @@ class EvaluateInput : public testing::Test {
       labels += line + "\n";
       sets += line + (model % 3 == 0 ? ",query\n" : ",target\n");
     }
-    test_experiments::write_text(at("labels.csv"), labels);
-    test_experiments::write_text(at("sets.csv"), sets);
+    test::write_text(at("labels.csv"), labels);
+    test::write_text(at("sets.csv"), sets);
   }
 
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
@@ -106,7 +105,7 @@ class EvaluateInput : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateInput, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {

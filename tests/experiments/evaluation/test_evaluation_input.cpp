@@ -5,15 +5,13 @@
 #include "shapegauge/experiments/evaluation/evaluation_input.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_experiments::write_text;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -27,7 +25,7 @@ class EvaluationInputTest : public testing::Test {
   std::filesystem::path two_classes() { return file("labels.csv", "id,class\n1,ant\n2,ant\n10,bee\n11,bee\n"); }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 double measure(const EvaluationInput& input, const std::string& name, Protocol protocol = Protocol::trec) {
@@ -66,8 +64,9 @@ TEST_F(EvaluationInputTest, FeaturesAreCompared) {
     EXPECT_EQ(input.distances.size(), 0);
   }
   const auto bad = file("g.csv", "1,-1\n2,1\n3,1\n4,1\n");
-  EXPECT_THAT(input_error_of([&] { read_evaluation_input({.matrix = bad, .labels = labels, .distance = "emd"}); }),
-              HasSubstr("g.csv: the distance emd is not defined for signature 0"));
+  EXPECT_THAT(
+      test::input_error_of([&] { read_evaluation_input({.matrix = bad, .labels = labels, .distance = "emd"}); }),
+      HasSubstr("g.csv: the distance emd is not defined for signature 0"));
 }
 
 TEST_F(EvaluationInputTest, OfFeaturesTheWholeMatrixWhereItIsWanted) {
@@ -131,14 +130,14 @@ TEST_F(EvaluationInputTest, RankedListsUnderClasses) {
 TEST_F(EvaluationInputTest, AMatrixUnderJudgementsNeedsIds) {
   const auto qrels = file("j.txt", "2 0 10 1\n");
   const auto matrix = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
-  EXPECT_THAT(input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = qrels}); }),
+  EXPECT_THAT(test::input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = qrels}); }),
               HasSubstr("need ids"));
   const auto ids = file("ids.txt", "1\n2\n10\n");
   const EvaluationInput input = read_evaluation_input({.matrix = matrix, .qrels = qrels, .ids = ids});
   EXPECT_THAT(input.task.query_classes, ElementsAre(no_class, 1, no_class));
   EXPECT_EQ(measure(input, "MRR"), 0.5);
   const auto unknown = file("k.txt", "2 0 11 1\n");
-  EXPECT_THAT(input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = unknown, .ids = ids}); }),
+  EXPECT_THAT(test::input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = unknown, .ids = ids}); }),
               HasSubstr("\"11\" is judged but is not in the matrix"));
 }
 
@@ -146,7 +145,7 @@ TEST_F(EvaluationInputTest, WhatDoesNotFitIsOneError) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   const auto error = [&](const EvaluationFiles& files) {
-    return input_error_of([&] { read_evaluation_input(files); });
+    return test::input_error_of([&] { read_evaluation_input(files); });
   };
   EXPECT_THAT(error({.matrix = three, .labels = labels}), HasSubstr("d.txt has 3 rows, but there are 4 models in"));
   EXPECT_THAT(error({.matrix = three}), HasSubstr("give either --labels"));

@@ -2,9 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/evaluation/method_values.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -20,15 +18,15 @@ const std::string table =
 class MethodValuesTest : public testing::Test {
  protected:
   std::vector<MethodValues> read(const std::string& text, const std::string& name = "per_query.csv") {
-    test_experiments::write_text(folder_.path() / name, text);
+    test::write_text(folder_.path() / name, text);
     return read_method_values(folder_.path() / name);
   }
   std::string error_of(const std::string& text) {
-    return input_error_of([&] { read(text); });
+    return test::input_error_of([&] { read(text); });
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(MethodValuesTest, AreReadByMethodAndAlignedByQuery) {
@@ -55,7 +53,7 @@ TEST_F(MethodValuesTest, WhatCannotBeComparedIsOneError) {
     std::vector<MethodValues> methods = read(table);
     const std::vector<MethodValues> others = read(more, "other.csv");
     methods.insert(methods.end(), others.begin(), others.end());
-    return input_error_of([&] { align_methods(methods, measures); });
+    return test::input_error_of([&] { align_methods(methods, measures); });
   };
   const std::string header = "method,protocol,id,class,NN\n";
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\n"), HasSubstr("\"c\" has no query \"2\", which \"a\" has"));
@@ -67,7 +65,7 @@ TEST_F(MethodValuesTest, WhatCannotBeComparedIsOneError) {
   EXPECT_THAT(align_error("method,protocol,id,class,ST\nc,psb,1,ant,1\nc,psb,2,ant,1\n"),
               HasSubstr("no measure in common"));
   const std::vector<MethodValues> one = {read(table)[0]};
-  EXPECT_THAT(input_error_of([&] { align_methods(one, {}); }), HasSubstr("one method only"));
+  EXPECT_THAT(test::input_error_of([&] { align_methods(one, {}); }), HasSubstr("one method only"));
 }
 
 TEST_F(MethodValuesTest, FaultsAreOneErrorWithTheLine) {

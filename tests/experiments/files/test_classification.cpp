@@ -6,8 +6,7 @@
 #include <string>
 
 #include "shapegauge/experiments/files/classification.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -32,7 +31,7 @@ TEST(ClassLabels, FollowTheIdsInAnySpelling) {
 
 TEST(ClassLabels, NameTheModelThatDoesNotFit) {
   const auto error_for = [](const std::vector<std::string>& ids) {
-    return input_error_of([&] { class_labels(animals, ids, "x.cla"); });
+    return test::input_error_of([&] { class_labels(animals, ids, "x.cla"); });
   };
   EXPECT_THAT(error_for({"1", "2", "10", "T3"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"T3\" is in no class")));
   EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" is classified")));
@@ -43,7 +42,7 @@ TEST(ClassLabels, NameTheModelThatDoesNotFit) {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -62,7 +61,7 @@ constexpr std::string_view valid =
     "1\n";
 
 std::string error_of(std::string_view text) {
-  return input_error_of([&] { parse_classification(text, "x.cla"); });
+  return test::input_error_of([&] { parse_classification(text, "x.cla"); });
 }
 
 TEST(ParseClassification, KeepsClassesModelsAndHierarchy) {
@@ -136,8 +135,8 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
 
 TEST(ReadClassification, MissingAndEmptyFilesAreInputErrors) {
   const TemporaryFolder folder;
-  EXPECT_THAT(input_error_of([&] { read_classification(folder.path() / "none.cla"); }), HasSubstr("none.cla"));
-  EXPECT_THAT(input_error_of([&] { read_classification(folder.file("empty.cla", "")); }),
+  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.path() / "none.cla"); }), HasSubstr("none.cla"));
+  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.file("empty.cla", "")); }),
               AllOf(HasSubstr("empty.cla"), HasSubstr("empty")));
 }
 
@@ -145,7 +144,7 @@ TEST(WriteClassification, ReadsBackTheSame) {
   const TemporaryFolder folder;
   const Classification classification = parse_classification(valid, "x.cla");
   write_classification(folder.path() / "y.cla", classification);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "y.cla"), valid);
+  EXPECT_EQ(test::bytes_of(folder.path() / "y.cla"), valid);
   EXPECT_EQ(read_classification(folder.path() / "y.cla"), classification);
 }
 
@@ -166,7 +165,8 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
       Classification{},
   };
   for (const Classification& bad : cases) {
-    EXPECT_THAT(input_error_of([&] { write_classification(path, bad); }), StartsWith("cannot write " + path.string()));
+    EXPECT_THAT(test::input_error_of([&] { write_classification(path, bad); }),
+                StartsWith("cannot write " + path.string()));
   }
   EXPECT_EQ(folder.size(), 0U);
 }
@@ -174,7 +174,7 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
 TEST(WriteClassification, AFolderThatIsNotThereIsAnInputError) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "absent" / "y.cla";
-  EXPECT_THAT(input_error_of([&] { write_classification(path, parse_classification(valid, "x")); }),
+  EXPECT_THAT(test::input_error_of([&] { write_classification(path, parse_classification(valid, "x")); }),
               HasSubstr("cannot write"));
 }
 

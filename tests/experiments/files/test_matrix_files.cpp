@@ -8,15 +8,14 @@
 
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/files/random_matrices.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,7 +26,7 @@ LabelledDistances read(const std::string& text) {
 }
 
 std::string error_of(const std::string& text) {
-  return input_error_of([&] { read(text); });
+  return test::input_error_of([&] { read(text); });
 }
 
 DistanceMatrix example() {
@@ -82,18 +81,21 @@ TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
 TEST(CsvMatrix, WritesIdsWhereThereAreSome) {
   const TemporaryFolder folder;
   write_csv_matrix(folder.path() / "m.csv", {example(), {"T1", "a,\"b\""}});
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "m.csv"), "id,T1,\"a,\"\"b\"\"\"\nT1,0,1.5\n\"a,\"\"b\"\"\",-2.25,inf\n");
+  EXPECT_EQ(test::bytes_of(folder.path() / "m.csv"), "id,T1,\"a,\"\"b\"\"\"\nT1,0,1.5\n\"a,\"\"b\"\"\",-2.25,inf\n");
   write_csv_matrix(folder.path() / "n.csv", {example(), {}});
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "n.csv"), "0,1.5\n-2.25,inf\n");
+  EXPECT_EQ(test::bytes_of(folder.path() / "n.csv"), "0,1.5\n-2.25,inf\n");
 }
 
 TEST(CsvMatrix, RefusesToWriteWhatDoesNotReadBack) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "m.csv";
   EXPECT_THROW(write_csv_matrix(path, {example(), {"a"}}), std::invalid_argument);
-  EXPECT_THAT(input_error_of([&] { write_csv_matrix(path, {example(), {"a", "b\nc"}}); }), HasSubstr("line break"));
-  EXPECT_THAT(input_error_of([&] { write_csv_matrix(path, {example(), {"a", ""}}); }), HasSubstr("empty"));
-  EXPECT_THAT(input_error_of([&] { write_csv_matrix(path, {example(), {"a", "a"}}); }), HasSubstr("twice"));
+  EXPECT_THAT(test::input_error_of([&] {
+                write_csv_matrix(path, {example(), {"a", "b\nc"}});
+              }),
+              HasSubstr("line break"));
+  EXPECT_THAT(test::input_error_of([&] { write_csv_matrix(path, {example(), {"a", ""}}); }), HasSubstr("empty"));
+  EXPECT_THAT(test::input_error_of([&] { write_csv_matrix(path, {example(), {"a", "a"}}); }), HasSubstr("twice"));
   EXPECT_EQ(folder.size(), 0U);
 }
 
@@ -115,7 +117,7 @@ RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -128,20 +130,20 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
   EXPECT_EQ(matrix, expected);
   write_psb_matrix(folder.path() / "w.matrix", expected);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "w.matrix"), bytes);
+  EXPECT_EQ(test::bytes_of(folder.path() / "w.matrix"), bytes);
 }
 
 TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
   const TemporaryFolder folder;
   const auto error_for = [&](std::size_t bytes) {
-    return input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
+    return test::input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
   };
   EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("looks like float64 (3 x 3)")));
   EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("cut off")));
   EXPECT_THAT(error_for(4 * 10), HasSubstr("no square matrix"));
   EXPECT_THAT(error_for(3), HasSubstr("no square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
-  EXPECT_THAT(input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
+  EXPECT_THAT(test::input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
 }
 
 TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
@@ -150,7 +152,7 @@ TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
     const auto path = folder.file("m.matrix", std::string(bytes, '\0'));
     std::size_t size = 1;
     while (4 * size * size < bytes) ++size;
-    const std::string error = input_error_of([&] {
+    const std::string error = test::input_error_of([&] {
       EXPECT_EQ(read_psb_matrix(path),
                 DistanceMatrix::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)));
     });
@@ -162,7 +164,7 @@ TEST(PsbMatrix, ADistanceBeyondFloat32IsNotWritten) {
   const TemporaryFolder folder;
   DistanceMatrix matrix = DistanceMatrix::Zero(3, 3);
   matrix(1, 2) = 1e39;
-  EXPECT_THAT(input_error_of([&] { write_psb_matrix(folder.path() / "m.matrix", matrix); }),
+  EXPECT_THAT(test::input_error_of([&] { write_psb_matrix(folder.path() / "m.matrix", matrix); }),
               AllOf(HasSubstr("m.matrix"), HasSubstr("row 1, column 2")));
   EXPECT_EQ(folder.size(), 0U);
 }
@@ -178,7 +180,7 @@ RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::HasSubstr;
 
 DistanceMatrix read(const std::string& text) {
@@ -187,7 +189,7 @@ DistanceMatrix read(const std::string& text) {
 }
 
 std::string error_of(const std::string& text) {
-  return input_error_of([&] { read(text); });
+  return test::input_error_of([&] { read(text); });
 }
 
 TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
@@ -226,7 +228,7 @@ TEST(TextMatrix, EveryPrefixReadsOrIsAnInputError) {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -256,7 +258,7 @@ TEST(ReadDistanceMatrix, GoesByTheExtension) {
 
 TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
   for (const char* const name : {"m.mat", "m", "npy"}) {
-    EXPECT_THAT(input_error_of([&] { read_distance_matrix(name); }),
+    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(name); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .csv, .txt, .dat")));
   }
 }
@@ -270,16 +272,16 @@ TEST(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
   write_csv_matrix(folder.path() / "m.csv", {matrix, {}});
   for (const auto& path : {folder.path() / "m.npy", folder.path() / "m.matrix", folder.path() / "m.csv",
                            folder.file("m.txt", "0 0 0\n0 0 0\n0 NaN 0\n")}) {
-    EXPECT_THAT(input_error_of([&] { read_distance_matrix(path); }),
+    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(path); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("row 2, column 1")));
   }
 }
 
 TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
   const TemporaryFolder folder;
-  EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
   std::filesystem::create_directory(folder.path() / "folder.npy");
-  EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
 }
 
 }  // namespace

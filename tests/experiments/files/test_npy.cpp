@@ -6,9 +6,8 @@
 #include <string>
 
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/files/random_matrices.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -24,7 +23,7 @@ std::string version_1(const std::string& dictionary) {
 }
 
 std::string error_of(const std::string& bytes) {
-  return input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
+  return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
 }
 
 TEST(NpyHeader, IsAPythonDictionaryInAnyOrderAndSpacing) {
@@ -87,7 +86,7 @@ TEST(NpyHeader, WrittenHeadersAlignTheDataAndReadBack) {
 namespace {
 
 using namespace std::string_literals;
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -120,7 +119,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 std::string error_of(const std::string& bytes) {
   const TemporaryFolder folder;
-  return input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
+  return test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
 }
 
 TEST(Npy, ReadsWhatNumpyWrites) {
@@ -134,13 +133,13 @@ TEST(Npy, ReadsWhatNumpyWrites) {
 TEST(Npy, WritesWhatNumpyWrites) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "x.npy", example());
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "x.npy"), float64_version_1);
+  EXPECT_EQ(test::bytes_of(folder.path() / "x.npy"), float64_version_1);
 }
 
 TEST(Npy, WritesVectorsAsNumpyDoes) {
   const TemporaryFolder folder;
   write_npy_vector(folder.path() / "v.npy", Eigen::Vector2d(0, 1.5));
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "v.npy"),
+  EXPECT_EQ(test::bytes_of(folder.path() / "v.npy"),
             "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }"s + std::string(60, ' ') +
                 "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?"s);
 }
@@ -173,7 +172,7 @@ TEST(Npy, EveryPrefixIsAnInputError) {
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
       const auto path = folder.file("x.npy", bytes.substr(0, length));
-      EXPECT_THAT(input_error_of([&] { read_npy(path); }), HasSubstr("x.npy")) << length;
+      EXPECT_THAT(test::input_error_of([&] { read_npy(path); }), HasSubstr("x.npy")) << length;
     }
   }
 }
@@ -186,7 +185,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::oneOf(
         rc::gen::arbitrary<char>(), rc::gen::element('9', '(', ')', ',', '\'', '{', '}', ' ', 'L', '\xFF'));
   }
-  const std::string error = input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
+  const std::string error = test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
   RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
 }
 

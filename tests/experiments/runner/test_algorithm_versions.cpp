@@ -11,7 +11,7 @@
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -33,9 +33,9 @@ std::string hash_of(const Numbers& numbers) {
 
 /// A closed, a bent and an open surface.
 std::vector<Shape> shapes() {
-  Shape open = test_shapes::box({1, 2, 0.3}, 3);
+  Shape open = test::box({1, 2, 0.3}, 3);
   open.triangles.conservativeResize(open.triangles.rows() - 4, Eigen::NoChange);
-  return {test_shapes::capsule(0.2, 2, 16, 6), test_shapes::torus(1, 0.3, 12, 8), open};
+  return {test::capsule(0.2, 2, 16, 6), test::torus(1, 0.3, 12, 8), open};
 }
 
 /// What a kind of field gives: its versions, and a hash of the values on the shapes.

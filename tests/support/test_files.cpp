@@ -1,4 +1,4 @@
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 #include <cstdlib>
 #include <fstream>
@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,23 @@ std::string bytes_of(const fs::path& path) {
   return std::move(bytes).str();
 }
 
-}  // namespace shapegauge::test_io
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(text).str();
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+OrdinaryUser::OrdinaryUser() : before_(::geteuid()) {
+  if (before_ == 0 && ::seteuid(65534) != 0) throw std::runtime_error("cannot give up root's rights");
+}
+
+OrdinaryUser::~OrdinaryUser() {
+  if (::seteuid(before_) != 0) ::_exit(1);
+}
+
+}  // namespace shapegauge::test

@@ -8,7 +8,7 @@
 #include "shapegauge/core/shape/shape.h"
 
 /// Shapes whose measures are known, and the changes under which measures are invariant.
-namespace shapegauge::test_shapes {
+namespace shapegauge::test {
 
 /// Icosahedron whose triangles are split into four `subdivisions` times, vertices on the sphere about the origin.
 Shape sphere(double radius, int subdivisions);
@@ -46,7 +46,10 @@ Permuted permuted(const Shape& shape, unsigned seed);
 /// A rotation that depends on the seed alone.
 Eigen::Matrix3d rotation(unsigned seed);
 
+/// A cloud of random points on the surface of a mesh, every place equally likely.
+Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed);
+
 /// The volume that an outward-oriented closed mesh encloses (divergence theorem).
 double signed_volume(const Shape& mesh);
 
-}  // namespace shapegauge::test_shapes
+}  // namespace shapegauge::test
