@@ -6,7 +6,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
-#include "app/terminal.h"
+#include "app/progress_line.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/table.h"

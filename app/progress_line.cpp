@@ -1,9 +1,9 @@
+#include "app/progress_line.h"
+
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
 #include <unistd.h>
-
-#include "app/terminal.h"
 
 namespace shapegauge {
 

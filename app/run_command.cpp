@@ -11,7 +11,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
-#include "app/terminal.h"
+#include "app/progress_line.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"

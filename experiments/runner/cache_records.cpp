@@ -150,7 +150,7 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 
 // By name, every member: one that is missing here would come back from the cache as zero.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
-                                   triangles, area, degenerate_triangles, duplicate_triangles, components, closed,
+                                   triangles, area, degenerate_triangles, duplicate_triangles, components, watertight,
                                    edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
                                    gap_size, point_spacing, noise_deviation, noisy)
 

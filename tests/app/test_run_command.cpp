@@ -3,7 +3,6 @@
 
 #include "shapegauge/core/io/off.h"
 #include "tests/app/program.h"
-#include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {
@@ -13,7 +12,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::text_of;
 using test::write_text;
-using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
@@ -108,6 +106,23 @@ TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
        {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},
        {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
 }
+
+}  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
+using test_command_line::expect_error_line;
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::SmallRun;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
 
 class RunCommand : public SmallRun {
  protected:

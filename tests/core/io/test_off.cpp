@@ -273,13 +273,8 @@ TEST(ReadOff, HeaderAloneCanBeChecked) {
   EXPECT_THROW(check_off_header("HELLO\n4 4 6\n", "t.off"), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 using test::tetrahedron;
 using ::testing::EndsWith;
-using ::testing::ThrowsMessage;
 
 TEST(WriteOff, IsPlainOff) {
   const test::TemporaryFolder folder;

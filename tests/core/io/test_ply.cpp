@@ -212,15 +212,10 @@ TEST(ReadPly, CoordinateThatIsNotFinite) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 using test::tetrahedron;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::ThrowsMessage;
 
 const std::vector<Colour> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
 

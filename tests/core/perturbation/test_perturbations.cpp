@@ -78,17 +78,6 @@ TEST(RandomSelection, HasExactlyTheRoundedNumber) {
   }
 }
 
-TEST(RandomSelection, TakesEveryElementEquallyOften) {
-  RandomNumbers random(2);
-  std::vector<int> times(8);
-  for (int i = 0; i < 40000; ++i) {
-    const std::vector<bool> selected = random_selection(8, 0.375, random);
-    for (std::size_t k = 0; k < 8; ++k) times[k] += selected[k] ? 1 : 0;
-  }
-  // 40000 times 3/8, standard deviation 97; five of them.
-  for (const int t : times) EXPECT_NEAR(t, 15000, 485);
-}
-
 TEST(RandomSelection, RefusesWhatIsNoFraction) {
   RandomNumbers random(1);
   for (const double fraction : {-0.1, 1.1, std::nan("")}) {

@@ -91,10 +91,6 @@ TEST(SampleSurface, RefusesWhatHasNoArea) {
   EXPECT_THROW(sampled(test::box({0, 0, 1}, 1), {}, 1), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(VertexCloud, HasTheVerticesThatTrianglesUse) {
   Shape sphere = test::sphere(1, 1);
   const Points used = sphere.vertices;

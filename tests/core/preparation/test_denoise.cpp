@@ -63,10 +63,6 @@ TEST(VertexNeighbours, RefusesATriangleWithoutVertices) {
   EXPECT_THROW(vertex_neighbours(shape), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 NoiseLevel level_of(const Shape& shape) { return noise_level(shape, vertex_neighbours(shape)); }
 
 bool is_noisy(const Shape& shape) { return is_noisy(level_of(shape), vertex_neighbours(shape)); }
@@ -173,10 +169,6 @@ TEST(NoiseLevel, IsZeroForACloud) {
   EXPECT_EQ(level.relative(), 0);
 }
 
-}  // namespace
-
-namespace {
-
 /// The factor that the documentation promises for a frequency.
 double gain(double k, double pass_band) {
   const double rounds = std::ceil(2 / pass_band) + 3;
@@ -272,10 +264,6 @@ TEST(TaubinSmoothing, RefusesAPassBandOutOfRange) {
     EXPECT_THROW(taubin_smoothed(Points::Zero(60, 3), ring(60), pass_band), InputError);
   }
 }
-
-}  // namespace
-
-namespace {
 
 /// Root of the mean squared distance of the vertices from the unit sphere.
 double distance_from_sphere(const Shape& shape) {

@@ -151,10 +151,6 @@ TEST(BoundaryLoops, RefusesAnUnusableShape) {
   EXPECT_THROW(boundary_loops(shape), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 using Polygon = std::vector<Eigen::Vector2d>;
 
 TEST(InscribedCircle, OfKnownPolygons) {
@@ -188,10 +184,6 @@ RC_GTEST_PROP(InscribedCircle, OfAnyTriangleIsTwiceTheAreaByTheLength, ()) {
   // The box's diagonal is at most the root of two times the longest side.
   RC_ASSERT(radius * 1.01 + 1.5e-3 * diagonal >= doubled_area / std::max(length, 1e-9) * (1 - 1e-9));
 }
-
-}  // namespace
-
-namespace {
 
 /// A box with cells of 0.5, the side x = -1 open.
 Shape open_box() {

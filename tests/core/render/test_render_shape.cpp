@@ -193,10 +193,6 @@ TEST(RenderShape, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(with([](RenderOptions& o) { o.towards_viewer.setConstant(std::nan("")); }), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 /// A shape without symmetries: a body, a head at one end, something on its back and at its side.
 Shape lopsided() {
   const auto placed = [](const Shape& part, const Eigen::Vector3d& move) {
@@ -248,10 +244,6 @@ TEST(PrincipalView, OtherOptionsStayAndNothingToLookAtIsNoError) {
   EXPECT_EQ(principal_view(lopsided(), options).margin, 0.2);
   EXPECT_EQ(principal_view(Shape{}, options).up, options.up);
 }
-
-}  // namespace
-
-namespace {
 
 Shape sphere_cloud() { return test::random_points(test::sphere(1, 5), 3000, 1); }
 

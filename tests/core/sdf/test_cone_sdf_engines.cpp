@@ -60,10 +60,6 @@ RC_GTEST_PROP(MeanWithoutOutliers, IsTheDefinition, (bool many_equal)) {
   RC_ASSERT(std::ranges::is_sorted(values));
 }
 
-}  // namespace
-
-namespace {
-
 ConeSdfResult cone_sdf_by(ConeSdfEngine engine, const Shape& shape, bool postprocess = false) {
   ConeSdfOptions options;
   options.engine = engine;

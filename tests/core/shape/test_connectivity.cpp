@@ -28,10 +28,6 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 TEST(DisjointSets, AreNamedByTheirLeastNumber) {
   DisjointSets sets;
   sets.grow_to(6);
@@ -57,19 +53,11 @@ TEST(DisjointSets, GrowWithoutForgetting) {
   EXPECT_EQ(sets.find(3), 3);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(MergedByPlace, NamesTheFirstVertexAtEachPlace) {
   const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
   EXPECT_EQ(merged_by_place(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
   EXPECT_TRUE(merged_by_place(Points(0, 3)).empty());
 }
-
-}  // namespace
-
-namespace {
 
 TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
   const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
@@ -102,10 +90,6 @@ TEST(EdgeUses, NamesVerticesByTheirPlace) {
   });
   EXPECT_EQ(edges, 3U);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
   const Shape sphere = test::sphere(1, 2);

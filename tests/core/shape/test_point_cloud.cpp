@@ -60,10 +60,6 @@ TEST(PointNeighbours, NoMoreThanThereAre) {
   EXPECT_EQ(nearest_neighbours(Points(0, 3), 8).indices.rows(), 0);
 }
 
-}  // namespace
-
-namespace {
-
 Points random_points_of_sphere() { return test::random_points(test::sphere(1, 5), 5000, 1).vertices; }
 
 TEST(PointNormals, OfAPlaneAreItsNormalAtAnyScale) {
@@ -102,10 +98,6 @@ TEST(PointNormals, OfPointsAtOnePlaceAreZero) {
   EXPECT_TRUE(normals.topRows(13).isZero(0));
   for (Eigen::Index i = 13; i < points.rows(); ++i) EXPECT_NEAR(normals.row(i).norm(), 1, 1e-12);
 }
-
-}  // namespace
-
-namespace {
 
 using test::random_points;
 

@@ -42,10 +42,6 @@ TEST(Shape, AllPointsOfACloudCount) {
   EXPECT_EQ(surface_area(cloud), 0);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::StrEq;
 using testing::ThrowsMessage;
 

@@ -9,7 +9,6 @@
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/experiments/files/random_matrices.h"
-#include "tests/experiments/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {
@@ -17,7 +16,6 @@ namespace shapegauge {
 namespace {
 
 using test::TemporaryFolder;
-using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -27,8 +25,8 @@ LabelledDistances read_csv(const std::string& text) {
   return read_csv_matrix(folder.file("m.csv", text));
 }
 
-std::string csv_error(const std::string& text) {
-  return test::input_error_of([&] { read_csv(text); });
+std::string error_of(const std::string& text) {
+  return test::input_error_of([&] { read(text); });
 }
 
 DistanceMatrix example() {
@@ -77,7 +75,28 @@ TEST(CsvMatrix, EveryPrefixReadsOrIsAnInputError) {
   for (std::size_t length = 0; length + 1 < valid.size(); ++length) {
     EXPECT_THAT(csv_error(valid.substr(0, length)), HasSubstr("m.csv")) << length;
   }
-  EXPECT_EQ(csv_error(valid.substr(0, valid.size() - 1)), "no error");
+  EXPECT_EQ(error_of(valid.substr(0, valid.size() - 1)), "no error");
+}
+
+TEST(CsvMatrix, WritesIdsWhereThereAreSome) {
+  const TemporaryFolder folder;
+  write_csv_matrix(folder.path() / "m.csv", {example(), {"T1", "a,\"b\""}});
+  EXPECT_EQ(test::bytes_of(folder.path() / "m.csv"), "id,T1,\"a,\"\"b\"\"\"\nT1,0,1.5\n\"a,\"\"b\"\"\",-2.25,inf\n");
+  write_csv_matrix(folder.path() / "n.csv", {example(), {}});
+  EXPECT_EQ(test::bytes_of(folder.path() / "n.csv"), "0,1.5\n-2.25,inf\n");
+}
+
+TEST(CsvMatrix, RefusesToWriteWhatDoesNotReadBack) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "m.csv";
+  EXPECT_THROW(write_csv_matrix(path, {example(), {"a"}}), std::invalid_argument);
+  EXPECT_THAT(test::input_error_of([&] {
+                write_csv_matrix(path, {example(), {"a", "b\nc"}});
+              }),
+              HasSubstr("line break"));
+  EXPECT_THAT(test::input_error_of([&] { write_csv_matrix(path, {example(), {"a", ""}}); }), HasSubstr("empty"));
+  EXPECT_THAT(test::input_error_of([&] { write_csv_matrix(path, {example(), {"a", "a"}}); }), HasSubstr("twice"));
+  EXPECT_EQ(folder.size(), 0U);
 }
 
 RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
@@ -94,6 +113,14 @@ RC_GTEST_PROP(CsvMatrix, ReadsBackWhatIsWritten, ()) {
   RC_ASSERT(result.ids == written.ids);
 }
 
+}  // namespace
+
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
 TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   using namespace std::string_literals;
   const TemporaryFolder folder;
@@ -102,6 +129,8 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
   DistanceMatrix expected(2, 2);
   expected << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
   EXPECT_EQ(matrix, expected);
+  write_psb_matrix(folder.path() / "w.matrix", expected);
+  EXPECT_EQ(test::bytes_of(folder.path() / "w.matrix"), bytes);
 }
 
 TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
@@ -131,6 +160,15 @@ TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
   }
 }
 
+TEST(PsbMatrix, ADistanceBeyondFloat32IsNotWritten) {
+  const TemporaryFolder folder;
+  DistanceMatrix matrix = DistanceMatrix::Zero(3, 3);
+  matrix(1, 2) = 1e39;
+  EXPECT_THAT(test::input_error_of([&] { write_psb_matrix(folder.path() / "m.matrix", matrix); }),
+              AllOf(HasSubstr("m.matrix"), HasSubstr("row 1, column 2")));
+  EXPECT_EQ(folder.size(), 0U);
+}
+
 RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
   const TemporaryFolder folder;
   const DistanceMatrix matrix = *square_matrices();
@@ -138,13 +176,20 @@ RC_GTEST_PROP(PsbMatrix, ReadsBackWhatIsWritten, ()) {
   RC_ASSERT(read_psb_matrix(folder.path() / "m.matrix") == matrix);
 }
 
-DistanceMatrix read_text(const std::string& text) {
+}  // namespace
+
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+DistanceMatrix read(const std::string& text) {
   const TemporaryFolder folder;
   return read_text_matrix(folder.file("m.txt", text));
 }
 
-std::string text_error(const std::string& text) {
-  return test::input_error_of([&] { read_text(text); });
+std::string error_of(const std::string& text) {
+  return test::input_error_of([&] { read(text); });
 }
 
 TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
@@ -177,6 +222,22 @@ TEST(TextMatrix, EveryPrefixReadsOrIsAnInputError) {
     const bool whole = length + 1 == valid.size();
     EXPECT_THAT(text_error(valid.substr(0, length)), HasSubstr(alone || whole ? "no error" : "m.txt")) << length;
   }
+}
+
+}  // namespace
+
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+DistanceMatrix example() {
+  DistanceMatrix matrix(2, 2);
+  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  return matrix;
 }
 
 TEST(ReadDistanceMatrix, GoesByTheExtension) {

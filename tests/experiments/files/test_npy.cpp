@@ -24,7 +24,7 @@ std::string version_1(const std::string& dictionary) {
   return "\x93NUMPY\x01\x00"s + static_cast<char>(dictionary.size()) + '\0' + dictionary;
 }
 
-std::string header_error(const std::string& bytes) {
+std::string error_of(const std::string& bytes) {
   return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
 }
 
@@ -84,6 +84,15 @@ TEST(NpyHeader, WrittenHeadersAlignTheDataAndReadBack) {
   }
 }
 
+}  // namespace
+
+namespace {
+
+using namespace std::string_literals;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::HasSubstr;
+
 // [[0, 1.5], [-2.25, inf]] as NumPy 1.24 writes it (numpy.lib.format.write_array).
 const std::string float64_version_1 =
     "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"s + std::string(58, ' ') +
@@ -112,7 +121,8 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string error_of(const std::string& bytes) {
-  return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
+  const TemporaryFolder folder;
+  return test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
 }
 
 TEST(Npy, ReadsWhatNumpyWrites) {
@@ -164,7 +174,8 @@ TEST(Npy, EveryPrefixIsAnInputError) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-      EXPECT_THAT(error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
+      const auto path = folder.file("x.npy", bytes.substr(0, length));
+      EXPECT_THAT(test::input_error_of([&] { read_npy(path); }), HasSubstr("x.npy")) << length;
     }
   }
 }
@@ -177,7 +188,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::oneOf(
         rc::gen::arbitrary<char>(), rc::gen::element('9', '(', ')', ',', '\'', '{', '}', ' ', 'L', '\xFF'));
   }
-  const std::string error = error_of(bytes);
+  const std::string error = test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
   RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
 }
 

@@ -1,3 +1,5 @@
+#include "tests/support/test_files.h"
+
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -6,8 +8,6 @@
 #include <stdexcept>
 #include <unistd.h>
 #include <utility>
-
-#include "tests/support/test_files.h"
 
 namespace shapegauge::test {
 
@@ -44,6 +44,25 @@ std::string bytes_of(const fs::path& path) {
   std::ostringstream bytes;
   bytes << stream.rdbuf();
   return std::move(bytes).str();
+}
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(text).str();
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  if (path.has_parent_path()) fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+OrdinaryUser::OrdinaryUser() : before_(::geteuid()) {
+  if (before_ == 0 && ::seteuid(65534) != 0) throw std::runtime_error("cannot give up root's rights");
+}
+
+OrdinaryUser::~OrdinaryUser() {
+  if (::seteuid(before_) != 0) ::_exit(1);
 }
 
 }  // namespace shapegauge::test

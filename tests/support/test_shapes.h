@@ -46,6 +46,9 @@ Permuted permuted(const Shape& shape, unsigned seed);
 /// A rotation that depends on the seed alone.
 Eigen::Matrix3d rotation(unsigned seed);
 
+/// A cloud of random points on the surface of a mesh, every place equally likely.
+Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed);
+
 /// The volume that an outward-oriented closed mesh encloses (divergence theorem).
 double signed_volume(const Shape& mesh);
 
