@@ -8,8 +8,8 @@
 
 namespace shapegauge {
 
-/// The seeds that users may choose: those that a signed integer of 64 bits holds, as readers of JSON expect.
-inline constexpr Bounds seed_bounds{.low = 0, .high = 9'223'372'036'854'775'808.0, .high_open = true};
+/// The seeds that users may choose: whole numbers that every reader of JSON holds exactly.
+inline constexpr Bounds seed_bounds{.low = 0, .high = 9'007'199'254'740'991};
 
 /// A small random number generator (SplitMix64: Steele, Lea, Flood 2014). It gives the same numbers with every standard
 /// library, which the distributions of <random> do not.

@@ -97,15 +97,16 @@ TEST(RegisterField, AddsATypeThatConfigurationsCanName) {
 
 TEST(RegisterField, RefusesWhatNoConfigurationCouldName) {
   const auto make = field_types()[0].make;
-  EXPECT_THROW(register_field({.name = "offset_sdf", .make = make}), std::invalid_argument);
-  EXPECT_THROW(register_field({.name = "", .make = make}), std::invalid_argument);
-  EXPECT_THROW(register_field({.name = "test_nothing"}), std::invalid_argument);
-  EXPECT_THROW(register_field({.name = "test_at", .parameters = {{.name = "at"}}, .make = make}),
-               std::invalid_argument);
+  EXPECT_THROW(register_field({"offset_sdf", "", {}, make}), std::invalid_argument);
+  EXPECT_THROW(register_field({"", "", {}, make}), std::invalid_argument);
+  EXPECT_THROW(register_field({"test_nothing", "", {}, {}}), std::invalid_argument);
+  EXPECT_THROW(register_field({"test_at", "", {{.name = "at", .description = "Where."}}, make}), std::invalid_argument);
 }
 
 TEST(RegisterField, AValueForEachSampleIsNeeded) {
   register_field({.name = "test_one_value",
+                  .description = "A single value.",
+                  .parameters = {},
                   .make = [](const ParameterValues& /*values*/, const SamplePlan& /*samples*/) -> FieldComputation {
                     return {.versions = {{"test_one_value", 1}},
                             .compute = [](FieldSource& /*source*/, const Samples& /*samples*/, bool /*parallel*/) {
