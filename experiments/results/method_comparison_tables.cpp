@@ -86,8 +86,8 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
   return table;
 }
 
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                  const ScoreStyle& style, bool exact) {
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
+                  bool exact) {
   Table table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
                          "effect_size", "wins", "ties", "losses"},
               .rows = {},
@@ -125,6 +125,7 @@ Json comparison_json(const AlignedMethods& methods, std::span<const MethodCompar
           {"test", name_of(options.test)},
           {"blocks", name_of(options.blocks)},
           {"units", comparisons.empty() ? 0 : comparisons[0].units},
+          {"smallest_p", comparisons.empty() ? 0 : smallest_p_value(options, comparisons[0].units)},
           {"queries", methods.classes.size()},
           {"confidence", options.confidence},
           {"resamples", options.resampling.resamples},

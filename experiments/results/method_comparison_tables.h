@@ -19,8 +19,8 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
 
 /// A row for each measure and pair: measure, first, second, difference, its interval (low, high), p, p_holm, p_tukey,
 /// effect_size, and on how many queries the first wins, ties, loses. `exact`: p-values with all digits, for files.
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                  const ScoreStyle& style, bool exact);
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
+                  bool exact);
 
 /// Both as JSON, in fractions, with the settings.
 nlohmann::ordered_json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
@@ -197,9 +198,9 @@ TEST(ReadDistanceMatrix, GoesByTheExtension) {
 }
 
 TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
-  for (const char* const name : {"m.mat", "m", "npy"}) {
+  for (const char* const name : {"m.xyz", "m", "npy"}) {
     EXPECT_THAT(input_error_of([&] { read_distance_matrix(name); }),
-                AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .csv, .txt, .dat")));
+                AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .txt, .dat")));
   }
 }
 
@@ -222,6 +223,51 @@ TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
   EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
   std::filesystem::create_directory(folder.path() / "folder.npy");
   EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
+}
+
+RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
+  const TemporaryFolder folder;
+  const DistanceMatrix matrix = *square_matrices();
+  write_npy(folder.path() / "m.npy", matrix);
+  write_psb_matrix(folder.path() / "m.matrix", matrix);
+  write_csv_matrix(folder.path() / "m.csv", {matrix, {}});
+  const auto size = matrix.rows();
+  const auto row = *rc::gen::inRange<Eigen::Index>(0, size);
+  const auto column = *rc::gen::inRange<Eigen::Index>(0, size);
+  const auto rows = *rc::gen::inRange<Eigen::Index>(0, size - row + 1);
+  const auto columns = *rc::gen::inRange<Eigen::Index>(0, size - column + 1);
+  for (const char* name : {"m.npy", "m.matrix", "m.csv"}) {
+    const OpenMatrix opened = open_matrix(folder.path() / name, TableShape::square);
+    RC_ASSERT(opened.rows == size && opened.columns == size);
+    const DistanceMatrix block =
+        opened.read({.first_row = row, .rows = rows, .first_column = column, .columns = columns});
+    RC_ASSERT(block == matrix.block(row, column, rows, columns));
+    RC_ASSERT(whole_matrix(opened) == matrix);
+  }
+}
+
+TEST(OpenMatrix, RefusesNanInTheBlockThatHasIt) {
+  const TemporaryFolder folder;
+  DistanceMatrix matrix = DistanceMatrix::Zero(5, 5);
+  matrix(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  write_npy(folder.path() / "m.npy", matrix);
+  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
+  EXPECT_EQ(opened.read({.first_row = 0, .rows = 3, .first_column = 0, .columns = 5}).rows(), 3);
+  EXPECT_THAT(input_error_of([&] { opened.read({.first_row = 2, .rows = 3, .first_column = 1, .columns = 2}); }),
+              AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
+}
+
+TEST(OpenMatrix, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
+  const TemporaryFolder folder;
+  write_npy(folder.path() / "m.npy", DistanceMatrix::Ones(40, 40));
+  const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
+  std::filesystem::resize_file(folder.path() / "m.npy", 5000);
+  EXPECT_THAT(input_error_of([&] { whole_matrix(opened); }), HasSubstr("became shorter"));
+  EXPECT_THAT(input_error_of([&] { open_matrix(folder.path() / "m.npy", TableShape::square); }),
+              HasSubstr("cut off or damaged"));
+  write_npy(folder.path() / "n.npy", DistanceMatrix::Ones(2, 3));
+  EXPECT_EQ(open_matrix(folder.path() / "n.npy", TableShape::any).columns, 3);
+  EXPECT_THAT(input_error_of([&] { open_matrix(folder.path() / "n.npy", TableShape::square); }), HasSubstr("square"));
 }
 
 }  // namespace
