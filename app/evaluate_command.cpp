@@ -1,16 +1,22 @@
+#include "app/evaluate_command.h"
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/report/report.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/report/report_page.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 
@@ -30,6 +36,7 @@ struct EvaluateArguments {
   fs::path class_curves;
   fs::path per_query;
   fs::path per_class;
+  bool each_query = false;
 };
 
 constexpr int csv_digits = 4;
@@ -41,18 +48,43 @@ ScoreStyle style_of(const EvaluateArguments& arguments) {
   return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
 }
 
-std::string formatted(const NamedEvaluation& named, const std::vector<std::string>& class_names,
-                      const EvaluateArguments& arguments) {
-  if (arguments.format == "json") {
-    return evaluation_json(*named.evaluation, class_names, named.intervals).dump(2) + "\n";
-  }
+// What a result is of, as JSON, in front of the scores.
+nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
+  const EvaluationFiles& files = arguments.evaluation.files;
+  nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
+  if (!files.labels.empty()) json["labels"] = files.labels.string();
+  if (!files.targets.empty()) json["targets"] = files.targets.string();
+  if (!files.qrels.empty()) json["qrels"] = files.qrels.string();
+  if (!files.ids.empty()) json["ids"] = files.ids.string();
+  if (!files.distance.empty()) json["distance"] = files.distance;
+  if (files.similarity) json["similarity"] = true;
+  return json;
+}
+
+std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& task,
+                           const EvaluateArguments& arguments) {
+  nlohmann::ordered_json json = inputs_json(arguments);
+  json["method"] = named.method;
+  json.update(evaluation_json(*named.evaluation, task.class_names, named.intervals));
+  if (arguments.each_query) json["per_query"] = per_query_json(*named.evaluation, task.query_ids);
+  return json.dump(2) + "\n";
+}
+
+std::string formatted(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
+  if (arguments.format == "json") return formatted_json(named, task, arguments);
   const std::vector<NamedEvaluation> one{named};
   const ScoreStyle style = style_of(arguments);
-  if (arguments.format == "csv") return to_csv(summary_table(one, style, IntervalCells::columns));
-  const Table table =
-      summary_table(one, style, named.intervals.micro.empty() ? IntervalCells::none : IntervalCells::beside);
-  if (arguments.format == "markdown") return to_markdown(table);
-  return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
+  const IntervalCells intervals = arguments.format == "csv"       ? IntervalCells::columns
+                                  : named.intervals.micro.empty() ? IntervalCells::none
+                                                                  : IntervalCells::beside;
+  const auto text_of = [&](const Table& table) {
+    if (arguments.format == "csv") return to_csv(table);
+    if (arguments.format == "markdown") return to_markdown(table);
+    return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
+  };
+  std::string text;
+  if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
+  return text + text_of(summary_table(one, style, intervals));
 }
 
 void write_report(const NamedEvaluation& named, const EvaluationData& data, const fs::path& path) {
@@ -99,12 +131,12 @@ void write_files(const NamedEvaluation& named, const EvaluationTask& task, const
 }
 
 int run(const EvaluateArguments& arguments) {
-  const EvaluatedFiles evaluated = evaluate_files(evaluation_files(arguments.distances, arguments.evaluation),
-                                                  evaluation_options(arguments.evaluation));
+  const EvaluatedFiles evaluated = evaluate_with_progress(arguments.distances, arguments.evaluation);
   const EvaluationTask& task = evaluated.data.task;
   if (!arguments.report.empty()) check_fit_for_report(task);
   std::vector<std::string> warnings = evaluated.warnings;
-  NamedEvaluation named{.method = arguments.distances.stem().string(), .evaluation = &evaluated.evaluation};
+  NamedEvaluation named{.method = method_name(arguments.distances, evaluated.data),
+                        .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
@@ -118,7 +150,7 @@ int run(const EvaluateArguments& arguments) {
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
-  fmt::print("{}", formatted(named, task.class_names, arguments));
+  fmt::print("{}", formatted(named, task, arguments));
   print_warnings(warnings);
   return exit_success;
 }
@@ -137,6 +169,8 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
       ->check(CLI::IsMember(curve_kind_names()));
   command.add_option("--per-query", arguments.per_query,
                      "CSV file for the figures of each query, as 'compare' reads it");
+  command.add_flag("-q,--each-query", arguments.each_query,
+                   "The scores of each query in front of the averages, as with trec_eval -q");
   command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
   command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
 }
@@ -148,19 +182,22 @@ void add_evaluate_command(CLI::App& app, int& status) {
       app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists, of any method, against classes");
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
-      "Row i of the matrix is the i-th model of the classification in natural order (2 before 10), unless the matrix\n"
-      "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does.\n"
+      "Row i of the matrix is the i-th model of a list of labels (a table, one class a line, .npy), or of a .cla file "
+      "or\n"
+      "folder the i-th in natural order (2 before 10), unless the matrix (CSV), --ids or --order says otherwise:\n"
+      "Princeton's own tools order the rows as the .cla file does.\n"
       "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command
-      ->add_option(
-          "distances", arguments->distances,
-          "Distances or features: .matrix (PSB), .npy, .csv, .txt or .dat; or ranked lists: .run, .trec, .lists")
+      ->add_option("distances", arguments->distances,
+                   "Distances or features: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat; or ranked lists: .run, "
+                   ".trec, .txt, .lists; text and .npy also with .gz behind")
       ->required();
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback(
+      [arguments, &status] { with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); }); });
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <stdexcept>
 
+#include "app/options.h"
+#include "app/progress_line.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -14,8 +16,10 @@ namespace {
 
 void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
-  command.add_option("--labels", files.labels,
-                     "Classes of the models: .cla, .csv (id,class and if you like split) or a folder of class folders");
+  command.add_option(
+      "--labels", files.labels,
+      "Classes of the models: .cla, a table (id,class and if you like split), a list with a class a line, "
+      "a .npy of whole numbers, or a folder of class folders");
   command.add_option("--targets", files.targets, "Classes of the models to be found, where --labels is of the queries");
   command.add_option("--qrels", files.qrels, "TREC judgements in place of --labels");
   command
@@ -24,9 +28,9 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--ids", files.ids, "Ids of the rows, one a line");
   command
       .add_option("--order", arguments.order,
-                  "Which model a row is where no ids say so: the i-th in natural order, or in the classification's")
-      ->check(CLI::IsMember({"natural", "classification"}))
-      ->capture_default_str();
+                  "Which model a row is where no ids say so: the i-th in natural order, or of the labels' file "
+                  "(default: of the file where it is a list, else natural)")
+      ->check(CLI::IsMember({"natural", "file", "classification"}));
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "The matrix is of similarities");
   command.add_option("--distance", files.distance, "The file holds features, a row a model: the distance between them")
       ->check(CLI::IsMember(distance_names()))
@@ -37,9 +41,10 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
 
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   add_input_options(command, arguments);
-  command.add_option("--protocol", arguments.protocol, "Evaluation protocol")
-      ->check(CLI::IsMember(protocol_names()))
-      ->capture_default_str();
+  command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, with --qrels trec)")
+      ->check(CLI::IsMember(protocol_names()));
+  command.add_flag("-c,--all-queries", arguments.all_queries,
+                   "Queries without a ranked list count, with scores of 0, as with trec_eval -c");
   command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: the mean over all orders")
       ->check(CLI::IsMember(ties_names()))
       ->capture_default_str();
@@ -48,6 +53,7 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   command.add_option("--min-class-size", arguments.minimum_class_size, "Models of smaller classes are never queries")
       ->check(CLI::Range(2, 1000000))
       ->capture_default_str();
+  add_threads_option(command, arguments.threads);
 }
 
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
@@ -63,9 +69,14 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command.add_option("--seed", arguments.resampling.seed, "Seed of the resamples")->capture_default_str();
 }
 
+Protocol chosen_protocol(const EvaluationArguments& arguments) {
+  if (!arguments.protocol.empty()) return protocol_of(arguments.protocol).value();
+  return arguments.files.qrels.empty() ? Protocol::psb : Protocol::trec;
+}
+
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   EvaluationOptions options;
-  options.protocol = protocol_of(arguments.protocol).value();
+  options.protocol = chosen_protocol(arguments);
   options.ties = ties_of(arguments.ties).value();
   options.minimum_class_size = arguments.minimum_class_size;
   if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
@@ -77,11 +88,16 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   return options;
 }
 
-EvaluationFiles evaluation_files(const std::filesystem::path& path, const EvaluationArguments& arguments) {
+EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   files.matrix = path;
-  files.order = arguments.order == "classification" ? RowOrder::classification : RowOrder::natural;
-  return files;
+  if (arguments.order == "natural") files.order = RowOrder::natural;
+  if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
+  if (arguments.all_queries) files.unanswered = Unanswered::count;
+  ProgressLine line;
+  return evaluate_files(files, evaluation_options(arguments), [&](Eigen::Index done, Eigen::Index rows) {
+    line.show(path.filename().string(), static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+  });
 }
 
 std::optional<std::string> ties_warning(const Evaluation& evaluation) {

@@ -20,8 +20,10 @@ namespace shapegauge {
 /// The options that `evaluate` and `compare` share, as they are given.
 struct EvaluationArguments {
   EvaluationFiles files;
-  std::string order = "natural";
-  std::string protocol = "psb";
+  std::string order;
+  std::string protocol;
+  bool all_queries = false;
+  int threads = 0;
   std::string ties = "index";
   std::string curve;
   std::vector<std::string> measures;
@@ -35,17 +37,20 @@ struct ResamplingArguments {
   ResamplingOptions resampling;
 };
 
-/// Adds the options that say what a matrix means and how it is judged.
+/// Adds the options that say what a matrix means and how it is judged, and --threads.
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments);
 
 /// Adds --confidence, --blocks, --resamples and --seed.
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
 
+/// The protocol that the arguments ask for: psb, or trec with judgements, where they do not say.
+Protocol chosen_protocol(const EvaluationArguments& arguments);
+
 /// The settings of the evaluation that the arguments ask for. Throws InputError for a measure that is not known.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
-/// The files of the evaluation of the matrix, or the ranked lists, at the path.
-EvaluationFiles evaluation_files(const std::filesystem::path& path, const EvaluationArguments& arguments);
+/// Evaluates the matrix, or the ranked lists, at the path; a line on the terminal says how far it is.
+EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
 
 /// How many queries ties could change, in words; nothing where they could change none.
 std::optional<std::string> ties_warning(const Evaluation& evaluation);

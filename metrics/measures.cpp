@@ -66,7 +66,17 @@ double reciprocal_rank(const RankedList& list) { return list.precision_at_hit.fr
 double gain_by_log_of_next_rank(std::size_t rank) { return 1.0 / std::log2(static_cast<double>(rank + 1)); }
 
 double normalised_discounted_gain(const RankedList& list) {
-  return fraction_of_ideal_gain(list, gain_by_log_of_next_rank);
+  if (list.grades.empty()) return fraction_of_ideal_gain(list, gain_by_log_of_next_rank);
+  double ideal = 0;
+  for (std::size_t i = 0; i < list.grades.size(); ++i) ideal += list.grades[i] * gain_by_log_of_next_rank(i + 1);
+  return graded_gain_of_hits(list, gain_by_log_of_next_rank) / ideal;
+}
+
+double binary_preference(const RankedList& list) {
+  const auto bound = static_cast<double>(std::min(list.relevant, list.judged_misses));
+  double sum = 0;
+  for (const double misses : misses_before_hits(list, list.relevant)) sum += 1 - (bound > 0 ? misses / bound : 0);
+  return sum / static_cast<double>(list.relevant);
 }
 
 double bulls_eye(const RankedList& list) {
@@ -196,8 +206,8 @@ std::deque<MeasureDefinition> own_measures() {
               " with all R hits in front.",
           .source = "Jarvelin and Kekalainen, ACM Transactions on Information Systems 20, 2002; trec_eval, NIST's "
                     "program of the TREC conferences (ndcg).",
-          .caveat = "Not the DCG of shape retrieval, which divides by log2(i). Relevance is yes or no here: grades of"
-                    " a qrels file above 0 all count 1.",
+          .caveat = "Not the DCG of shape retrieval, which divides by log2(i). With graded judgements a hit gains its "
+                    "grade / log2(i + 1), as in trec_eval, and not 2^grade - 1, as others have it.",
           .value = normalised_discounted_gain,
       },
       {
@@ -208,6 +218,19 @@ std::deque<MeasureDefinition> own_measures() {
           .caveat = "The first tier (FT) under the name of text retrieval; where a list ends before rank R the "
                     "missing ranks count as misses.",
           .value = first_tier,
+      },
+      {
+          .name = "bpref",
+          .title = "binary preference",
+          .definition =
+              "The mean over all R relevant models of 1 - n / min(R, N), 0 for one that is not in the list: n of "
+              "the N models that are judged and not relevant are before it, counted up to R.",
+          .source = "Buckley and Voorhees, Retrieval evaluation with incomplete information, SIGIR 2004; trec_eval, "
+                    "NIST's program of the TREC conferences (bpref).",
+          .caveat =
+              "Meant for incomplete judgements: models that nobody judged play no part. With classes all models are "
+              "judged.",
+          .value = binary_preference,
       },
       {
           .name = "AUC-PR",

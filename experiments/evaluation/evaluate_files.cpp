@@ -10,8 +10,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/datasets/labels.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/ranked_answers.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 // The ids in a file, one a line; empty lines do not count.
 std::vector<std::string> read_ids(const fs::path& path) {
-  const std::string text = read_file_bytes(path);
+  const std::string text = read_plain_bytes(path);
   std::vector<std::string> ids;
   for (const std::string_view line : split_lines(text)) {
     const std::string_view id = trim(line);
@@ -87,32 +87,65 @@ void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const std::strin
   }
 }
 
-EvaluationData data_of(RankedTask ranked) {
+EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
   return {.distances = open_matrix({.numbers = std::move(ranked.distances), .row_ids = {}, .column_ids = {}}),
+          .symmetric = false,
+          .name = answers.name,
           .task = std::move(ranked.task)};
 }
 
+// Models of a list without ids get those of the matrix, in their order.
+void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
+  if (labels.separate_sets || ids.size() != labels.models.size()) {
+    throw InputError(fmt::format("{}: the labels have no ids and there are {} of them, but the matrix names {} models",
+                                 labels.source, labels.models.size(), ids.size()));
+  }
+  for (ModelClass& known : labels.classification.classes) {
+    for (std::string& model : known.models) model = ids[std::stoul(model)];
+  }
+  labels.models = labels.queries = labels.targets = ids;
+}
+
+// Says how rows without ids were taken where they could have been taken otherwise.
+void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, EvaluationData& data) {
+  const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
+  const MatrixIds otherwise = labelled_ids(labels, {data.distances.rows, data.distances.columns}, other);
+  if (taken.rows == otherwise.rows && taken.columns == otherwise.columns) return;
+  data.task.warnings.push_back(
+      labels.listed ? fmt::format("row i is taken for the i-th model of {}, which is not in natural order of the ids; "
+                                  "--order natural takes it for the i-th in natural order (2 before 10)",
+                                  labels.source)
+                    : fmt::format("row i is taken for the i-th model in natural order (2 before 10), in which {} is "
+                                  "not; --order file takes it for the i-th model of the file",
+                                  labels.source));
+}
+
 EvaluationData open_labelled(const EvaluationFiles& files) {
-  const ModelLabels labels = files.targets.empty()
-                                 ? read_labels(files.labels, files.level)
-                                 : read_query_and_target_labels(files.labels, files.targets, files.level);
-  if (is_ranked_answers_file(files.matrix)) return data_of(task_of_answers(read_ranked_answers(files.matrix), labels));
+  ModelLabels labels = files.targets.empty() ? read_labels(files.labels, files.level)
+                                             : read_query_and_target_labels(files.labels, files.targets, files.level);
+  if (is_ranked_answers_file(files.matrix)) {
+    const RankedAnswers answers = read_ranked_answers(files.matrix);
+    return data_of(answers, task_of_answers(answers, labels, files.unanswered));
+  }
   EvaluationData data{.distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square),
                       .symmetric = !files.distance.empty(),
                       .task = {}};
   MatrixIds ids = ids_of_files(data.distances, files);
   const bool named = !ids.rows.empty();
+  if (named && labels.without_ids) give_ids(ids.rows, labels);
   if (!named) ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
   check_size(data.distances, ids, named && !files.ids.empty() ? files.ids.string() : labels.source, files);
   data.task = task_of_labels(ids, labels);
+  if (!named && files.order == RowOrder::usual) warn_of_order(ids, labels, data);
   return data;
 }
 
 EvaluationData open_judged(const EvaluationFiles& files) {
-  const Judgements judgements = parse_qrels(read_file_bytes(files.qrels), files.qrels.string());
+  const Judgements judgements = read_qrels(files.qrels);
   EvaluationData data;
   if (is_ranked_answers_file(files.matrix)) {
-    data = data_of(task_of_answers(read_ranked_answers(files.matrix), judgements));
+    const RankedAnswers answers = read_ranked_answers(files.matrix);
+    data = data_of(answers, task_of_answers(answers, judgements, files.unanswered));
   } else {
     data.distances = open_distances(files, TableShape::any);
     data.symmetric = !files.distance.empty();
@@ -126,7 +159,9 @@ EvaluationData open_judged(const EvaluationFiles& files) {
     data.task = task_of_judgements(ids, judgements, files.qrels.string());
   }
   if (judgements.graded) {
-    data.task.warnings.emplace_back("the judgements have grades above 1; every grade above 0 counts as relevant alike");
+    data.task.warnings.emplace_back(
+        "the judgements have grades above 1: nDCG looks at them, for all other measures every grade above 0 is "
+        "relevant alike");
   }
   return data;
 }
@@ -246,8 +281,12 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
   const std::vector<std::string> odd = warnings_of(checks.findings(), task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
   if (result.evaluation.models_left_out > 0) {
-    result.warnings.push_back(fmt::format("{} models are never queries, as their classes have fewer than {} models",
-                                          result.evaluation.models_left_out, options.minimum_class_size));
+    result.warnings.push_back(
+        task.retrieval.judged.empty()
+            ? fmt::format("{} models are never queries, as their classes have fewer than {} models",
+                          result.evaluation.models_left_out, options.minimum_class_size)
+            : fmt::format("{} queries have fewer than {} relevant models: left out of all scores",
+                          result.evaluation.models_left_out, options.minimum_class_size - 1));
   }
   return result;
 }

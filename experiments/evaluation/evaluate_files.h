@@ -14,21 +14,23 @@ namespace shapegauge {
 
 /// The files of an evaluation, and how they are to be taken.
 struct EvaluationFiles {
-  std::filesystem::path matrix;        ///< distances, similarities, features, a TREC run or ranked lists
-  std::filesystem::path labels{};      ///< see read_labels; empty where there are judgements
-  std::filesystem::path targets{};     ///< labels of the targets, where `labels` has the queries' only; may be empty
-  std::filesystem::path qrels{};       ///< TREC judgements in place of labels; may be empty
-  std::filesystem::path ids{};         ///< ids of the rows, one a line; may be empty
-  RowOrder order = RowOrder::natural;  ///< of rows without ids
-  std::size_t level = 0;               ///< of the hierarchy of classes, see read_labels
-  bool similarity = false;             ///< larger is nearer
-  std::string distance{};              ///< the matrix holds features, a row a model: the distance to take; may be empty
+  std::filesystem::path matrix;      ///< distances, similarities, features, a TREC run or ranked lists
+  std::filesystem::path labels{};    ///< see read_labels; empty where there are judgements
+  std::filesystem::path targets{};   ///< labels of the targets, where `labels` has the queries' only; may be empty
+  std::filesystem::path qrels{};     ///< TREC judgements in place of labels; may be empty
+  std::filesystem::path ids{};       ///< ids of the rows, one a line; may be empty
+  RowOrder order = RowOrder::usual;  ///< of rows without ids
+  Unanswered unanswered = Unanswered::left_out;  ///< queries without a ranked list
+  std::size_t level = 0;                         ///< of the hierarchy of classes, see read_labels
+  bool similarity = false;                       ///< larger is nearer
+  std::string distance{};  ///< the matrix holds features, a row a model: the distance to take; may be empty
 };
 
 /// Distances, and what they mean.
 struct EvaluationData {
   OpenMatrix distances;
   bool symmetric = false;  ///< by the way the distances are made
+  std::string name{};      ///< that a TREC run gives itself; may be empty
   EvaluationTask task;
 };
 

@@ -100,19 +100,58 @@ DistanceMatrix nothing_found(std::size_t rows, std::size_t columns) {
 }
 
 void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& task) {
+  if (count > 0) task.warnings.push_back(fmt::format("{} {}: left out of all scores", count, what));
+}
+
+void warn_of_unanswered(std::size_t count, std::string_view what, Unanswered unanswered, EvaluationTask& task) {
   if (count == 0) return;
-  task.warnings.push_back(
-      fmt::format("{} {}: left out of all scores, as trec_eval does (without its option -c)", count, what));
+  task.warnings.push_back(unanswered == Unanswered::count
+                              ? fmt::format("{} {}: all their scores are 0 (--all-queries)", count, what)
+                              : fmt::format("{} {}: left out of all scores, as trec_eval does; --all-queries (its "
+                                            "option -c) counts them with scores of 0",
+                                            count, what));
+}
+
+// As many rows of distances as there are queries; further ones have found nothing.
+void add_empty_rows(RankedTask& ranked) {
+  const Eigen::Index rows = ranked.distances.rows();
+  const Eigen::Index queries = std::ssize(ranked.task.query_ids);
+  ranked.distances.conservativeResize(queries, Eigen::NoChange);
+  if (queries > rows) ranked.distances.bottomRows(queries - rows).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Sets what is relevant to a row, and how much, and what is judged and is not.
+template <typename Place>
+void set_judged(const Judgements::Judged& judged, std::size_t row, const Place& place, RetrievalTask& task) {
+  std::vector<std::pair<Eigen::Index, int>> relevant;
+  for (std::size_t i = 0; i < judged.relevant.size(); ++i) {
+    relevant.emplace_back(place(judged.relevant[i]), judged.grades[i]);
+  }
+  std::ranges::sort(relevant);
+  for (const auto& [column, grade] : relevant) {
+    task.judged[row].push_back(column);
+    task.grades[row].push_back(grade);
+  }
+  for (const std::string& model : judged.irrelevant) task.judged_irrelevant[row].push_back(place(model));
+  std::ranges::sort(task.judged_irrelevant[row]);
+}
+
+void resize_judged(std::size_t rows, RetrievalTask& task) {
+  task.judged.resize(rows);
+  task.grades.resize(rows);
+  task.judged_irrelevant.resize(rows);
 }
 
 // A query under judgements is a class of its own: judgements know no classes.
-void add_judged_query(const std::string& query, std::vector<Eigen::Index> relevant, EvaluationTask& task) {
-  task.retrieval.query_classes.push_back(static_cast<int>(task.class_names.size()));
-  task.class_names.push_back(query);
-  task.query_ids.push_back(query);
+void add_judged_query(const Judgements::Judged& judged, const Columns& columns, EvaluationTask& task) {
+  const std::size_t row = task.query_ids.size();
+  task.retrieval.query_classes.push_back(static_cast<int>(row));
+  task.class_names.push_back(judged.query);
+  task.query_ids.push_back(judged.query);
   task.retrieval.own_column.push_back(-1);
-  std::ranges::sort(relevant);
-  task.retrieval.judged.push_back(std::move(relevant));
+  resize_judged(row + 1, task.retrieval);
+  set_judged(
+      judged, row, [&](const std::string& model) { return columns.at(model); }, task.retrieval);
 }
 
 }  // namespace
@@ -121,8 +160,8 @@ MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrd
   MatrixIds ids{.rows = labels.queries, .columns = labels.targets};
   const bool queries_by_targets = static_cast<std::size_t>(size.rows) == ids.rows.size() &&
                                   static_cast<std::size_t>(size.columns) == ids.columns.size();
-  if (!queries_by_targets) ids.rows = ids.columns = models_in_file_order(labels.classification);
-  if (order == RowOrder::natural) {
+  if (!queries_by_targets) ids.rows = ids.columns = labels.models;
+  if (order == RowOrder::natural || (order == RowOrder::usual && !labels.listed)) {
     std::ranges::sort(ids.rows, natural_less);
     std::ranges::sort(ids.columns, natural_less);
   }
@@ -167,19 +206,19 @@ EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgem
                       .warnings = {}};
   task.retrieval.target_classes.assign(ids.columns.size(), 0);
   task.retrieval.query_classes.assign(ids.rows.size(), no_class);
-  task.retrieval.judged.resize(ids.rows.size());
+  resize_judged(ids.rows.size(), task.retrieval);
   for (const std::string& id : ids.rows) task.retrieval.own_column.push_back(place_or_none(id, columns));
   for (const Judgements::Judged& judged : judgements.queries) {
     const Eigen::Index row = place(judged.query, rows);
     const auto i = static_cast<std::size_t>(row);
     task.retrieval.query_classes[i] = static_cast<int>(row);
-    for (const std::string& model : judged.relevant) task.retrieval.judged[i].push_back(place(model, columns));
-    std::ranges::sort(task.retrieval.judged[i]);
+    set_judged(
+        judged, i, [&](const std::string& model) { return place(model, columns); }, task.retrieval);
   }
   return task;
 }
 
-RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels) {
+RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered) {
   const LabelledModels models(labels);
   RankedTask ranked;
   EvaluationTask& task = ranked.task;
@@ -210,13 +249,22 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
       ranked.distances(row, columns.at(canonical_model_id(model))) = distance;
     }
   }
-  const auto missing = static_cast<std::size_t>(std::ranges::count_if(
-      labels.queries, [&](const std::string& id) { return !answered.contains(canonical_model_id(id)); }));
-  warn_of_missing(missing, "queries have no answer", task);
+  std::size_t missing = 0;
+  for (const std::string& id : labels.queries) {
+    if (answered.contains(canonical_model_id(id))) continue;
+    ++missing;
+    if (unanswered == Unanswered::left_out) continue;
+    const auto own = columns.find(canonical_model_id(id));
+    task.query_ids.push_back(id);
+    task.retrieval.query_classes.push_back(models.at(id).label);
+    task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
+  }
+  add_empty_rows(ranked);
+  warn_of_unanswered(missing, "queries have no answer", unanswered, task);
   return ranked;
 }
 
-RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements) {
+RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered) {
   RankedTask ranked;
   EvaluationTask& task = ranked.task;
   Columns columns;
@@ -226,7 +274,9 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
   std::unordered_map<std::string, const Judgements::Judged*> judged_queries;
   for (const Judgements::Judged& judged : judgements.queries) {
     judged_queries.emplace(judged.query, &judged);
-    for (const std::string& model : judged.relevant) columns.emplace(model, 0);
+    for (const auto* models : {&judged.relevant, &judged.irrelevant}) {
+      for (const std::string& model : *models) columns.emplace(model, 0);
+    }
   }
   number(columns);
   task.retrieval.target_classes.assign(columns.size(), 0);
@@ -241,14 +291,19 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
     }
     const auto row = static_cast<Eigen::Index>(task.query_ids.size());
     for (const auto& [model, distance] : answer.models) ranked.distances(row, columns.at(model)) = distance;
-    std::vector<Eigen::Index> relevant;
-    for (const std::string& model : judged->second->relevant) relevant.push_back(columns.at(model));
-    add_judged_query(answer.query, std::move(relevant), task);
+    add_judged_query(*judged->second, columns, task);
+    judged_queries.erase(judged);
   }
-  const std::size_t used = task.query_ids.size();
-  ranked.distances.conservativeResize(static_cast<Eigen::Index>(used), Eigen::NoChange);
+  const std::size_t missing = judged_queries.size();
+  if (unanswered == Unanswered::count) {
+    for (const Judgements::Judged& judged : judgements.queries) {
+      if (judged_queries.contains(judged.query)) add_judged_query(judged, columns, task);
+    }
+  }
+  ranked.distances.conservativeResize(std::min(ranked.distances.rows(), std::ssize(task.query_ids)), Eigen::NoChange);
+  add_empty_rows(ranked);
   warn_of_missing(unjudged, "queries have no judgements", task);
-  warn_of_missing(judgements.queries.size() - used, "judged queries have no answer", task);
+  warn_of_unanswered(missing, "judged queries have no answer", unanswered, task);
   return ranked;
 }
 

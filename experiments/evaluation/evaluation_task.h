@@ -32,8 +32,12 @@ struct EvaluationTask {
   std::vector<std::string> warnings;     ///< how the files were taken, where a user might expect otherwise
 };
 
-/// Which model a row is where no ids say so.
-enum class RowOrder { natural, classification };
+/// Which model a row is where no ids say so: the i-th in natural order (2 before 10), or in that of the labels' file.
+/// usual: that of the file where it is a list (ModelLabels::listed), else natural.
+enum class RowOrder { usual, natural, file };
+
+/// Whether queries that are in the labels or judgements but have no answer count, with an answer that finds nothing.
+enum class Unanswered { left_out, count };
 
 /// The models of a matrix without ids: the i-th row is the i-th labelled model, in that order. Where queries and
 /// targets are separate sets: queries by targets if the matrix has that size, else all models by all models.
@@ -54,12 +58,12 @@ struct RankedTask {
   EvaluationTask task;
 };
 
-/// Ranked answers under labels. Labelled queries without an answer are left out, with a warning. Throws InputError
-/// where a model is in no class, a query has two spellings, or an answer has a model that is no target.
-RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels);
+/// Ranked answers under labels. Labelled queries without an answer are told in a warning. Throws InputError where a
+/// model is in no class, a query has two spellings, or an answer has a model that is no target.
+RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered);
 
 /// Ranked answers under judgements: what is relevant counts whether found or not, and a query is never one of the
-/// models. Queries without judgements and judged queries without an answer are left out, with a warning.
-RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements);
+/// models. Queries without judgements are left out; they and judged queries without an answer are told in a warning.
+RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered);
 
 }  // namespace shapegauge

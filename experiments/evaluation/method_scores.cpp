@@ -1,14 +1,17 @@
 #include "shapegauge/experiments/evaluation/method_scores.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/files/model_ids.h"
 
@@ -67,17 +70,72 @@ void check_protocols(std::span<const MethodScores> methods) {
   }
 }
 
+// The last `count` parts of a path, or all of it.
+std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
+  const std::vector<std::filesystem::path> parts(path.begin(), path.end());
+  std::filesystem::path end;
+  for (auto part = parts.end() - std::min(count, std::ssize(parts)); part != parts.end(); ++part) end /= *part;
+  return end.string();
+}
+
+// The shortest ends of paths that tell them apart, without extensions if these do not matter. Paths that are equal stay
+// so.
+std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {
+  const std::size_t different = std::set(paths.begin(), paths.end()).size();
+  std::ptrdiff_t longest = 1;
+  for (const std::filesystem::path& path : paths) longest = std::max(longest, std::distance(path.begin(), path.end()));
+  std::vector<std::string> ends;
+  for (std::ptrdiff_t count = 1; count <= longest; ++count) {
+    for (const bool with_extension : {false, true}) {
+      ends.clear();
+      for (std::filesystem::path path : paths) {
+        ends.push_back(end_of(with_extension ? path : path.replace_extension(), count));
+      }
+      if (std::set(ends.begin(), ends.end()).size() == different) return ends;
+    }
+  }
+  return ends;
+}
+
+// What tells files apart: a file, or of a run's per_query.csv its folder.
+std::filesystem::path place_of(const MethodScores& method) {
+  const std::filesystem::path file = std::filesystem::path(method.source).lexically_normal();
+  return file.filename() == "per_query.csv" && file.has_parent_path() ? file.parent_path() : file;
+}
+
 std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
-  std::map<std::string, int> uses;
-  for (const MethodScores& method : methods) ++uses[method.method];
-  std::vector<std::string> names;
-  for (const MethodScores& method : methods) {
-    const std::filesystem::path file(method.source);
-    const std::string place =
-        file.filename() == "per_query.csv" ? file.parent_path().filename().string() : file.stem().string();
-    names.push_back(uses[method.method] == 1 ? method.method : fmt::format("{}: {}", place, method.method));
+  std::map<std::string, std::vector<std::size_t>> uses;
+  for (std::size_t i = 0; i < methods.size(); ++i) uses[methods[i].method].push_back(i);
+  std::vector<std::string> names(methods.size());
+  for (const auto& [name, users] : uses) {
+    std::vector<std::filesystem::path> places;
+    for (const std::size_t i : users) places.push_back(place_of(methods[i]));
+    const std::vector<std::string> ends = distinguishing_ends(places);
+    std::map<std::string, int> repeated;
+    for (std::size_t k = 0; k < users.size(); ++k) {
+      const bool named_by_file = places[k].stem().string() == name;
+      std::string unique = named_by_file ? ends[k] : fmt::format("{}: {}", ends[k], name);
+      if (users.size() == 1) unique = name;
+      const int use = ++repeated[unique];  // the same file twice
+      names[users[k]] = use == 1 ? unique : fmt::format("{} ({})", unique, use);
+    }
   }
   return names;
+}
+
+std::vector<std::string> checked_names(std::span<const MethodScores> methods, std::span<const std::string> wanted) {
+  if (wanted.empty()) return unique_names(methods);
+  if (wanted.size() != methods.size()) {
+    throw InputError(fmt::format("there are {} names for {} methods ({})", wanted.size(), methods.size(),
+                                 fmt::join(unique_names(methods), ", ")));
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i].empty()) throw InputError("the name of a method is empty");
+    if (std::ranges::count(wanted, wanted[i]) > 1) {
+      throw InputError(fmt::format("two methods have the name {}", quoted_word(wanted[i])));
+    }
+  }
+  return {wanted.begin(), wanted.end()};
 }
 
 std::vector<std::string> measures_to_compare(std::span<const MethodScores> methods,
@@ -142,7 +200,7 @@ std::vector<int> numbered(const std::vector<std::string>& classes) {
 
 std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) {
   const std::string source = path.string();
-  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(path), source);
+  const std::vector<CsvRow> rows = parse_csv(read_plain_bytes(path), source);
   check_header(rows, source);
   const std::vector<std::string> measures(rows[0].cells.begin() + first_measure, rows[0].cells.end());
   std::vector<MethodScores> methods;
@@ -175,6 +233,10 @@ std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) 
   return methods;
 }
 
+std::string method_name(const std::filesystem::path& path, const EvaluationData& data) {
+  return data.name.empty() ? path.stem().string() : data.name;
+}
+
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation) {
   MethodScores values{.method = method,
@@ -191,10 +253,11 @@ MethodScores method_scores(const std::string& method, const std::string& source,
   return values;
 }
 
-AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures) {
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
+                             std::span<const std::string> names) {
   if (methods.size() < 2) throw InputError("there is one method only; a comparison needs two or more");
   check_protocols(methods);
-  AlignedMethods aligned{.methods = unique_names(methods),
+  AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,
                          .measures = measures_to_compare(methods, wanted_measures),
                          .classes = numbered(methods[0].classes),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/evaluation/evaluation_task.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/metrics/evaluation.h"
 
 namespace shapegauge {
@@ -27,6 +27,9 @@ struct MethodScores {
 /// 100, a query that occurs twice for a method and protocol.
 std::vector<MethodScores> read_method_scores(const std::filesystem::path& path);
 
+/// The name of a method by its file: that which a TREC run gives itself, else the file's without its extension.
+std::string method_name(const std::filesystem::path& path, const EvaluationData& data);
+
 /// The values of an evaluation.
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation);
@@ -40,9 +43,12 @@ struct AlignedMethods {
   std::vector<Eigen::MatrixXd> values;  ///< by measure: queries x methods
 };
 
-/// Brings methods to the same queries and measures: those that are wanted, or all that every method has. Methods of
-/// equal name get that of their file in front. Throws InputError: fewer than two methods, different protocols, a query
-/// that one method has and another has not, or has in another class, a measure that a method does not have.
-AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures);
+/// Brings methods to the same queries and measures: those that are wanted, or all that every method has. `names`, if
+/// there are any, name the methods; otherwise methods of equal name get the shortest end of their file's path that
+/// tells them apart. Throws InputError: fewer than two methods, different protocols, a query that one method has and
+/// another has not, or has in another class, a measure that a method does not have, another number of names, equal
+/// names.
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
+                             std::span<const std::string> names = {});
 
 }  // namespace shapegauge

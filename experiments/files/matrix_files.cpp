@@ -20,7 +20,9 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/experiments/files/mat_file.h"
 #include "shapegauge/experiments/files/npy.h"
 
 namespace shapegauge {
@@ -177,7 +179,7 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
 }
 
 LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
-  return parse_csv_matrix(read_file_bytes(path), path.string());
+  return parse_csv_matrix(read_plain_bytes(path), path.string());
 }
 
 namespace {
@@ -214,7 +216,7 @@ DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& sourc
 }
 
 DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
-  return parse_psb_matrix(read_file_bytes(path), path.string());
+  return parse_psb_matrix(read_plain_bytes(path), path.string());
 }
 
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
@@ -235,12 +237,12 @@ DistanceMatrix parse_text_matrix(std::string_view text, const std::string& sourc
 }
 
 DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
-  return parse_text_matrix(read_file_bytes(path), path.string());
+  return parse_text_matrix(read_plain_bytes(path), path.string());
 }
 
 namespace {
 
-DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_file_bytes(path), path.string()); }
+DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_plain_bytes(path), path.string()); }
 
 template <DistanceMatrix (*read)(const std::filesystem::path&)>
 LabelledDistances without_ids(const std::filesystem::path& path) {
@@ -248,17 +250,38 @@ LabelledDistances without_ids(const std::filesystem::path& path) {
 }
 
 LabelledTable npy_table(const std::filesystem::path& path) {
-  return {.numbers = parse_npy_table(read_file_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+  return {.numbers = parse_npy_table(read_plain_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+}
+
+DistanceMatrix read_npz(const std::filesystem::path& path) {
+  return parse_npy(array_in_npz(read_plain_bytes(path), path.string()), path.string());
+}
+
+LabelledTable npz_table(const std::filesystem::path& path) {
+  return {.numbers = parse_npy_table(array_in_npz(read_plain_bytes(path), path.string()), path.string()),
+          .row_ids = {},
+          .column_ids = {}};
+}
+
+DistanceMatrix read_square_mat(const std::filesystem::path& path) {
+  DistanceMatrix matrix = read_mat(path);
+  if (matrix.rows() == matrix.cols()) return matrix;
+  throw InputError(fmt::format("{}: a distance matrix is square, but this one is {} x {}", path.string(), matrix.rows(),
+                               matrix.cols()));
+}
+
+LabelledTable mat_table(const std::filesystem::path& path) {
+  return {.numbers = read_mat(path), .row_ids = {}, .column_ids = {}};
 }
 
 LabelledTable text_table(const std::filesystem::path& path) {
-  return {.numbers = parse_text_matrix(read_file_bytes(path), path.string(), TableShape::any),
+  return {.numbers = parse_text_matrix(read_plain_bytes(path), path.string(), TableShape::any),
           .row_ids = {},
           .column_ids = {}};
 }
 
 LabelledTable csv_table(const std::filesystem::path& path) {
-  return parse_csv_table(read_file_bytes(path), path.string());
+  return parse_csv_table(read_plain_bytes(path), path.string());
 }
 
 LabelledTable psb_table(const std::filesystem::path& path) {
@@ -274,13 +297,15 @@ struct Format {
 constexpr std::array formats = {
     Format{".matrix", without_ids<read_psb_matrix>, psb_table},
     Format{".npy", without_ids<read_npy>, npy_table},
+    Format{".npz", without_ids<read_npz>, npz_table},
+    Format{".mat", without_ids<read_square_mat>, mat_table},
     Format{".csv", read_csv_matrix, csv_table},
     Format{".txt", without_ids<read_text_matrix>, text_table},
     Format{".dat", without_ids<read_text_matrix>, text_table},
 };
 
 const Format& format_of(const std::filesystem::path& path) {
-  const auto* const found = std::ranges::find(formats, lower_case(path.extension().string()), &Format::extension);
+  const auto* const found = std::ranges::find(formats, format_extension(path), &Format::extension);
   if (found != formats.end()) return *found;
   std::string known;
   for (const Format& format : formats) known.append(known.empty() ? "" : ", ").append(format.extension);

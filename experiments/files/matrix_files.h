@@ -62,9 +62,10 @@ DistanceMatrix parse_text_matrix(std::string_view text, const std::string& sourc
                                  TableShape shape = TableShape::square);
 
 /// Reads a square distance matrix in the format that the name's extension tells (any case): `.matrix` (Princeton Shape
-/// Benchmark), `.npy` (NumPy), `.csv`, `.txt` or `.dat` (numbers between white space). Only CSV carries ids. Distances
-/// may be infinite. Throws InputError: absent or unreadable file, another extension, anything that the reader of the
-/// format refuses, a distance that is NaN.
+/// Benchmark), `.npy` or `.npz` (NumPy), `.mat` (MATLAB), `.csv`, `.txt` or `.dat` (numbers between white space), each
+/// but `.mat` also compressed, with `.gz` behind. Only CSV carries ids. Distances may be infinite. Throws InputError:
+/// absent or unreadable file, another extension, anything that the reader of the format refuses, a distance that is
+/// NaN.
 LabelledDistances read_distance_matrix(const std::filesystem::path& path);
 
 /// Reads any table of numbers in the same way: distances between two sets of models, or features. Throws InputError as

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -206,16 +208,42 @@ NumberFormat format_in(std::endian order) {
           .decode = order == std::endian::big ? decode<Number, std::endian::big> : decode<Number, std::endian::little>};
 }
 
-NumberFormat format_of(const NpyHeader& header, const std::string& source) {
-  const std::string& type = header.type;
-  const std::endian order = type.starts_with('>') ? std::endian::big : std::endian::little;
-  if (type.starts_with('<') || type.starts_with('>')) {
-    const std::string_view kind = std::string_view(type).substr(1);
-    if (kind == "f8") return format_in<double>(order);
-    if (kind == "f4") return format_in<float>(order);
+// IEEE 754 binary16.
+struct Half {
+  std::uint16_t bits = 0;
+
+  explicit operator double() const {
+    const int exponent = (bits >> 10) & 0x1F;
+    const int fraction = bits & 0x3FF;
+    const double sign = (bits >> 15) != 0 ? -1.0 : 1.0;
+    if (exponent == 0x1F) {
+      return fraction == 0 ? sign * std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+    }
+    return sign * (exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(fraction + 0x400, exponent - 25));
   }
-  throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
-                               quoted_word(type)));
+};
+
+NumberFormat format_of(const NpyHeader& header, const std::string& source) {
+  struct Kind {
+    std::string_view name;
+    NumberFormat (*format)(std::endian);
+  };
+  static constexpr std::array kinds = {
+      Kind{"f8", format_in<double>},        Kind{"f4", format_in<float>},         Kind{"f2", format_in<Half>},
+      Kind{"i1", format_in<std::int8_t>},   Kind{"i2", format_in<std::int16_t>},  Kind{"i4", format_in<std::int32_t>},
+      Kind{"i8", format_in<std::int64_t>},  Kind{"u1", format_in<std::uint8_t>},  Kind{"u2", format_in<std::uint16_t>},
+      Kind{"u4", format_in<std::uint32_t>}, Kind{"u8", format_in<std::uint64_t>}, Kind{"b1", format_in<std::uint8_t>},
+  };
+  const std::string_view type = header.type;
+  const auto* const kind = std::ranges::find(kinds, type.substr(std::min<std::size_t>(1, type.size())), &Kind::name);
+  const bool known_order = type.find_first_of("<>|=") == 0;
+  if (known_order && kind != kinds.end()) {
+    return kind->format(type.starts_with('>')   ? std::endian::big
+                        : type.starts_with('=') ? std::endian::native
+                                                : std::endian::little);
+  }
+  throw InputError(
+      fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
 }
 
 void check_shape(const NpyHeader& header, bool square, const std::string& source) {

@@ -65,8 +65,9 @@ std::string npy_header_of_vector(std::size_t size);
 NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
                                 const std::string& source);
 
-/// Reads a square matrix from the bytes of a NumPy `.npy` file: versions 1 to 3 of the format, float32 or float64,
-/// little- or big-endian, C or Fortran order. Throws InputError as parse_npy_table_header.
+/// Reads a square matrix from the bytes of a NumPy `.npy` file: versions 1 to 3 of the format, floating-point
+/// numbers of 16, 32 or 64 bits, integers or booleans, little- or big-endian, C or Fortran order. Throws InputError as
+/// parse_npy_table_header.
 DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
 
 /// Reads any matrix, square or not, in the same way.

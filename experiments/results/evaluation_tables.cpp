@@ -8,7 +8,6 @@ namespace shapegauge {
 namespace {
 
 using Row = std::vector<std::string>;
-constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};  // a hundredth of what a query of 10,000 is worth
 
 Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row words) {
   Table table{.header = std::move(words), .rows = {}, .text_columns = 0};
@@ -115,14 +114,14 @@ Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<co
 }
 
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names) {
+                      std::span<const std::string> class_names, const ScoreStyle& style) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "id", "class"});
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
       Row row{named.method, name_of(evaluation.protocol), ids[static_cast<std::size_t>(evaluation.queries[i])],
               class_names[static_cast<std::size_t>(evaluation.query_classes[i])]};
-      append_scores(row, evaluation.per_query.row(static_cast<Eigen::Index>(i)), csv_style);
+      append_scores(row, evaluation.per_query.row(static_cast<Eigen::Index>(i)), style);
       table.rows.push_back(std::move(row));
     }
   }
@@ -188,6 +187,15 @@ Json intervals_json(const Evaluation& evaluation, const std::vector<ConfidenceIn
 }
 
 }  // namespace
+
+Json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
+    json[ids[static_cast<std::size_t>(evaluation.queries[i])]] =
+        measures_json(evaluation, evaluation.per_query.row(static_cast<Eigen::Index>(i)));
+  }
+  return json;
+}
 
 Json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
                      const EvaluationIntervals& intervals) {

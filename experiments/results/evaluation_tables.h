@@ -17,6 +17,9 @@ struct ScoreStyle {
   int decimals = 2;
 };
 
+/// Of tables in files: percent, to a hundredth of what a query of 10,000 is worth.
+inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
+
 /// How confidence intervals are made (bootstrap_intervals).
 struct IntervalOptions {
   double confidence = 0.95;
@@ -56,10 +59,10 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations);
 /// A row for each evaluation and class: method, protocol, class, number of queries, measures in percent.
 Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
-/// A row for each evaluation and query: method, protocol, id of the query, its class, measures in percent. ids are by
-/// row of the matrix.
+/// A row for each evaluation and query: method, protocol, id of the query, its class, measures. ids are by row of the
+/// matrix.
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names);
+                      std::span<const std::string> class_names, const ScoreStyle& style = csv_style);
 
 /// A row for each evaluation and level of recall: method, protocol, recall, precision averaged over queries, precision
 /// averaged over classes; fractions.
@@ -70,6 +73,9 @@ Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span
 
 /// A curve as psbPlot writes it, for gnuplot: recall and precision, a level a line.
 std::string psb_plot(const PrecisionRecallCurve& curve);
+
+/// The measures of each query by its id, as fractions.
+nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
 
 /// An evaluation as JSON (docs/definitions.md#result-files): protocol, ties, number of queries, of those that ties
 /// could change, and of models that are never queries; the measures as fractions: micro, macro, and per class by the

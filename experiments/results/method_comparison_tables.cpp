@@ -125,6 +125,7 @@ Json comparison_json(const AlignedMethods& methods, std::span<const MethodCompar
           {"test", name_of(options.test)},
           {"blocks", name_of(options.blocks)},
           {"units", comparisons.empty() ? 0 : comparisons[0].units},
+          {"smallest_p", comparisons.empty() ? 0 : smallest_p_value(options, comparisons[0].units)},
           {"queries", methods.classes.size()},
           {"confidence", options.confidence},
           {"resamples", options.resampling.resamples},

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -258,6 +259,42 @@ TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
       }
     }
   }
+}
+
+TEST(NormalisedDiscountedGain, TakesGradesAsGains) {
+  // Grades 1, 0, 3 at ranks 1, 2, 3, and one of 2 that is not in the list.
+  RankedList list = list_of_runs({{.size = 1, .hits = 1, .misses = 0, .grade = 1},
+                                  {.size = 1, .hits = 0},
+                                  {.size = 1, .hits = 1, .misses = 0, .grade = 3}},
+                                 false, 1);
+  list.grades = {3, 2, 1};
+  EXPECT_DOUBLE_EQ(value("nDCG", list), (1 + 3.0 / 2) / (3 + 2 / std::log2(3) + 1.0 / 2));
+  EXPECT_DOUBLE_EQ(value("mAP", list), (1 + 2.0 / 3) / 3);  // looks at no grades
+}
+
+TEST(BinaryPreference, CountsJudgedMissesBeforeHits) {
+  // Misses at ranks 2, 4 and 5, of which that at rank 4 is not judged: 0, 1, 2 before the hits at 1, 3, 6.
+  const RankedList list = list_of_runs({{1, 1}, {1, 0}, {1, 1}, {.size = 2, .hits = 0, .misses = 1}, {1, 1}}, false, 1);
+  EXPECT_EQ(list.judged_misses, 2U);
+  EXPECT_DOUBLE_EQ(value("bpref", list), ((1 - 0.0 / 2) + (1 - 1.0 / 2) + (1 - 2.0 / 2) + 0) / 4);
+}
+
+TEST(BinaryPreference, CountsNoMoreMissesThanThereAreHits) {
+  EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{7, 0}, {2, 2}, {5, 0}})), 0);
+  EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{1, 0}, {2, 2}, {5, 0}})), 0.5);
+  EXPECT_EQ(value("bpref", list_of_hits({true, true})), 1);
+}
+
+TEST(BinaryPreference, IsTheMeanOverTheOrdersOfTheTied) {
+  // Behind a miss, two hits and two misses in any order: the six orders one by one.
+  double sum = 0;
+  std::vector<bool> order = {false, false, true, true};
+  do {
+    std::vector<bool> hits = {false};
+    hits.insert(hits.end(), order.begin(), order.end());
+    sum += value("bpref", list_of_hits(hits));
+  } while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_NEAR(value("bpref", list_of_runs({{1, 0}, {4, 2}})), sum / 6, 1e-15);
 }
 
 }  // namespace

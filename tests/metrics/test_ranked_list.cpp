@@ -151,6 +151,43 @@ TEST(TiedHits, AgreeWithTheClosedFormOfAveragePrecisionForLargeTies) {
   }
 }
 
+// Columns 0, 1, 3, 4 are judged with grades 1, 3, 2 and irrelevant; the query is column 2.
+RetrievalTask graded_task() {
+  RetrievalTask task = leave_one_out(labels);
+  task.judged = {{}, {}, {0, 1, 3}, {}, {}};
+  task.grades = {{}, {}, {1, 3, 2}, {}, {}};
+  task.judged_irrelevant = {{}, {}, {4}, {}, {}};
+  return task;
+}
+
+TEST(RankedList, KnowsTheGradesOfItsHits) {
+  const RankedList list = ranked_list(every_row({0, 1, 9, 3, 2}), graded_task(), 2, Protocol::trec, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1, 0, 1}, RankRun{1, 1, 0, 3}, RankRun{1, 0}, RankRun{1, 1, 0, 2}));
+  EXPECT_THAT(list.grades, ElementsAre(3, 2, 1));
+  EXPECT_EQ(list.judged_misses, 1U);
+}
+
+TEST(RankedList, TiedGradesAreDecidedAsAsked) {
+  const auto runs = [&](Ties ties) {
+    return ranked_list(every_row({5, 5, 9, 5, 7}), graded_task(), 2, Protocol::trec, ties).runs;
+  };
+  const RankRun one{1, 1, 0, 1};
+  const RankRun two{1, 1, 0, 2};
+  const RankRun three{1, 1, 0, 3};
+  EXPECT_THAT(runs(Ties::index), ElementsAre(one, three, two, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::optimistic), ElementsAre(three, two, one, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::pessimistic), ElementsAre(one, two, three, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::expected), ElementsAre(RankRun{3, 3, 0, 2}, RankRun{1, 0}));
+}
+
+TEST(RankedList, CountsOnlyJudgedMisses) {
+  RetrievalTask task = graded_task();
+  task.judged = {{}, {}, {0}, {}, {}};
+  task.grades = {{}, {}, {1}, {}, {}};
+  const RankedList list = ranked_list(every_row({4, 1, 9, 2, 3}), task, 2, Protocol::trec, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{3, 0, 1}, RankRun{1, 1}));
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -78,6 +78,39 @@ TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"), HasSubstr("occurs twice"));
 }
 
+// The names that methods get which are named by their files.
+std::vector<std::string> names_of(const std::vector<std::string>& files, const std::vector<std::string>& wanted = {}) {
+  std::vector<MethodScores> methods;
+  for (const std::string& file : files) {
+    methods.push_back({.method = std::filesystem::path(file).stem().string(),
+                       .source = file,
+                       .protocol = "psb",
+                       .measures = {"NN"},
+                       .queries = {"1"},
+                       .classes = {"ant"},
+                       .values = Eigen::MatrixXd::Ones(1, 1)});
+  }
+  return align_methods(methods, {}, wanted).methods;
+}
+
+TEST(MethodNames, AreTheShortestThatTellFilesApart) {
+  EXPECT_THAT(names_of({"a/d.npy", "a/e.npy"}), ElementsAre("d", "e"));
+  EXPECT_THAT(names_of({"d.npy", "x/d.npy"}), ElementsAre("d", "x/d"));
+  EXPECT_THAT(names_of({"d.npy", "d.csv", "e.npy"}), ElementsAre("d.npy", "d.csv", "e"));
+  EXPECT_THAT(names_of({"/r/a/x/d.npy", "/r/b/x/d.npy", "/r/b/y/d.npy"}), ElementsAre("a/x/d", "b/x/d", "b/y/d"));
+  EXPECT_THAT(names_of({"a/d.npy", "./a/d.npy"}), ElementsAre("d", "d (2)"));
+}
+
+TEST(MethodNames, AreThoseThatAreWanted) {
+  EXPECT_THAT(names_of({"d.npy", "x/d.npy"}, {"ours", "theirs"}), ElementsAre("ours", "theirs"));
+  EXPECT_THAT(input_error_of([] {
+                names_of({"d.npy", "x/d.npy"}, {"ours"});
+              }),
+              HasSubstr("1 names for 2 methods (d, x/d)"));
+  EXPECT_THAT(input_error_of([] { names_of({"d.npy", "e.npy"}, {"a", "a"}); }), HasSubstr("two methods have the name"));
+  EXPECT_THAT(input_error_of([] { names_of({"d.npy", "e.npy"}, {"a", ""}); }), HasSubstr("is empty"));
+}
+
 }  // namespace
 
 }  // namespace shapegauge
