@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "app/commands.h"
-#include "app/evaluation_options.h"
+#include "app/evaluation_arguments.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
-#include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 
 namespace shapegauge {
@@ -31,13 +31,13 @@ struct CompareArguments {
   int digits = 2;
 };
 
-/// The methods of a table, under one protocol: the only one that there is, else the one asked for.
-std::vector<MethodValues> methods_of_table(const fs::path& path, const std::string& wanted_protocol) {
-  std::vector<MethodValues> methods = read_method_values(path);
+// The methods of a table, under one protocol: the only one that there is, else the one asked for.
+std::vector<MethodScores> methods_of_table(const fs::path& path, const std::string& wanted_protocol) {
+  std::vector<MethodScores> methods = read_method_scores(path);
   const bool one =
-      std::ranges::all_of(methods, [&](const MethodValues& method) { return method.protocol == methods[0].protocol; });
+      std::ranges::all_of(methods, [&](const MethodScores& method) { return method.protocol == methods[0].protocol; });
   if (one) return methods;
-  std::erase_if(methods, [&](const MethodValues& method) { return method.protocol != wanted_protocol; });
+  std::erase_if(methods, [&](const MethodScores& method) { return method.protocol != wanted_protocol; });
   if (methods.empty()) {
     throw InputError(fmt::format("{}: no figures under the protocol {}; choose another with --protocol", path.string(),
                                  wanted_protocol));
@@ -45,17 +45,21 @@ std::vector<MethodValues> methods_of_table(const fs::path& path, const std::stri
   return methods;
 }
 
-// The methods of one input; what a user should know of it is added to the notes.
-std::vector<MethodValues> methods_of(const fs::path& path, const CompareArguments& arguments,
-                                     std::vector<std::string>& notes) {
+// The methods of one input; what a user should know of it is added to the warnings.
+std::vector<MethodScores> methods_of(const fs::path& path, const CompareArguments& arguments,
+                                     std::vector<std::string>& warnings) {
   if (fs::is_directory(path)) return methods_of_table(path / "per_query.csv", arguments.evaluation.protocol);
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
   if (!matrix) return methods_of_table(path, arguments.evaluation.protocol);
-  const EvaluatedMatrix evaluated = evaluate_file(path, arguments.evaluation);
-  for (const auto& more : {evaluated.notes, notes_of_ties(evaluated.evaluation)}) {
-    for (const std::string& note : more) notes.push_back(fmt::format("{}: {}", path.string(), note));
+  const EvaluatedFiles evaluated =
+      evaluate_files(evaluation_files(path, arguments.evaluation), evaluation_options(arguments.evaluation));
+  for (const std::string& warning : evaluated.warnings) {
+    warnings.push_back(fmt::format("{}: {}", path.string(), warning));
   }
-  return {method_values(path.stem().string(), path.string(), evaluated.input, evaluated.evaluation)};
+  if (const auto tied = ties_warning(evaluated.evaluation)) {
+    warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
+  }
+  return {method_scores(path.stem().string(), path.string(), evaluated.data.task, evaluated.evaluation)};
 }
 
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
@@ -87,7 +91,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
 
 std::string formatted(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                       const ComparisonOptions& options, const CompareArguments& arguments) {
-  const FigureStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
+  const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
   if (arguments.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
   const bool csv = arguments.format == "csv";
   const Table pairs = pairs_table(methods, comparisons, style, csv);
@@ -100,10 +104,10 @@ std::string formatted(const AlignedMethods& methods, std::span<const MethodCompa
 }
 
 int run(const CompareArguments& arguments) {
-  std::vector<MethodValues> methods;
-  std::vector<std::string> notes;
+  std::vector<MethodScores> methods;
+  std::vector<std::string> warnings;
   for (const fs::path& input : arguments.inputs) {
-    std::vector<MethodValues> more = methods_of(input, arguments, notes);
+    std::vector<MethodScores> more = methods_of(input, arguments, warnings);
     std::ranges::move(more, std::back_inserter(methods));
   }
   const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures);
@@ -117,7 +121,7 @@ int run(const CompareArguments& arguments) {
     throw InputError(error.what());
   }
   fmt::print("{}", formatted(aligned, comparisons, options, arguments));
-  tell(notes);
+  print_warnings(warnings);
   return exit_success;
 }
 

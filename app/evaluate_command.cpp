@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/commands.h"
-#include "app/evaluation_options.h"
+#include "app/evaluation_arguments.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/report/report.h"
@@ -35,7 +35,7 @@ struct EvaluateArguments {
 constexpr int csv_digits = 4;
 constexpr int table_digits = 2;
 
-FigureStyle style_of(const EvaluateArguments& arguments) {
+ScoreStyle style_of(const EvaluateArguments& arguments) {
   const bool percent = arguments.unit == "percent";
   const int usual = (arguments.format == "csv" ? csv_digits : table_digits) + (percent ? 0 : 2);
   return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
@@ -47,7 +47,7 @@ std::string formatted(const NamedEvaluation& named, const std::vector<std::strin
     return evaluation_json(*named.evaluation, class_names, named.intervals).dump(2) + "\n";
   }
   const std::vector<NamedEvaluation> one{named};
-  const FigureStyle style = style_of(arguments);
+  const ScoreStyle style = style_of(arguments);
   if (arguments.format == "csv") return to_csv(summary_table(one, style, IntervalCells::columns));
   const Table table =
       summary_table(one, style, named.intervals.micro.empty() ? IntervalCells::none : IntervalCells::beside);
@@ -55,32 +55,35 @@ std::string formatted(const NamedEvaluation& named, const std::vector<std::strin
   return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
 }
 
-void write_report(const NamedEvaluation& named, const EvaluationInput& input, const fs::path& path) {
+void write_report(const NamedEvaluation& named, const EvaluationData& data, const fs::path& path) {
+  const DistanceMatrix distances = whole_matrix(data.distances);
   Report report;
   report.title = named.method;
-  report.classes = input.class_names;
-  report.ids = input.query_ids;
-  report.labels = input.task.query_classes;
+  report.classes = data.task.class_names;
+  report.ids = data.task.query_ids;
+  report.labels = data.task.retrieval.query_classes;
   report.methods.push_back({.name = named.method,
                             .description = {},
-                            .distances = &input.distances,
+                            .distances = &distances,
                             .evaluations = {named.evaluation, 1},
                             .histograms = {}});
   write_file_atomically(path, report_page(report));
 }
 
 /// A report shows models that are all queries to all others.
-void check_fit_for_report(const EvaluationInput& input) {
-  const RetrievalTask& task = input.task;
-  const bool all_classified = std::ranges::find(task.query_classes, no_class) == task.query_classes.end() &&
-                              task.query_classes == task.target_classes;
-  if (input.same_rows_and_columns && all_classified && task.judged.empty() && !task.lists_may_end_early) return;
+void check_fit_for_report(const EvaluationTask& task) {
+  const RetrievalTask& retrieval = task.retrieval;
+  const bool all_classified = std::ranges::find(retrieval.query_classes, no_class) == retrieval.query_classes.end() &&
+                              retrieval.query_classes == retrieval.target_classes;
+  if (task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !retrieval.lists_may_end_early) {
+    return;
+  }
   throw InputError(
       "--report takes a square matrix of models that are all queries and targets, each with a class; leave it out for "
       "separate queries and targets, judgements and ranked lists");
 }
 
-void write_files(const NamedEvaluation& named, const EvaluationInput& input, const EvaluateArguments& arguments) {
+void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
   const std::vector<NamedEvaluation> one{named};
   if (!arguments.curve.empty()) {
     const bool plot = arguments.curve.extension() == ".plot";
@@ -88,32 +91,35 @@ void write_files(const NamedEvaluation& named, const EvaluationInput& input, con
                           plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
   }
   const auto write_table = [](const fs::path& path, const Table& table) { write_file_atomically(path, to_csv(table)); };
-  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, input.class_names));
+  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, task.class_names));
   if (!arguments.per_query.empty()) {
-    write_table(arguments.per_query, per_query_table(one, input.query_ids, input.class_names));
+    write_table(arguments.per_query, per_query_table(one, task.query_ids, task.class_names));
   }
-  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, input.class_names));
+  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, task.class_names));
 }
 
 int run(const EvaluateArguments& arguments) {
-  const EvaluatedMatrix evaluated = evaluate_file(arguments.distances, arguments.evaluation);
-  if (!arguments.report.empty()) check_fit_for_report(evaluated.input);
-  std::vector<std::string> notes = evaluated.notes;
+  const EvaluatedFiles evaluated = evaluate_files(evaluation_files(arguments.distances, arguments.evaluation),
+                                                  evaluation_options(arguments.evaluation));
+  const EvaluationTask& task = evaluated.data.task;
+  if (!arguments.report.empty()) check_fit_for_report(task);
+  std::vector<std::string> warnings = evaluated.warnings;
   NamedEvaluation named{.method = arguments.distances.stem().string(), .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
                                                           .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
-      notes.push_back(
+      warnings.push_back(
           fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
     }
   }
-  write_files(named, evaluated.input, arguments);
-  if (!arguments.report.empty()) write_report(named, evaluated.input, arguments.report);
-  fmt::print("{}", formatted(named, evaluated.input.class_names, arguments));
-  tell(notes);
-  if (arguments.format != "json") tell(notes_of_ties(evaluated.evaluation));  // JSON has their number
+  const auto tied = ties_warning(evaluated.evaluation);
+  if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
+  write_files(named, task, arguments);
+  if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
+  fmt::print("{}", formatted(named, task.class_names, arguments));
+  print_warnings(warnings);
   return exit_success;
 }
 
@@ -154,10 +160,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback([arguments, &status] {
-    arguments->evaluation.files.whole_matrix = !arguments->report.empty();  // it shows the matrix
-    status = run(*arguments);
-  });
+  command->callback([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace shapegauge

@@ -1,5 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -65,7 +67,7 @@ void add_perturb_command(CLI::App& app, int& status) {
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
   add_shape_inputs(*command, arguments->files);
-  add_shape_outputs(*command, arguments->files, ".off or .ply");
+  add_shape_outputs(*command, arguments->files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
   add_seed_option(*command, arguments->seed);
   command->add_option("--decimate", arguments->faces, "Simplify the mesh to so many faces");
   command->add_option("--noise", arguments->noise,
@@ -91,7 +93,7 @@ void add_convert_command(CLI::App& app, int& status) {
       "Polygons become triangles; the normals of point clouds are kept, colours and textures are not.");
   const auto files = std::make_shared<ShapeFiles>(ShapeFiles{.output_format = "off"});
   add_shape_inputs(*command, *files);
-  add_shape_outputs(*command, *files, ".off or .ply");
+  add_shape_outputs(*command, *files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
   command->callback([files, &status] {
     const ShapeWriter write = shape_writer(output_name(*files));
     status = for_each_shape(

@@ -142,8 +142,8 @@ std::string cache_text(const CacheReport& cache) {
   bool any = false;
   for (const auto& [kind, name] : shown) {
     const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
-    parts.push_back(fmt::format("{} of {} {}", use.taken, use.taken + use.computed, name));
-    any = any || use.taken > 0;
+    parts.push_back(fmt::format("{} of {} {}", use.hits, use.hits + use.computed, name));
+    any = any || use.hits > 0;
   }
   return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
 }

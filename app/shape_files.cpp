@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -148,14 +149,16 @@ void print(const Remarks& remarks, const std::string& prefix) {
 }  // namespace
 
 void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
+  std::vector<std::string> formats;
+  for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
   command
       .add_option("input", files.inputs,
-                  "Meshes or point clouds: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT; -: standard input")
+                  fmt::format("Meshes or point clouds: {}; -: standard input", fmt::join(formats, ", ")))
       ->required();
   command
       .add_option("--input-format", files.input_format,
                   "Format of the input (default: by the name's extension, or the first bytes)")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts", "txt"}));
+      ->check(CLI::IsMember(formats));
   add_threads_option(command, files.threads);
 }
 

@@ -8,14 +8,6 @@
 
 namespace shapegauge {
 
-/// Appends, for each of `hits` relevant models among `size` consecutive ranks in open order, the mean of k / rank of
-/// the k-th hit of the list: k counts on from the precisions that are there, ranks from `ranks_before`.
-///
-/// In all orders of n ranks with m hits, the j-th hit is at the t-th of them with the probability
-/// C(t-1, j-1) C(n-t, m-j) / C(n, m) (negative hypergeometric); the mean is the sum over t, with terms below 1e-18 of
-/// the largest one left out.
-void append_precisions(std::vector<double>& precisions, std::size_t size, std::size_t hits, std::size_t ranks_before);
-
 namespace {
 
 constexpr double negligible = 1e-18;  // of the largest term: less than the rounding of the sum
@@ -49,8 +41,12 @@ double mean_reciprocal_rank(std::size_t size, std::size_t hits, std::size_t j, s
   return sum / total;
 }
 
-}  // namespace
-
+// Appends, for each of `hits` relevant models among `size` consecutive ranks in open order, the mean of k / rank of
+// the k-th hit of the list: k counts on from the precisions that are there, ranks from `ranks_before`.
+//
+// In all orders of n ranks with m hits, the j-th hit is at the t-th of them with the probability
+// C(t-1, j-1) C(n-t, m-j) / C(n, m) (negative hypergeometric); the mean is the sum over t, with terms below 1e-18 of
+// the largest one left out.
 void append_precisions(std::vector<double>& precisions, std::size_t size, std::size_t hits, std::size_t ranks_before) {
   const std::size_t hits_before = precisions.size();
   for (std::size_t j = 1; j <= hits; ++j) {
@@ -59,8 +55,6 @@ void append_precisions(std::vector<double>& precisions, std::size_t size, std::s
                                       : k * mean_reciprocal_rank(size, hits, j, ranks_before));
   }
 }
-
-namespace {
 
 struct RankedModel {
   double distance;
@@ -256,8 +250,8 @@ double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank)) {
   std::size_t rank = 0;
   for (const RankRun& run : list.runs) {
     if (run.hits > 0) {
-      const double share = static_cast<double>(run.hits) / static_cast<double>(run.size);
-      for (std::size_t i = 1; i <= run.size; ++i) sum += share * gain(rank + i);
+      const double fraction = static_cast<double>(run.hits) / static_cast<double>(run.size);
+      for (std::size_t i = 1; i <= run.size; ++i) sum += fraction * gain(rank + i);
     }
     rank += run.size;
   }

@@ -11,13 +11,13 @@
 
 namespace shapegauge {
 
-/// How figures are written.
-struct FigureStyle {
+/// How scores are written.
+struct ScoreStyle {
   bool percent = true;  ///< else fractions
   int decimals = 2;
 };
 
-/// How confidence intervals are made (metrics/statistics/bootstrap.h).
+/// How confidence intervals are made (bootstrap_intervals).
 struct IntervalOptions {
   double confidence = 0.95;
   Blocks blocks = Blocks::classes;
@@ -40,13 +40,13 @@ struct NamedEvaluation {
   EvaluationIntervals intervals{};
 };
 
-/// Where a table has the confidence intervals: nowhere, in the cell of each figure, or as further columns NN_low,
-/// NN_high, ... behind all figures, where every evaluation has intervals.
+/// Where a table has the confidence intervals: nowhere, in the cell of each score, or as further columns NN_low,
+/// NN_high, ... behind all scores, where every evaluation has intervals.
 enum class IntervalCells { none, beside, columns };
 
 /// A row for each evaluation and average (micro, macro): method, protocol, average, then the measures. The measures are
 /// those of the first evaluation. The best of each protocol and average is bold.
-Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style = {},
+Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                     IntervalCells intervals = IntervalCells::none);
 
 /// A row for each evaluation, average and measure: method, protocol, average, measure, value, low, high; percent. No
@@ -71,9 +71,9 @@ Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span
 /// A curve as psbPlot writes it, for gnuplot: recall and precision, a level a line.
 std::string psb_plot(const PrecisionRecallCurve& curve);
 
-/// An evaluation as JSON (the design, section 6): protocol, ties, number of queries, of those that ties could change,
-/// and of models that are never queries; the measures as fractions: micro, macro, and per class by the class's name;
-/// and where there are intervals those of the averages.
+/// An evaluation as JSON (docs/definitions.md#result-files): protocol, ties, number of queries, of those that ties
+/// could change, and of models that are never queries; the measures as fractions: micro, macro, and per class by the
+/// class's name; and where there are intervals those of the averages.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
                                        const EvaluationIntervals& intervals = {});
 

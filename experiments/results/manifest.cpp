@@ -94,8 +94,8 @@ Json cache_json(const CacheReport& cache) {
   Json json = Json::object();
   for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
     const CacheUse& use = cache.uses.at(kind);
-    if (use.taken + use.computed == 0) continue;
-    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.taken}, {"computed", use.computed}};
+    if (use.hits + use.computed == 0) continue;
+    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
   }
   return json;
 }

@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -52,11 +52,53 @@ const Json& program() {
   return program;
 }
 
+Json versions_of(const std::vector<Perturbation>& steps) {
+  Json versions = Json::object();
+  for (const Perturbation& step : steps) versions.update(step.versions);
+  return versions;
+}
+
 std::string key_of(EntryKind kind, Json depends_on) {
   depends_on["kind"] = name_of(kind);
   depends_on["program"] = program();
   // Keys of objects come in order, numbers as the shortest text that reads back the same.
   return sha256(depends_on.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+/// The program does not compile where a member is added to ShapeDiagnostics: name it above, too.
+[[maybe_unused]] void all_members_are_named(const ShapeDiagnostics& diagnostics) {
+  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = diagnostics;
+}
+
+template <typename Number>
+Json binary(const Number* numbers, Eigen::Index count) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count) * sizeof(Number));
+  if (count > 0) std::memcpy(bytes.data(), numbers, bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+template <typename Vector>
+Vector read_binary(const Json& record) {
+  using Number = typename Vector::Scalar;
+  const auto& bytes = record.get_binary();
+  Vector numbers(static_cast<Eigen::Index>(bytes.size() / sizeof(Number)));
+  if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size() / sizeof(Number) * sizeof(Number));
+  return numbers;
+}
+
+Json facts_record(const FieldDescription& field) {
+  Json record{{"range", {field.range.low, field.range.high}}, {"outcomes", field.outcomes}, {"seconds", field.seconds}};
+  if (field.offset) record["offset"] = *field.offset;
+  return record;
+}
+
+FieldDescription read_facts(const Json& record) {
+  FieldDescription field;
+  field.range = {.low = record.at("range").at(0), .high = record.at("range").at(1)};
+  record.at("outcomes").get_to(field.outcomes);
+  record.at("seconds").get_to(field.seconds);
+  if (record.contains("offset")) field.offset = record.at("offset").get<double>();
+  return field;
 }
 
 }  // namespace
@@ -68,7 +110,8 @@ std::string shape_key(const ModelSource& source, const Configuration& configurat
                   {"versions", {shape_reading_version, preparation_version, diagnostics_version}}};
   if (!configuration.perturbations.empty()) {
     depends_on["perturbations"] = to_json(configuration.perturbations);
-    depends_on["perturbed"] = {perturbations_version, configuration.seed, sha256(source.id), source.index};
+    depends_on["perturbed"] = {versions_of(configuration.perturbations), configuration.seed, sha256(source.id),
+                               source.index};
   }
   return key_of(EntryKind::shape, std::move(depends_on));
 }
@@ -110,48 +153,6 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vert
                                    triangles, area, degenerate_triangles, duplicate_triangles, components, closed,
                                    edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
                                    gap_size, point_spacing, noise_deviation, noisy)
-
-namespace {
-
-using Json = nlohmann::json;
-
-/// The program does not compile where a member is added to ShapeDiagnostics: name it above, too.
-[[maybe_unused]] void all_members_are_named(const ShapeDiagnostics& diagnostics) {
-  [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = diagnostics;
-}
-
-template <typename Number>
-Json binary(const Number* numbers, Eigen::Index count) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(count) * sizeof(Number));
-  if (count > 0) std::memcpy(bytes.data(), numbers, bytes.size());
-  return Json::binary(std::move(bytes));
-}
-
-template <typename Vector>
-Vector read_binary(const Json& record) {
-  using Number = typename Vector::Scalar;
-  const auto& bytes = record.get_binary();
-  Vector numbers(static_cast<Eigen::Index>(bytes.size() / sizeof(Number)));
-  if (!bytes.empty()) std::memcpy(numbers.data(), bytes.data(), bytes.size() / sizeof(Number) * sizeof(Number));
-  return numbers;
-}
-
-Json facts_record(const FieldDescription& field) {
-  Json record{{"range", {field.range.low, field.range.high}}, {"outcomes", field.outcomes}, {"seconds", field.seconds}};
-  if (field.offset) record["offset"] = *field.offset;
-  return record;
-}
-
-FieldDescription read_facts(const Json& record) {
-  FieldDescription field;
-  field.range = {.low = record.at("range").at(0), .high = record.at("range").at(1)};
-  record.at("outcomes").get_to(field.outcomes);
-  record.at("seconds").get_to(field.seconds);
-  if (record.contains("offset")) field.offset = record.at("offset").get<double>();
-  return field;
-}
-
-}  // namespace
 
 Json numbers_record(const Eigen::VectorXd& numbers) { return binary(numbers.data(), numbers.size()); }
 Eigen::VectorXd read_numbers(const Json& record) { return read_binary<Eigen::VectorXd>(record); }

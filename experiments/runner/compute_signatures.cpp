@@ -37,6 +37,47 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
   return table;
 }
 
+/// What became of each model.
+struct Described {
+  std::vector<std::optional<ModelDescription>> models;
+  std::vector<ModelFailure> failures;
+};
+
+[[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures) {
+  const ModelFailure& first = failures.front();
+  const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
+  throw InputError(fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")",
+                               dataset.models[first.model].id, first.message, others));
+}
+
+void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
+  const bool none_left = failures.size() == dataset.models.size();
+  if (!failures.empty() && (none_left || on_error == OnError::stop)) stop_for(dataset, failures);
+}
+
+Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
+                          std::span<const PlannedField> plan, Cache& cache) {
+  Described described;
+  described.models.resize(dataset.models.size());
+  described.failures = check_models(dataset);
+  stop_if_told(dataset, described.failures, configuration.on_error);
+  std::vector<std::size_t> remaining;
+  for (std::size_t i = 0; i < dataset.models.size(); ++i) {
+    if (std::ranges::find(described.failures, i, &ModelFailure::model) == described.failures.end())
+      remaining.push_back(i);
+  }
+  // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
+  const bool parallel_within = remaining.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+  const std::vector<ModelFailure> failures =
+      for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
+        described.models[model] = describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
+      });
+  described.failures.insert(described.failures.end(), failures.begin(), failures.end());
+  std::ranges::sort(described.failures, {}, &ModelFailure::model);
+  stop_if_told(dataset, described.failures, configuration.on_error);
+  return described;
+}
+
 }  // namespace
 
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
@@ -111,51 +152,6 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
   for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
   return ranges;
 }
-
-namespace {
-
-/// What became of each model.
-struct Described {
-  std::vector<std::optional<ModelDescription>> models;
-  std::vector<ModelFailure> failures;
-};
-
-[[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures) {
-  const ModelFailure& first = failures.front();
-  const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
-  throw InputError(fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")",
-                               dataset.models[first.model].id, first.message, others));
-}
-
-void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
-  const bool none_left = failures.size() == dataset.models.size();
-  if (!failures.empty() && (none_left || on_error == OnError::stop)) stop_for(dataset, failures);
-}
-
-Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
-                          std::span<const PlannedField> plan, Cache& cache) {
-  Described described;
-  described.models.resize(dataset.models.size());
-  described.failures = check_models(dataset);
-  stop_if_told(dataset, described.failures, configuration.on_error);
-  std::vector<std::size_t> remaining;
-  for (std::size_t i = 0; i < dataset.models.size(); ++i) {
-    if (std::ranges::find(described.failures, i, &ModelFailure::model) == described.failures.end())
-      remaining.push_back(i);
-  }
-  // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
-  const bool parallel_within = remaining.size() < 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-  const std::vector<ModelFailure> failures =
-      for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
-        described.models[model] = describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
-      });
-  described.failures.insert(described.failures.end(), failures.begin(), failures.end());
-  std::ranges::sort(described.failures, {}, &ModelFailure::model);
-  stop_if_told(dataset, described.failures, configuration.on_error);
-  return described;
-}
-
-}  // namespace
 
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache) {

@@ -5,18 +5,17 @@
 
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -53,7 +52,7 @@ class CompareCommand : public testing::Test {
                             60, 60, [&](Eigen::Index i, Eigen::Index j) { return std::abs(place[i] - place[j]); }));
   }
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(CompareCommand, TellsWhatIsBetter) {

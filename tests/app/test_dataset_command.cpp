@@ -1,29 +1,28 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::write_text;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::write_text;
 using testing::HasSubstr;
 
 class DatasetCommand : public testing::Test {
  protected:
-  void SetUp() override { test_experiments::write_small_dataset(folder_.path()); }
+  void SetUp() override { test::write_small_dataset(folder_.path()); }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome dataset(const std::string& command) const {
     return run_executable("dataset " + command + " '" + folder_.path().string() + "'");
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(DatasetCommand, InfoCountsTheClasses) {

@@ -2,22 +2,21 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
@@ -46,7 +45,7 @@ class EvaluateCommand : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {

@@ -8,18 +8,16 @@
 #include "shapegauge/core/sdf/offset_normals.h"
 #include "shapegauge/experiments/files/csv.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::text_of;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -34,10 +32,10 @@ class NormalsCommand : public testing::Test {
     return run_executable(fmt::format("normals '{}' {} -o '{}'", at(input), more, at(output)));
   }
 
-  Shape mesh = test_shapes::flipped(test_shapes::sphere(10, 2));
-  Shape cloud = test_shapes::random_points(test_shapes::sphere(10, 4), 3000, 1);
+  Shape mesh = test::flipped(test::sphere(10, 2));
+  Shape cloud = test::random_points(test::sphere(10, 4), 3000, 1);
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
@@ -102,7 +100,7 @@ TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
 }
 
 TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
-  const Shape fine = test_shapes::sphere(10, 4);
+  const Shape fine = test::sphere(10, 4);
   RandomNumbers random(1);
   write_off(folder_.path() / "clean.off", fine);
   write_off(folder_.path() / "noisy.off", vertex_noise(fine, {.amplitude = 0.01}, random));

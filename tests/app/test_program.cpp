@@ -4,7 +4,7 @@
 #include <sys/wait.h>
 
 #include "tests/app/program.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -24,7 +24,7 @@ class Program : public SmallRun {
     const std::string command =
         fmt::format("SHAPEGAUGE_CACHE= {} {} > {} 2> {}", SHAPEGAUGE_EXECUTABLE, arguments, file, quoted("errors"));
     const int status = std::system(command.c_str());
-    return {.status = WEXITSTATUS(status), .output = {}, .errors = test_experiments::text_of(at("errors"))};
+    return {.status = WEXITSTATUS(status), .output = {}, .errors = test::text_of(at("errors"))};
   }
 };
 
@@ -120,8 +120,8 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
 }
 
 TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {
-  test_experiments::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
-  test_experiments::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
+  test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
+  test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
   const std::string evaluate = " " + quoted("d.csv") + " --labels " + quoted("c.cla");
   for (const std::string& arguments : std::vector<std::string>{
            "--help", "--version", "measures", "info " + quoted("data/T0.off"),

@@ -3,21 +3,21 @@
 
 #include "shapegauge/core/io/off.h"
 #include "tests/app/program.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -192,7 +192,7 @@ TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
 }
 
 TEST_F(RunCommand, AnOffsetThatLeaksIsCountedInTerminalReportAndManifest) {
-  Shape open_box = test_experiments::small_shape("box", 0);
+  Shape open_box = test::small_shape("box", 0);
   open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
   write_off(at("data/T1.off"), open_box);
   const std::string field = R"(--set 'signatures.0.field={"type":"offset_sdf","offset":0.005}')";

@@ -9,20 +9,20 @@
 
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "tests/app/program.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::text_of;
+using test::write_text;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -45,7 +45,7 @@ class RunWithCache : public SmallRun {
  protected:
   /// The more rays, the longer it takes.
   void write_configuration(int rays) const {
-    json configuration = test_experiments::small_configuration("data");
+    json configuration = test::small_configuration("data");
     for (json& signature : configuration["signatures"]) {
       if (signature.contains("field")) signature["field"]["rays"] = rays;
     }

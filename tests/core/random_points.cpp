@@ -1,11 +1,10 @@
-#include "tests/core/random_points.h"
-
 #include <algorithm>
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
+#include "tests/support/test_shapes.h"
 
-namespace shapegauge::test_shapes {
+namespace shapegauge::test {
 
 Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed) {
   std::vector<double> areas_up_to;
@@ -29,4 +28,4 @@ Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed) {
   return cloud;
 }
 
-}  // namespace shapegauge::test_shapes
+}  // namespace shapegauge::test

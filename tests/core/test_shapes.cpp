@@ -1,4 +1,4 @@
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-namespace shapegauge::test_shapes {
+namespace shapegauge::test {
 
 namespace {
 
@@ -217,4 +217,4 @@ double signed_volume(const Shape& mesh) {
   return volume;
 }
 
-}  // namespace shapegauge::test_shapes
+}  // namespace shapegauge::test

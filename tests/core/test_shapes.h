@@ -8,7 +8,7 @@
 #include "shapegauge/core/shape/shape.h"
 
 /// Shapes whose measures are known, and the changes under which measures are invariant.
-namespace shapegauge::test_shapes {
+namespace shapegauge::test {
 
 /// Icosahedron whose triangles are split into four `subdivisions` times, vertices on the sphere about the origin.
 Shape sphere(double radius, int subdivisions);
@@ -49,4 +49,4 @@ Eigen::Matrix3d rotation(unsigned seed);
 /// The volume that an outward-oriented closed mesh encloses (divergence theorem).
 double signed_volume(const Shape& mesh);
 
-}  // namespace shapegauge::test_shapes
+}  // namespace shapegauge::test

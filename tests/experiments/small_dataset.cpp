@@ -1,20 +1,20 @@
-#include "tests/experiments/small_dataset.h"
+#include "tests/support/small_dataset.h"
 
 #include <array>
 
 #include "shapegauge/core/io/off.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
-namespace shapegauge::test_experiments {
+namespace shapegauge::test {
 
 namespace fs = std::filesystem;
 
 Shape small_shape(const std::string& name, int number) {
   const double more = 1 + 0.05 * number;
-  if (name == "sphere") return test_shapes::sphere(more, 2);
-  if (name == "box") return test_shapes::box({more, 1, 0.3}, 4);
-  return test_shapes::capsule(0.2, 2 * more, 16, 6);
+  if (name == "sphere") return test::sphere(more, 2);
+  if (name == "box") return test::box({more, 1, 0.3}, 4);
+  return test::capsule(0.2, 2 * more, 16, 6);
 }
 
 void write_small_dataset(const fs::path& folder) {
@@ -43,4 +43,4 @@ nlohmann::json small_configuration(const fs::path& folder) {
             {{"name", "both"}, {"concatenate", {"fixed", "per shape"}}}}}};
 }
 
-}  // namespace shapegauge::test_experiments
+}  // namespace shapegauge::test

@@ -6,7 +6,7 @@
 
 #include "shapegauge/core/shape/shape.h"
 
-namespace shapegauge::test_experiments {
+namespace shapegauge::test {
 
 /// A capsule, a sphere or a box, by class ("capsule", "sphere", "box"), of size and proportions that vary with the
 /// number a little; what one class does not look like is another class.
@@ -22,4 +22,4 @@ std::string small_classification();
 /// concatenated; both protocols.
 nlohmann::json small_configuration(const std::filesystem::path& folder);
 
-}  // namespace shapegauge::test_experiments
+}  // namespace shapegauge::test

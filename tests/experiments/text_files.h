@@ -5,7 +5,7 @@
 #include <sstream>
 #include <string>
 
-namespace shapegauge::test_experiments {
+namespace shapegauge::test {
 
 /// Writes a file, its folder too where that is absent.
 inline void write_text(const std::filesystem::path& path, const std::string& text) {
@@ -20,4 +20,4 @@ inline std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-}  // namespace shapegauge::test_experiments
+}  // namespace shapegauge::test

@@ -136,10 +136,6 @@ TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
   EXPECT_THROW(enclosing_interval({}), std::invalid_argument);
 }
 
-}  // namespace
-
-namespace {
-
 // The convolution written out the long way: the mirrored histogram is laid out in full, then every offset is summed.
 Eigen::VectorXd smoothed_naively(const Eigen::VectorXd& histogram, double standard_deviation) {
   const auto reach = static_cast<int>(4 * standard_deviation + 0.5);
@@ -220,10 +216,6 @@ RC_GTEST_PROP(GaussianSmoothing, KeepsTheSumAndTheUniformHistogram, ()) {
   const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(histogram.size());
   RC_ASSERT((smooth_gaussian(uniform, deviation) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
 }
-
-}  // namespace
-
-namespace {
 
 Eigen::VectorXf vector_of(const std::vector<float>& entries) {
   return Eigen::Map<const Eigen::VectorXf>(entries.data(), static_cast<Eigen::Index>(entries.size()));

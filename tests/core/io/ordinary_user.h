@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <unistd.h>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 /// While it lives, the process has the rights of an ordinary user: permissions do not bind root.
 class OrdinaryUser {
@@ -23,4 +23,4 @@ class OrdinaryUser {
   uid_t before_;
 };
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

@@ -1,5 +1,3 @@
-#include "tests/core/io/temporary_folder.h"
-
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -9,7 +7,9 @@
 #include <unistd.h>
 #include <utility>
 
-namespace shapegauge::test_io {
+#include "tests/support/test_files.h"
+
+namespace shapegauge::test {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,4 @@ std::string bytes_of(const fs::path& path) {
   return std::move(bytes).str();
 }
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 /// A new folder that is removed, with what is in it, at the end of the scope.
 class TemporaryFolder {
@@ -29,4 +29,4 @@ class TemporaryFolder {
 /// The bytes of a file; a test failure where it cannot be read.
 std::string bytes_of(const std::filesystem::path& path);
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shapegauge/core/shape/connectivity.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -108,25 +108,23 @@ TEST(EdgeUses, NamesVerticesByTheirPlace) {
 namespace {
 
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
-  const Shape sphere = test_shapes::sphere(1, 2);
+  const Shape sphere = test::sphere(1, 2);
   EXPECT_TRUE(is_watertight(sphere));
-  EXPECT_TRUE(is_watertight(test_shapes::flipped(sphere)));
-  EXPECT_TRUE(is_watertight(test_shapes::joined({sphere, test_shapes::torus(3, 1, 12, 8)})));
+  EXPECT_TRUE(is_watertight(test::flipped(sphere)));
+  EXPECT_TRUE(is_watertight(test::joined({sphere, test::torus(3, 1, 12, 8)})));
 }
 
 TEST(Closedness, EndsWithOneTriangle) {
-  Shape sphere = test_shapes::sphere(1, 2);
+  Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
   EXPECT_FALSE(is_watertight(sphere));
   EXPECT_FALSE(is_watertight(Shape{}));
 }
 
-TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) {
-  EXPECT_TRUE(is_watertight(test_shapes::soup(test_shapes::sphere(1, 1))));
-}
+TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_watertight(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {
-  Shape sphere = test_shapes::sphere(1, 1);
+  Shape sphere = test::sphere(1, 1);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
   sphere.triangles.bottomRows(1) << 0, 0, 1;
   EXPECT_TRUE(is_watertight(sphere));

@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "shapegauge/experiments/files/csv.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -24,9 +24,9 @@ TEST(Csv, QuotedCellsHoldCommasAndQuotationMarks) {
 }
 
 TEST(Csv, BadQuotationIsAnErrorWithItsPlace) {
-  EXPECT_THAT(input_error_of([] { split_csv_line(R"(a,"b)", "f.csv:7"); }),
+  EXPECT_THAT(test::input_error_of([] { split_csv_line(R"(a,"b)", "f.csv:7"); }),
               AllOf(HasSubstr("f.csv:7: "), HasSubstr("not closed")));
-  EXPECT_THAT(input_error_of([] { split_csv_line(R"("a"b,c)", "f.csv:7"); }),
+  EXPECT_THAT(test::input_error_of([] { split_csv_line(R"("a"b,c)", "f.csv:7"); }),
               AllOf(HasSubstr("f.csv:7: "), HasSubstr(R"("b" follows)")));
 }
 
@@ -38,7 +38,7 @@ TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
   EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
   EXPECT_EQ(rows[1].line, 3U);
   EXPECT_EQ(rows[2].line, 5U);
-  EXPECT_THAT(input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
+  EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
 RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {

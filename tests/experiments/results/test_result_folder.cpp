@@ -3,17 +3,15 @@
 #include <set>
 
 #include "shapegauge/experiments/results/result_folder.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -41,11 +39,11 @@ RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
 }
 
 std::string lock_error(const fs::path& folder) {
-  return input_error_of([&] { const FolderLock lock(folder); });
+  return test::input_error_of([&] { const FolderLock lock(folder); });
 }
 
 TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
     EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is under way in"));
@@ -58,8 +56,8 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
 }
 
 TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
-  const test_io::TemporaryFolder folder;
-  test_experiments::write_text(folder.path() / ".shapegauge-lock", "");
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / ".shapegauge-lock", "");
   EXPECT_EQ(lock_error(folder.path()), "no error");
 }
 
@@ -71,41 +69,41 @@ TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
 const nlohmann::json mine{{"name", "mine"}};
 
 std::string error_for(const fs::path& folder, bool replace = false) {
-  return input_error_of([&] { prepare_result_folder(folder, mine, replace); });
+  return test::input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
 TEST(ResultFolder, IsMadeWithThoseAbove) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
   EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
 }
 
 TEST(ResultFolder, OtherFilesDoNotMatter) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "notes.txt", "x");
   EXPECT_EQ(error_for(folder.path()), "no error");
 }
 
 TEST(ResultFolder, TheSameConfigurationMayRunAgain) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "manifest.json", R"({"configuration": {"name": "mine"}})");
   EXPECT_EQ(error_for(folder.path()), "no error");
 }
 
 TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   for (const std::string manifest : {R"({"configuration": {"name": "other"}})", "[]", "{"}) {
-    const test_io::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     write_text(folder.path() / "manifest.json", manifest);
     EXPECT_THAT(error_for(folder.path()), HasSubstr("holds the results of another configuration")) << manifest;
     EXPECT_EQ(error_for(folder.path(), true), "no error");
   }
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "summary.csv", "method\n");
   EXPECT_THAT(error_for(folder.path()), HasSubstr("--replace"));
 }
 
 TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "x", "a file");
   EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot make the folder"));
   EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot make the folder"));
@@ -124,7 +122,7 @@ class StagedResultsTest : public testing::Test {
   }
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
@@ -167,7 +165,7 @@ TEST_F(StagedResultsTest, AFileThatCannotBeMovedIsAnError) {
   write_text(at("summary.csv/x"), "a folder of that name");
   StagedResults staged(folder_.path());
   write_text(staged.folder() / "summary.csv", "new");
-  EXPECT_THAT(input_error_of([&] { staged.publish({"summary.csv"}); }), testing::HasSubstr("cannot write"));
+  EXPECT_THAT(test::input_error_of([&] { staged.publish({"summary.csv"}); }), testing::HasSubstr("cannot write"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -24,31 +24,31 @@ void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
                      std::equal(words.begin(), words.end(), rows[0].cells.begin());
   if (known) return;
   throw InputError(
-      fmt::format("{}: expected figures of each query, a table that begins with method,protocol,id,class; it is what "
+      fmt::format("{}: expected scores of each query, a table that begins with method,protocol,id,class; it is what "
                   "'run' and 'evaluate --per-query' write",
                   source));
 }
 
-Eigen::RowVectorXd figures_of(const CsvRow& row, std::size_t measures, const std::string& source) {
+Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std::string& source) {
   if (row.cells.size() != first_measure + measures) {
     throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
                                  first_measure + measures));
   }
-  Eigen::RowVectorXd figures(static_cast<Eigen::Index>(measures));
+  Eigen::RowVectorXd scores(static_cast<Eigen::Index>(measures));
   for (std::size_t i = 0; i < measures; ++i) {
     const std::string& cell = row.cells[first_measure + i];
     const auto percent = parse_number(cell);
     if (!percent || !(*percent >= 0 && *percent <= 100)) {
       throw InputError(fmt::format("{}:{}: {} is no number from 0 to 100", source, row.line, quoted_word(cell)));
     }
-    figures[static_cast<Eigen::Index>(i)] = *percent / 100;
+    scores[static_cast<Eigen::Index>(i)] = *percent / 100;
   }
-  return figures;
+  return scores;
 }
 
 using Places = std::unordered_map<std::string, std::size_t>;
 
-Places places_of(const MethodValues& method) {
+Places places_of(const MethodScores& method) {
   Places places;
   for (const std::string& query : method.queries) {
     if (places.emplace(canonical_model_id(query), places.size()).second) continue;
@@ -58,20 +58,20 @@ Places places_of(const MethodValues& method) {
   return places;
 }
 
-void check_protocols(std::span<const MethodValues> methods) {
-  for (const MethodValues& method : methods) {
+void check_protocols(std::span<const MethodScores> methods) {
+  for (const MethodScores& method : methods) {
     if (method.protocol == methods[0].protocol) continue;
-    throw InputError(fmt::format("{} is judged under {} but {} under {}; figures of two protocols cannot be compared",
+    throw InputError(fmt::format("{} is judged under {} but {} under {}; scores of two protocols cannot be compared",
                                  quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method),
                                  method.protocol));
   }
 }
 
-std::vector<std::string> unique_names(std::span<const MethodValues> methods) {
+std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
   std::map<std::string, int> uses;
-  for (const MethodValues& method : methods) ++uses[method.method];
+  for (const MethodScores& method : methods) ++uses[method.method];
   std::vector<std::string> names;
-  for (const MethodValues& method : methods) {
+  for (const MethodScores& method : methods) {
     const std::filesystem::path file(method.source);
     const std::string place =
         file.filename() == "per_query.csv" ? file.parent_path().filename().string() : file.stem().string();
@@ -80,12 +80,12 @@ std::vector<std::string> unique_names(std::span<const MethodValues> methods) {
   return names;
 }
 
-std::vector<std::string> measures_to_compare(std::span<const MethodValues> methods,
+std::vector<std::string> measures_to_compare(std::span<const MethodScores> methods,
                                              std::span<const std::string> wanted) {
   if (!wanted.empty()) return {wanted.begin(), wanted.end()};
   std::vector<std::string> common = methods[0].measures;
   std::erase_if(common, [&](const std::string& measure) {
-    return !std::ranges::all_of(methods, [&](const MethodValues& method) {
+    return !std::ranges::all_of(methods, [&](const MethodScores& method) {
       return std::ranges::find(method.measures, measure) != method.measures.end();
     });
   });
@@ -93,7 +93,7 @@ std::vector<std::string> measures_to_compare(std::span<const MethodValues> metho
   return common;
 }
 
-Eigen::Index column_of(const MethodValues& method, const std::string& measure) {
+Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
   const auto found = std::ranges::find(method.measures, measure);
   if (found != method.measures.end()) return found - method.measures.begin();
   throw InputError(fmt::format("{}: there is no measure {} for {}; there are {}", method.source, quoted_word(measure),
@@ -101,14 +101,14 @@ Eigen::Index column_of(const MethodValues& method, const std::string& measure) {
 }
 
 // The row of each query of `first` in `method`; both have the same queries, in the same classes.
-std::vector<std::size_t> rows_of(const MethodValues& first, const MethodValues& method) {
+std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& method) {
   const Places places = places_of(method);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
     const auto found = places.find(canonical_model_id(first.queries[i]));
     if (found == places.end()) {
       throw InputError(fmt::format(
-          "{}: {} has no query {}, which {} has; only figures of the same queries can be compared", method.source,
+          "{}: {} has no query {}, which {} has; only scores of the same queries can be compared", method.source,
           quoted_word(method.method), quoted_word(first.queries[i]), quoted_word(first.method)));
     }
     if (method.classes[found->second] != first.classes[i]) {
@@ -124,7 +124,7 @@ std::vector<std::size_t> rows_of(const MethodValues& first, const MethodValues& 
   const auto more = std::ranges::find_if(
       method.queries, [&](const std::string& query) { return !known.contains(canonical_model_id(query)); });
   throw InputError(
-      fmt::format("{}: {} has the query {}, which {} has not; only figures of the same queries can be compared",
+      fmt::format("{}: {} has the query {}, which {} has not; only scores of the same queries can be compared",
                   method.source, quoted_word(method.method), quoted_word(*more), quoted_word(first.method)));
 }
 
@@ -140,16 +140,16 @@ std::vector<int> numbered(const std::vector<std::string>& classes) {
 
 }  // namespace
 
-std::vector<MethodValues> read_method_values(const std::filesystem::path& path) {
+std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) {
   const std::string source = path.string();
   const std::vector<CsvRow> rows = parse_csv(read_file_bytes(path), source);
   check_header(rows, source);
   const std::vector<std::string> measures(rows[0].cells.begin() + first_measure, rows[0].cells.end());
-  std::vector<MethodValues> methods;
-  std::vector<std::vector<Eigen::RowVectorXd>> figures;
+  std::vector<MethodScores> methods;
+  std::vector<std::vector<Eigen::RowVectorXd>> scores;
   std::map<std::pair<std::string, std::string>, std::size_t> places;
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Eigen::RowVectorXd of_query = figures_of(rows[i], measures.size(), source);
+    const Eigen::RowVectorXd of_query = scores_of(rows[i], measures.size(), source);
     const std::vector<std::string>& cells = rows[i].cells;
     const auto [place, is_new] = places.emplace(std::pair(cells[0], cells[1]), methods.size());
     if (is_new) {
@@ -160,24 +160,24 @@ std::vector<MethodValues> read_method_values(const std::filesystem::path& path) 
                          .queries = {},
                          .classes = {},
                          .values = {}});
-      figures.emplace_back();
+      scores.emplace_back();
     }
     methods[place->second].queries.push_back(cells[2]);
     methods[place->second].classes.push_back(cells[3]);
-    figures[place->second].push_back(of_query);
+    scores[place->second].push_back(of_query);
   }
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    methods[m].values.resize(static_cast<Eigen::Index>(figures[m].size()), static_cast<Eigen::Index>(measures.size()));
-    for (std::size_t i = 0; i < figures[m].size(); ++i)
-      methods[m].values.row(static_cast<Eigen::Index>(i)) = figures[m][i];
+    methods[m].values.resize(static_cast<Eigen::Index>(scores[m].size()), static_cast<Eigen::Index>(measures.size()));
+    for (std::size_t i = 0; i < scores[m].size(); ++i)
+      methods[m].values.row(static_cast<Eigen::Index>(i)) = scores[m][i];
     places_of(methods[m]);
   }
   return methods;
 }
 
-MethodValues method_values(const std::string& method, const std::string& source, const EvaluationInput& input,
+MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation) {
-  MethodValues values{.method = method,
+  MethodScores values{.method = method,
                       .source = source,
                       .protocol = name_of(evaluation.protocol),
                       .measures = evaluation.measures,
@@ -185,13 +185,13 @@ MethodValues method_values(const std::string& method, const std::string& source,
                       .classes = {},
                       .values = evaluation.per_query};
   for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
-    values.queries.push_back(input.query_ids[static_cast<std::size_t>(evaluation.queries[i])]);
-    values.classes.push_back(input.class_names[static_cast<std::size_t>(evaluation.query_classes[i])]);
+    values.queries.push_back(task.query_ids[static_cast<std::size_t>(evaluation.queries[i])]);
+    values.classes.push_back(task.class_names[static_cast<std::size_t>(evaluation.query_classes[i])]);
   }
   return values;
 }
 
-AlignedMethods align_methods(std::span<const MethodValues> methods, std::span<const std::string> wanted_measures) {
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures) {
   if (methods.size() < 2) throw InputError("there is one method only; a comparison needs two or more");
   check_protocols(methods);
   AlignedMethods aligned{.methods = unique_names(methods),

@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/evaluation/evaluation_input.h"
-#include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
 
 namespace CLI {
@@ -43,20 +44,13 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
 /// The settings of the evaluation that the arguments ask for. Throws InputError for a measure that is not known.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
-/// A matrix, or lists, with everything that belongs to it, what it is worth, and what a user should know of it.
-struct EvaluatedMatrix {
-  EvaluationInput input;
-  Evaluation evaluation;
-  std::vector<std::string> notes;  ///< in words, a sentence each
-};
-
-/// Reads the file at the path, checks and evaluates it. Throws InputError where it cannot be evaluated.
-EvaluatedMatrix evaluate_file(const std::filesystem::path& path, const EvaluationArguments& arguments);
+/// The files of the evaluation of the matrix, or the ranked lists, at the path.
+EvaluationFiles evaluation_files(const std::filesystem::path& path, const EvaluationArguments& arguments);
 
 /// How many queries ties could change, in words; nothing where they could change none.
-std::vector<std::string> notes_of_ties(const Evaluation& evaluation);
+std::optional<std::string> ties_warning(const Evaluation& evaluation);
 
-/// Prints notes on standard error, a line each. Called when all else has gone well: an error comes alone.
-void tell(std::span<const std::string> notes);
+/// Prints a line each on standard error. Called when all else has gone well: an error comes alone.
+void print_warnings(std::span<const std::string> warnings);
 
 }  // namespace shapegauge

@@ -1,32 +1,16 @@
-#include "app/evaluation_options.h"
+#include "app/evaluation_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
-#include <iterator>
 #include <stdexcept>
-#include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/evaluation/evaluate_input.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
 
 namespace {
-
-std::vector<std::string> notes_of(const EvaluatedMatrix& evaluated, const MatrixFindings& findings,
-                                  const EvaluationArguments& arguments) {
-  std::vector<std::string> notes = evaluated.input.notes;
-  std::ranges::move(matrix_warnings(findings, evaluated.input.query_ids, arguments.files.similarity),
-                    std::back_inserter(notes));
-  if (evaluated.evaluation.models_left_out > 0) {
-    notes.push_back(fmt::format("{} models are never queries, as their classes have fewer than {} models",
-                                evaluated.evaluation.models_left_out, arguments.minimum_class_size));
-  }
-  return notes;
-}
 
 void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
@@ -93,31 +77,22 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   return options;
 }
 
-EvaluatedMatrix evaluate_file(const std::filesystem::path& path, const EvaluationArguments& arguments) {
-  const EvaluationOptions options = evaluation_options(arguments);
+EvaluationFiles evaluation_files(const std::filesystem::path& path, const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
   files.matrix = path;
-  files.classification_order = arguments.order == "classification";
-  EvaluatedMatrix evaluated{.input = read_evaluation_input(files), .evaluation = {}, .notes = {}};
-  try {
-    CheckedEvaluation checked = evaluate_and_check(evaluated.input, options);
-    evaluated.evaluation = std::move(checked.evaluation);
-    evaluated.notes = notes_of(evaluated, checked.findings, arguments);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-  }
-  return evaluated;
+  files.order = arguments.order == "classification" ? RowOrder::classification : RowOrder::natural;
+  return files;
 }
 
-std::vector<std::string> notes_of_ties(const Evaluation& evaluation) {
-  if (evaluation.queries_with_ties == 0) return {};
-  return {fmt::format(
+std::optional<std::string> ties_warning(const Evaluation& evaluation) {
+  if (evaluation.queries_with_ties == 0) return std::nullopt;
+  return fmt::format(
       "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
-      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties))};
+      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties));
 }
 
-void tell(std::span<const std::string> notes) {
-  for (const std::string& note : notes) fmt::print(stderr, "shapegauge: note: {}\n", note);
+void print_warnings(std::span<const std::string> warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: note: {}\n", warning);
 }
 
 }  // namespace shapegauge

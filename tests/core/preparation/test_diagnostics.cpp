@@ -1,9 +1,9 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
-#include "shapegauge/core/shape/diagnostics.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -49,7 +49,7 @@ Shape moebius_strip(int n) {
 
 TEST(Diagnose, ACubeIsSound) {
   const ShapeDiagnostics found = diagnose(cube());
-  EXPECT_TRUE(found.closed);
+  EXPECT_TRUE(found.watertight);
   EXPECT_EQ(found.vertices, 8U);
   EXPECT_EQ(found.triangles, 12U);
   EXPECT_EQ(found.edges, 18U);
@@ -66,7 +66,7 @@ TEST(Diagnose, ACubeWithoutASideHasItsRimAsBoundary) {
   Shape open = cube();
   open.triangles = open.triangles.bottomRows(10).eval();
   const ShapeDiagnostics found = diagnose(open);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(found.boundary_edges, 4U);
   EXPECT_DOUBLE_EQ(found.boundary_length, 4);
   EXPECT_EQ(found.unreferenced_vertices, 0U);
@@ -79,14 +79,13 @@ TEST(Diagnose, ATriangleTurnedOverMakesItsEdgesInconsistent) {
   Shape shape = cube();
   std::swap(shape.triangles(3, 0), shape.triangles(3, 1));
   EXPECT_EQ(diagnose(shape).inconsistent_edges, 3U);
-  EXPECT_TRUE(diagnose(shape).closed);
-  EXPECT_EQ(diagnose(test_shapes::flipped(cube())).inconsistent_edges, 0U);
+  EXPECT_TRUE(diagnose(shape).watertight);
+  EXPECT_EQ(diagnose(test::flipped(cube())).inconsistent_edges, 0U);
 }
 
 TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   const auto beside = [](double x, double y) {
-    return test_shapes::joined(
-        {cube(), test_shapes::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
+    return test::joined({cube(), test::transformed(cube(), 1, Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, 0))});
   };
   EXPECT_EQ(diagnose(beside(3, 0)).components, 2U);
   EXPECT_EQ(diagnose(beside(3, 0)).coincident_vertices, 0U);
@@ -94,7 +93,7 @@ TEST(Diagnose, CountsComponentsThroughVerticesAtTheSamePlace) {
   EXPECT_EQ(touching.components, 1U);
   EXPECT_EQ(touching.coincident_vertices, 2U);
   EXPECT_EQ(touching.non_manifold_edges, 1U) << "the common edge has four triangles";
-  EXPECT_TRUE(touching.closed);
+  EXPECT_TRUE(touching.watertight);
 }
 
 TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
@@ -105,7 +104,7 @@ TEST(Diagnose, ABookOfThreePagesHasANonManifoldSpine) {
   EXPECT_EQ(found.edges, 7U);
   EXPECT_EQ(found.non_manifold_edges, 1U);
   EXPECT_EQ(found.boundary_edges, 6U);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(found.components, 1U);
 }
 
@@ -119,7 +118,7 @@ TEST(Diagnose, AMoebiusStripCannotBeOriented) {
 
 TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
   EXPECT_EQ(diagnose(with_triangle(cube(), 0, 0, 1)).degenerate_triangles, 1U);
-  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).closed);
+  EXPECT_TRUE(diagnose(with_triangle(cube(), 0, 0, 1)).watertight);
   Shape needle = cube();
   needle.vertices.conservativeResize(9, Eigen::NoChange);
   needle.vertices.row(8) << 0.5, 0, 0;
@@ -133,13 +132,11 @@ TEST(Diagnose, CountsDegenerateAndDuplicateTriangles) {
 
 TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
   const Shape broken = with_triangle(
-      with_triangle(test_shapes::joined({test_shapes::torus(3, 1, 12, 8), test_shapes::sphere(1, 1), moebius_strip(9)}),
-                    0, 1, 2),
-      5, 5, 9);
+      with_triangle(test::joined({test::torus(3, 1, 12, 8), test::sphere(1, 1), moebius_strip(9)}), 0, 1, 2), 5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
-  EXPECT_EQ(found.closed, is_watertight(broken));
+  EXPECT_EQ(found.watertight, is_watertight(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
-    Shape other = test_shapes::permuted(broken, seed).shape;
+    Shape other = test::permuted(broken, seed).shape;
     other.vertices *= 0x1p100;
     const ShapeDiagnostics again = diagnose(other);
     EXPECT_EQ(again.components, found.components);
@@ -150,7 +147,7 @@ TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
     EXPECT_EQ(again.inconsistent_edges, found.inconsistent_edges);
     EXPECT_EQ(again.degenerate_triangles, found.degenerate_triangles);
     EXPECT_EQ(again.duplicate_triangles, found.duplicate_triangles);
-    EXPECT_EQ(again.closed, found.closed);
+    EXPECT_EQ(again.watertight, found.watertight);
   }
 }
 
@@ -163,7 +160,7 @@ TEST(Diagnose, ACloudHasPointsOnly) {
   EXPECT_EQ(found.unreferenced_vertices, 0U);
   EXPECT_DOUBLE_EQ(found.diagonal, 5);
   EXPECT_EQ(found.triangles + found.components + found.edges, 0U);
-  EXPECT_FALSE(found.closed);
+  EXPECT_FALSE(found.watertight);
   EXPECT_EQ(diagnose(Shape{}).vertices, 0U);
 }
 

@@ -1,4 +1,4 @@
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -33,9 +33,7 @@ std::vector<Corners> merged_corners(const Triangles& triangles, const std::vecto
 
 std::size_t count_unreferenced(const Shape& shape) {
   if (is_cloud(shape)) return 0;
-  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));
-  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
-  return static_cast<std::size_t>(std::ranges::count(used, false));
+  return static_cast<std::size_t>(std::ranges::count(used_vertices(shape), false));
 }
 
 bool is_degenerate(const Shape& shape, Eigen::Index triangle) {
@@ -77,10 +75,10 @@ std::size_t count_components(const std::vector<Corners>& corners, std::size_t ve
 void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged, ShapeDiagnostics& found) {
   const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
   std::vector<double> boundary;
-  found.closed = !uses.empty();
+  found.watertight = !uses.empty();
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     ++found.edges;
-    if (edge.size() % 2 != 0) found.closed = false;
+    if (edge.size() % 2 != 0) found.watertight = false;
     if (edge.size() == 1)
       boundary.push_back((shape.vertices.row(edge[0].low) - shape.vertices.row(edge[0].high)).norm());
     if (edge.size() > 2) ++found.non_manifold_edges;

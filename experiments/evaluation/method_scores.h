@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/evaluation/evaluation_input.h"
+#include "shapegauge/experiments/evaluation/evaluation_task.h"
 #include "shapegauge/metrics/evaluation.h"
 
 namespace shapegauge {
 
 /// What one method gives for every query.
-struct MethodValues {
+struct MethodScores {
   std::string method;
   std::string source;  ///< file that it is from
   std::string protocol;
@@ -25,10 +25,10 @@ struct MethodValues {
 /// The values of all methods in a table as `run` and `evaluate --per-query` write it: method,protocol,id,class and then
 /// measures in percent. Throws InputError: another header, a row of another length, a cell that is no number from 0 to
 /// 100, a query that occurs twice for a method and protocol.
-std::vector<MethodValues> read_method_values(const std::filesystem::path& path);
+std::vector<MethodScores> read_method_scores(const std::filesystem::path& path);
 
 /// The values of an evaluation.
-MethodValues method_values(const std::string& method, const std::string& source, const EvaluationInput& input,
+MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation);
 
 /// Methods side by side on the same queries.
@@ -43,6 +43,6 @@ struct AlignedMethods {
 /// Brings methods to the same queries and measures: those that are wanted, or all that every method has. Methods of
 /// equal name get that of their file in front. Throws InputError: fewer than two methods, different protocols, a query
 /// that one method has and another has not, or has in another class, a measure that a method does not have.
-AlignedMethods align_methods(std::span<const MethodValues> methods, std::span<const std::string> wanted_measures);
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures);
 
 }  // namespace shapegauge
