@@ -1,4 +1,3 @@
-#include "app/evaluate_command.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,13 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "app/commands.h"
 #include "app/evaluation_arguments.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
-#include "shapegauge/experiments/report/report_page.h"
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/runner/run_control.h"
 

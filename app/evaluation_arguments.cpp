@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "app/options.h"
-#include "app/progress_line.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

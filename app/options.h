@@ -1,26 +1,35 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "app/shape_files.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 /// The options that several commands share, and what they stand for.
 
 namespace shapegauge {
 
-/// Adds the shape file that a command reads: any format of read_shape().
-void add_shape_argument(CLI::App& command, std::filesystem::path& input);
-
 /// Adds --threads, for with_threads().
 void add_threads_option(CLI::App& command, int& threads);
+
+/// Adds --seed: 0 or more.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
+/// Adds --denoise.
+void add_denoise_option(CLI::App& command, bool& denoise);
+
+/// Adds --offset, for parse_offset(); `text` holds its default.
+CLI::Option* add_offset_option(CLI::App& command, std::string& text);
 
 /// The cache folder that the user asks for.
 struct CacheOption {
@@ -34,8 +43,8 @@ void add_cache_option(CLI::App& command, CacheOption& option);
 /// The cache folder; empty for no cache.
 std::filesystem::path chosen_cache(const CacheOption& option);
 
-/// The value of --offset, a fraction of the bounding-box diagonal; nothing for "auto". Throws InputError for anything
-/// else.
+/// The value of --offset, a fraction of the bounding-box diagonal; nothing for "auto". Throws InputError for other text
+/// and for an offset that offset_sdf fields do not take.
 std::optional<double> parse_offset(const std::string& text);
 
 /// The offset that a shape is measured with. Lengths are fractions of the bounding-box diagonal.
@@ -48,13 +57,13 @@ struct ChosenOffset {
 /// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Prints on standard error an offset that was chosen automatically, and warns of one below the gaps of the shape.
-void report(const ChosenOffset& chosen);
+/// Remarks on an offset that was chosen automatically, and warns of one below the gaps of the shape.
+void remark_on(const ChosenOffset& chosen, Remarks& remarks);
 
 /// The offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`, `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// The option --denoise: denoised(), with a line on standard error about what it found.
-Shape denoised_with_report(Shape shape);
+/// The option --denoise: denoised(), with a remark on what it found.
+Shape denoised_with_remark(Shape shape, Remarks& remarks);
 
 }  // namespace shapegauge

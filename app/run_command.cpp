@@ -11,7 +11,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
-#include "app/progress_line.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -90,9 +90,9 @@ void print_lines(const std::vector<std::string>& names, std::string_view verdict
 /// Warns on standard error of inputs of a run that are not those recorded, at most ten by name.
 void warn_of_changed_inputs(const std::vector<std::string>& changes) {
   const std::size_t named = std::min(changes.size(), most_by_name);
-  for (std::size_t i = 0; i < named; ++i) fmt::print(stderr, "shapegauge: warning: input: {}\n", changes[i]);
+  for (std::size_t i = 0; i < named; ++i) warn("input: " + changes[i]);
   if (named < changes.size()) {
-    fmt::print(stderr, "shapegauge: warning: {} more inputs are not those recorded\n", changes.size() - named);
+    warn(fmt::format("{} more inputs are not those recorded", changes.size() - named));
   }
 }
 
@@ -159,7 +159,7 @@ class CacheWarnings {
   ~CacheWarnings() {
     const std::vector<std::string> warnings = cache_->warnings();
     if (!warnings.empty()) progress_->clear();
-    for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
+    for (const std::string& warning : warnings) warn(warning);
   }
 
  private:
@@ -178,9 +178,9 @@ struct LeftOut {
 /// Prints warnings about the fields and the shapes left out, of `all` shapes; returns the exit status.
 int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftOut>& left_out, std::size_t all,
                  std::string_view kind) {
-  for (const std::string& warning : field_warnings(fields)) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
+  for (const std::string& warning : field_warnings(fields)) warn(warning);
   for (const LeftOut& one : left_out) {
-    fmt::print(stderr, "shapegauge: warning: left out {}: {}\n", one.what, one.why);
+    warn(fmt::format("left out {}: {}", one.what, one.why));
   }
   if (left_out.empty()) return exit_success;
   fmt::print(stderr, "shapegauge: error: {} of {} {} could not be used; the results are without them\n",

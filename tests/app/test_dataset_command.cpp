@@ -32,6 +32,19 @@ TEST_F(DatasetCommand, InfoCountsTheClasses) {
   EXPECT_THAT(outcome.output, HasSubstr("capsule       3"));
 }
 
+TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
+  EXPECT_THAT(dataset("info").output, testing::Not(HasSubstr("unusable")));
+  write_text(at("T2.off"), "garbage");
+  write_text(at("T4.off"), "more garbage");
+  const Outcome outcome = dataset("info");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("9 models in 3 classes, 2 of them unusable"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("sphere +3 +0\n"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("box +3 +1\n"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("capsule +3 +1\n"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: model 2: "));
+}
+
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
   EXPECT_EQ(dataset("validate").output, "9 of 9 models can be used\n");
   write_text(at("T2.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");

@@ -3,15 +3,13 @@
 
 #include "shapegauge/experiments/datasets/labels.h"
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_experiments::write_text;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -22,12 +20,12 @@ class ModelLabelsTest : public testing::Test {
     return folder_.path() / name;
   }
   std::string error_of(const std::string& text, std::size_t level = 0) {
-    return input_error_of([&] { read_labels(file("labels.csv", text), level); });
+    return test::input_error_of([&] { read_labels(file("labels.csv", text), level); });
   }
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";
@@ -78,7 +76,7 @@ TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
   EXPECT_THAT(labels.queries, ElementsAre("1", "2"));
   EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4"));
   const auto other = file("u.cla", "PSB 1\n1 1\nant 0 1\n2\n");
-  EXPECT_THAT(input_error_of([&] { read_query_and_target_labels(queries, other); }),
+  EXPECT_THAT(test::input_error_of([&] { read_query_and_target_labels(queries, other); }),
               HasSubstr("model \"2\" is of class \"ant\" here and of \"bee\""));
 }
 
@@ -124,9 +122,9 @@ TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
   EXPECT_THAT(classes_of(labels), ElementsAre("7", "-1", "12"));
   EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
   write_npy_vector(folder() / "z.npy", Eigen::Vector2d(1, 0.5));
-  EXPECT_THAT(input_error_of([&] { read_labels(folder() / "z.npy"); }), HasSubstr("z.npy: entry 1"));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "z.npy"); }), HasSubstr("z.npy: entry 1"));
   write_npy(folder() / "m.npy", DistanceMatrix::Ones(2, 2));
-  EXPECT_THAT(input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one dimension"));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one dimension"));
 }
 
 TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {

@@ -208,7 +208,7 @@ TEST_F(EvaluationTaskTest, LabelsWithoutIdsAreInTheOrderOfTheRows) {
   EXPECT_THAT(with_ids.task.query_ids, ElementsAre("x", "y", "z", "u"));
   EXPECT_EQ(measure(with_ids, "NN"), 1);
   const auto few = file("few.txt", "bee\nant\n");
-  EXPECT_THAT(input_error_of([&] { open_evaluation_files({.matrix = named, .labels = few}); }),
+  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = named, .labels = few}); }),
               HasSubstr("there are 2 of them, but the matrix names 4 models"));
 }
 

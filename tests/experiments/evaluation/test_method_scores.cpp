@@ -103,12 +103,15 @@ TEST(MethodNames, AreTheShortestThatTellFilesApart) {
 
 TEST(MethodNames, AreThoseThatAreWanted) {
   EXPECT_THAT(names_of({"d.npy", "x/d.npy"}, {"ours", "theirs"}), ElementsAre("ours", "theirs"));
-  EXPECT_THAT(input_error_of([] {
+  EXPECT_THAT(test::input_error_of([] {
                 names_of({"d.npy", "x/d.npy"}, {"ours"});
               }),
               HasSubstr("1 names for 2 methods (d, x/d)"));
-  EXPECT_THAT(input_error_of([] { names_of({"d.npy", "e.npy"}, {"a", "a"}); }), HasSubstr("two methods have the name"));
-  EXPECT_THAT(input_error_of([] { names_of({"d.npy", "e.npy"}, {"a", ""}); }), HasSubstr("is empty"));
+  EXPECT_THAT(test::input_error_of([] {
+                names_of({"d.npy", "e.npy"}, {"a", "a"});
+              }),
+              HasSubstr("two methods have the name"));
+  EXPECT_THAT(test::input_error_of([] { names_of({"d.npy", "e.npy"}, {"a", ""}); }), HasSubstr("is empty"));
 }
 
 }  // namespace

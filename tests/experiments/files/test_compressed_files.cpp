@@ -10,14 +10,13 @@
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/files/ranked_answers.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -59,7 +58,7 @@ DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {2.5, 0}}; }
 std::string npy_of(const DistanceMatrix& matrix) {
   const TemporaryFolder folder;
   write_npy(folder.path() / "m.npy", matrix);
-  return test_io::bytes_of(folder.path() / "m.npy");
+  return test::bytes_of(folder.path() / "m.npy");
 }
 
 TEST(CompressedFiles, AreReadAsWhatIsInThem) {
@@ -75,7 +74,7 @@ TEST(CompressedFiles, DamagedOnesAreErrors) {
   const TemporaryFolder folder;
   const std::string whole = gzipped(std::string(5000, 'x') + "end");
   const auto error = [&](const std::string& bytes) {
-    return input_error_of([&] { read_plain_bytes(folder.file("a.csv.gz", bytes)); });
+    return test::input_error_of([&] { read_plain_bytes(folder.file("a.csv.gz", bytes)); });
   };
   EXPECT_THAT(error("no gzip at all"), AllOf(HasSubstr("a.csv.gz"), HasSubstr("no gzip file")));
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
@@ -102,7 +101,9 @@ TEST(Npz, HasItsOnlyArray) {
 
 TEST(Npz, OtherwiseIsAnError) {
   const std::string array = npy_of(example());
-  const auto error = [](const std::string& bytes) { return input_error_of([&] { array_in_npz(bytes, "m.npz"); }); };
+  const auto error = [](const std::string& bytes) {
+    return test::input_error_of([&] { array_in_npz(bytes, "m.npz"); });
+  };
   EXPECT_THAT(error(zipped({{"a.npy", array}, {"b.npy", array}})), HasSubstr("m.npz: the archive has 2 arrays (a, b)"));
   EXPECT_THAT(error(zipped({{"readme.txt", "hello"}})), HasSubstr("m.npz: the archive has no array"));
   EXPECT_THAT(error("PK nothing"), HasSubstr("m.npz"));

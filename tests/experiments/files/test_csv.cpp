@@ -3,7 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "shapegauge/experiments/files/csv.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -19,7 +19,7 @@ std::vector<std::string> cells_of(const std::string& text, char separator = ',')
 }
 
 std::string error_of(const std::string& text) {
-  return input_error_of([&] { parse_csv(text, "f.csv"); });
+  return test::input_error_of([&] { parse_csv(text, "f.csv"); });
 }
 
 TEST(Csv, CellsStandBetweenCommas) {
@@ -62,7 +62,7 @@ TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
   EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
   EXPECT_EQ(rows[1].line, 3U);
   EXPECT_EQ(rows[2].line, 5U);
-  EXPECT_THAT(input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
+  EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
 RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {

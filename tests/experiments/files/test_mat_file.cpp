@@ -6,8 +6,7 @@
 
 #include "shapegauge/experiments/files/mat_file.h"
 #include "shapegauge/experiments/files/matrix_files.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -38,7 +37,7 @@ class MatFile {
 };
 
 TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const DistanceMatrix expected{{1, 3, 5}, {2, 4, 6}};
   MatFile(folder.path() / "a.mat").add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
   MatFile(folder.path() / "b.mat").add<float>("D", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6});
@@ -47,20 +46,20 @@ TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
     EXPECT_EQ(read_mat(folder.path() / name), expected) << name;
     EXPECT_EQ(read_number_table(folder.path() / name).numbers, expected) << name;
   }
-  EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "a.mat"); }),
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "a.mat"); }),
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
 }
 
 TEST(MatFile, OtherwiseIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   {
     MatFile two(folder.path() / "two.mat");
     two.add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
     two.add<double>("E", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
   }
-  EXPECT_THAT(input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several: D, E"));
-  EXPECT_THAT(input_error_of([&] { read_mat(folder.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
-  EXPECT_THAT(input_error_of([&] { read_mat(folder.path() / "none.mat"); }), HasSubstr("none.mat"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several: D, E"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "none.mat"); }), HasSubstr("none.mat"));
 }
 
 }  // namespace

@@ -9,16 +9,15 @@
 
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/files/random_matrices.h"
 #include "tests/experiments/files/write_matrix.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::TemporaryFolder;
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -30,7 +29,7 @@ LabelledDistances read_csv(const std::string& text) {
 }
 
 std::string csv_error(const std::string& text) {
-  return input_error_of([&] { read_csv(text); });
+  return test::input_error_of([&] { read_csv(text); });
 }
 
 DistanceMatrix example() {
@@ -109,14 +108,14 @@ TEST(PsbMatrix, IsLittleEndianFloat32RowByRow) {
 TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
   const TemporaryFolder folder;
   const auto error_for = [&](std::size_t bytes) {
-    return input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
+    return test::input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
   };
   EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("looks like float64 (3 x 3)")));
   EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("cut off")));
   EXPECT_THAT(error_for(4 * 10), HasSubstr("no square matrix"));
   EXPECT_THAT(error_for(3), HasSubstr("no square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
-  EXPECT_THAT(input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
+  EXPECT_THAT(test::input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
 }
 
 TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
@@ -125,7 +124,7 @@ TEST(PsbMatrix, EverySizeOfFileReadsOrIsAnError) {
     const auto path = folder.file("m.matrix", std::string(bytes, '\0'));
     std::size_t size = 1;
     while (4 * size * size < bytes) ++size;
-    const std::string error = input_error_of([&] {
+    const std::string error = test::input_error_of([&] {
       EXPECT_EQ(read_psb_matrix(path),
                 DistanceMatrix::Zero(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size)));
     });
@@ -146,7 +145,7 @@ DistanceMatrix read_text(const std::string& text) {
 }
 
 std::string text_error(const std::string& text) {
-  return input_error_of([&] { read_text(text); });
+  return test::input_error_of([&] { read_text(text); });
 }
 
 TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {
@@ -199,7 +198,7 @@ TEST(ReadDistanceMatrix, GoesByTheExtension) {
 
 TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
-    EXPECT_THAT(input_error_of([&] { read_distance_matrix(name); }),
+    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(name); }),
                 AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .txt, .dat")));
   }
 }
@@ -213,16 +212,16 @@ TEST(ReadDistanceMatrix, NanIsAnErrorInEveryFormat) {
   write_csv_matrix(folder.path() / "m.csv", {matrix, {}});
   for (const auto& path : {folder.path() / "m.npy", folder.path() / "m.matrix", folder.path() / "m.csv",
                            folder.file("m.txt", "0 0 0\n0 0 0\n0 NaN 0\n")}) {
-    EXPECT_THAT(input_error_of([&] { read_distance_matrix(path); }),
+    EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(path); }),
                 AllOf(HasSubstr(path.string()), HasSubstr("row 2, column 1")));
   }
 }
 
 TEST(ReadDistanceMatrix, AMissingFileOrAFolderIsAnInputError) {
   const TemporaryFolder folder;
-  EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "none.npy"); }), HasSubstr("none.npy"));
   std::filesystem::create_directory(folder.path() / "folder.npy");
-  EXPECT_THAT(input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "folder.npy"); }), HasSubstr("folder"));
 }
 
 RC_GTEST_PROP(OpenMatrix, BlocksAreThoseOfTheWholeMatrix, ()) {
@@ -253,7 +252,7 @@ TEST(OpenMatrix, RefusesNanInTheBlockThatHasIt) {
   write_npy(folder.path() / "m.npy", matrix);
   const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
   EXPECT_EQ(opened.read({.first_row = 0, .rows = 3, .first_column = 0, .columns = 5}).rows(), 3);
-  EXPECT_THAT(input_error_of([&] { opened.read({.first_row = 2, .rows = 3, .first_column = 1, .columns = 2}); }),
+  EXPECT_THAT(test::input_error_of([&] { opened.read({.first_row = 2, .rows = 3, .first_column = 1, .columns = 2}); }),
               AllOf(HasSubstr("m.npy"), HasSubstr("row 3, column 1")));
 }
 
@@ -262,12 +261,13 @@ TEST(OpenMatrix, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
   write_npy(folder.path() / "m.npy", DistanceMatrix::Ones(40, 40));
   const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
   std::filesystem::resize_file(folder.path() / "m.npy", 5000);
-  EXPECT_THAT(input_error_of([&] { whole_matrix(opened); }), HasSubstr("became shorter"));
-  EXPECT_THAT(input_error_of([&] { open_matrix(folder.path() / "m.npy", TableShape::square); }),
+  EXPECT_THAT(test::input_error_of([&] { whole_matrix(opened); }), HasSubstr("became shorter"));
+  EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "m.npy", TableShape::square); }),
               HasSubstr("cut off or damaged"));
   write_npy(folder.path() / "n.npy", DistanceMatrix::Ones(2, 3));
   EXPECT_EQ(open_matrix(folder.path() / "n.npy", TableShape::any).columns, 3);
-  EXPECT_THAT(input_error_of([&] { open_matrix(folder.path() / "n.npy", TableShape::square); }), HasSubstr("square"));
+  EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "n.npy", TableShape::square); }),
+              HasSubstr("square"));
 }
 
 }  // namespace

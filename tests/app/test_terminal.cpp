@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "app/progress_line.h"
+#include "app/terminal.h"
 
 namespace shapegauge {
 
