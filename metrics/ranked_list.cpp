@@ -250,8 +250,8 @@ std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
   for (const Tied& tied : answer.tied) {
     for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
   }
+  if (starts_with_query && !grades.empty()) grades.push_back(*std::ranges::max_element(grades));
   std::ranges::sort(grades, std::greater<>());
-  if (starts_with_query && !grades.empty()) grades.insert(grades.begin(), grades.front());
   return grades;
 }
 

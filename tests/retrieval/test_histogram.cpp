@@ -251,8 +251,8 @@ TEST(Concatenate, RefusesWhatCannotBeNormalised) {
   EXPECT_THROW(concatenate(std::vector<Signatures>{}), std::invalid_argument);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({0, 0})}), std::invalid_argument);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({1, -1, 2})}), std::invalid_argument);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({nan})}), std::invalid_argument);
+  const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({not_a_number})}), std::invalid_argument);
   const std::vector<Signatures> unequal = {Signatures::Ones(2, 1), Signatures::Ones(3, 1)};
   EXPECT_THROW(concatenate(unequal), std::invalid_argument);
 }

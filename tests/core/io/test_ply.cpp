@@ -217,7 +217,7 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::vector<Colour> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
+const std::vector<std::array<std::uint8_t, 3>> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
 
 Eigen::VectorXd values() { return Eigen::Vector4d(0.1, -2.5, std::numeric_limits<double>::quiet_NaN(), 1e300); }
 

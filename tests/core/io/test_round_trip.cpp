@@ -43,7 +43,7 @@ RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
   const Shape shape = shape_of(*any_polygons(true));
   const Eigen::Index samples = shape.vertices.rows();
   write_ply(folder.path() / "t.ply", shape, SampleSite::vertices, Eigen::VectorXd::Zero(samples),
-            std::vector<Colour>(static_cast<std::size_t>(samples)));
+            std::vector<std::array<std::uint8_t, 3>>(static_cast<std::size_t>(samples)));
   require_identical(read_shape(folder.path() / "t.ply"), shape);
 }
 

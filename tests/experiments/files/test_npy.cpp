@@ -7,8 +7,8 @@
 #include <string>
 
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/experiments/files/random_matrices.h"
 #include "tests/support/test_files.h"
+#include "tests/experiments/files/random_matrices.h"
 
 namespace shapegauge {
 
@@ -25,7 +25,7 @@ std::string version_1(const std::string& dictionary) {
   return "\x93NUMPY\x01\x00"s + static_cast<char>(dictionary.size()) + '\0' + dictionary;
 }
 
-std::string error_of(const std::string& bytes) {
+std::string header_error(const std::string& bytes) {
   return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
 }
 
@@ -85,15 +85,6 @@ TEST(NpyHeader, WrittenHeadersAlignTheDataAndReadBack) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-using namespace std::string_literals;
-using test::TemporaryFolder;
-using testing::AllOf;
-using testing::HasSubstr;
-
 // [[0, 1.5], [-2.25, inf]] as NumPy 1.24 writes it (numpy.lib.format.write_array).
 const std::string float64_version_1 =
     "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"s + std::string(58, ' ') +
@@ -122,8 +113,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 std::string error_of(const std::string& bytes) {
-  const TemporaryFolder folder;
-  return test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
+  return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
 }
 
 TEST(Npy, ReadsWhatNumpyWrites) {
@@ -202,8 +192,7 @@ TEST(Npy, EveryPrefixIsAnInputError) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-      const auto path = folder.file("x.npy", bytes.substr(0, length));
-      EXPECT_THAT(test::input_error_of([&] { read_npy(path); }), HasSubstr("x.npy")) << length;
+      EXPECT_THAT(error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
     }
   }
 }
@@ -216,7 +205,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::oneOf(
         rc::gen::arbitrary<char>(), rc::gen::element('9', '(', ')', ',', '\'', '{', '}', ' ', 'L', '\xFF'));
   }
-  const std::string error = test::input_error_of([&] { read_npy(folder.file("x.npy", bytes)); });
+  const std::string error = error_of(bytes);
   RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
 }
 
