@@ -120,7 +120,10 @@ TEST(RegisterField, AValueForEachSampleIsNeeded) {
 }
 
 TEST(MakeField, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(test::input_error_of([] { make_field({{"type", "heat"}}); }), HasSubstr("no field of type \"heat\""));
+  EXPECT_THAT(test::input_error_of([] {
+                make_field({{"type", "offset_sfd"}});
+              }),
+              HasSubstr("did you mean \"offset_sdf\"?"));
 }
 
 }  // namespace

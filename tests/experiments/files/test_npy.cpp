@@ -7,8 +7,8 @@
 #include <string>
 
 #include "shapegauge/experiments/files/npy.h"
-#include "tests/support/test_files.h"
 #include "tests/experiments/files/random_matrices.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 

@@ -11,6 +11,10 @@
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/support/test_shapes.h"
 
+// Values that the caches of users hold, with the versions of the algorithms that made them. A test that fails here says
+// that a value has changed: raise the version, so that caches give none of the old ones, and correct what is recorded.
+// The tolerances leave room for other compilers and processors, whose last bits differ, and for nothing else.
+
 namespace shapegauge {
 
 namespace {
@@ -22,6 +26,20 @@ std::vector<Shape> shapes() {
   Shape open = test::box({1, 2, 0.3}, 3);
   open.triangles.conservativeResize(open.triangles.rows() - 4, Eigen::NoChange);
   return {test::capsule(0.2, 2, 16, 6), test::torus(1, 0.3, 12, 8), open};
+}
+
+/// What a field gives on one shape. Each number changes with most of the values; the deviation with where they are.
+struct Summary {
+  double mean = 0;       ///< weighted by area
+  double deviation = 0;  ///< from the mean, so weighted
+  double area = 0;       ///< sum of the weights
+};
+
+Summary summary_of(const Eigen::VectorXd& values, const Eigen::VectorXd& weights) {
+  Summary summary{.area = weights.sum()};
+  summary.mean = values.dot(weights) / summary.area;
+  summary.deviation = std::sqrt((values.array() - summary.mean).square().matrix().dot(weights) / summary.area);
+  return summary;
 }
 
 struct Recorded {
