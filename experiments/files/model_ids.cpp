@@ -4,6 +4,8 @@
 #include <array>
 #include <compare>
 
+#include "shapegauge/core/base/text.h"
+
 namespace shapegauge {
 
 namespace {
@@ -48,11 +50,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> shape_extensions = {".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
 
-char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool ends_with_any_case(std::string_view text, std::string_view ending) {
-  return text.size() >= ending.size() &&
-         std::ranges::equal(text.substr(text.size() - ending.size()), ending, {}, lower_case);
+  return text.size() >= ending.size() && lower_case(std::string(text.substr(text.size() - ending.size()))) == ending;
 }
 
 bool is_whole_number(std::string_view text) {
