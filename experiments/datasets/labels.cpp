@@ -186,8 +186,11 @@ ModelLabels read_list(const fs::path& path) {
   const char separator = separator_of(text);
   if (separator != '\n') return parse_label_table(parse_csv(text, path.string(), separator), path.string());
   std::vector<std::string> names;
-  for (const CsvRow& row : parse_csv(text, path.string(), separator)) names.push_back(row.cells.front());
-  if (!names.empty() && names.front() == "class") names.erase(names.begin());
+  for (const std::string_view line : split_lines(text)) {
+    if (!trim(line).empty()) names.emplace_back(trim(line));
+  }
+  const bool header = !names.empty() && (names.front() == "class" || names.front() == "label");
+  if (header) names.erase(names.begin());
   return labels_in_order(names, path.string());
 }
 

@@ -114,6 +114,7 @@ TEST_F(ModelLabelsTest, AListHasAClassALine) {
   EXPECT_THAT(classes_of(labels), ElementsAre("bee", "big ant"));
   EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
   EXPECT_TRUE(labels.listed && labels.without_ids);
+  EXPECT_THAT(classes_of(read_labels(file("named.txt", "label\r\nbee\r\nant"))), ElementsAre("bee", "ant"));
 }
 
 TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {

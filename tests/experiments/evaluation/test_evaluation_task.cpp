@@ -159,7 +159,7 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
 // other.
 TEST_F(EvaluationTaskTest, RowsOfAMatrixAreThoseOfAListOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
-  const auto matrix = file("d.txt", "0 1 5\n1 0 5\n5 5 0\n");
+  const auto matrix = file("d.txt", "0 1 5\n1 0 4\n5 4 0\n");
   const EvaluationData usual = open_evaluation_files({.matrix = matrix, .labels = labels});
   EXPECT_THAT(usual.task.query_ids, ElementsAre("10", "2", "1"));
   EXPECT_EQ(measure(usual, "NN"), 1);

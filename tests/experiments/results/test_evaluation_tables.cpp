@@ -121,9 +121,9 @@ TEST_F(Evaluations, IntervalsHoldTheirAverages) {
       EXPECT_GE(intervals.macro[j].high, evaluation.macro[i] - 1e-12);
     }
   }
-  // All queries of A have the same E, and so have those of B: nothing varies in a class, but between the two it does.
-  EXPECT_NE(over_classes.micro[3].low, over_classes.macro[3].low);
-  EXPECT_NE(over_queries.micro[0].low, over_classes.micro[0].low);
+  // Of seven queries none may be drawn that finds its class; of two classes the worse one finds it in a quarter.
+  EXPECT_LT(over_queries.micro[0].low, 0.1);
+  EXPECT_NEAR(over_classes.micro[0].low, 0.25, 1e-12);
 }
 
 TEST_F(Evaluations, IntervalsNeedTwoClasses) {
