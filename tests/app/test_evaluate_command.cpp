@@ -5,6 +5,7 @@
 
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
+#include "tests/experiments/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

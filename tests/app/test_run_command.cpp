@@ -3,6 +3,7 @@
 
 #include "shapegauge/core/io/off.h"
 #include "tests/app/program.h"
+#include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

@@ -61,15 +61,15 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-const std::string key(64, '0');
+const std::string entry_key(64, '0');
 
 json same(const json& value) { return value; }
 
 class CacheTest : public testing::Test {
  protected:
   [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
-  [[nodiscard]] fs::path entry() const { return entry_path(folder(), EntryKind::field, key); }
-  void keep(const json& value) const { Cache(folder()).store(EntryKind::field, key, value); }
+  [[nodiscard]] fs::path entry() const { return entry_path(folder(), EntryKind::field, entry_key); }
+  void keep(const json& value) const { Cache(folder()).store(EntryKind::field, entry_key, value); }
 
  private:
   test::TemporaryFolder folder_;
@@ -78,8 +78,8 @@ class CacheTest : public testing::Test {
 TEST_F(CacheTest, AnotherRunFindsWhatOneHasKept) {
   keep({{"a", 1}});
   Cache cache(folder());
-  EXPECT_EQ(cache.lookup(EntryKind::field, key, same), (json{{"a", 1}}));
-  EXPECT_EQ(cache.lookup(EntryKind::shape, key, same), std::nullopt);
+  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), (json{{"a", 1}}));
+  EXPECT_EQ(cache.lookup(EntryKind::shape, entry_key, same), std::nullopt);
   EXPECT_EQ(cache.lookup(EntryKind::field, std::string(64, '1'), same), std::nullopt);
   EXPECT_THAT(cache.warnings(), IsEmpty());
 }
@@ -88,17 +88,17 @@ TEST_F(CacheTest, NumbersComeBackBitByBit) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double number : {0.1, -0.0, 1e-310, 1.0 / 3, infinity, -infinity, std::nextafter(0.5, 1)}) {
     keep(number);
-    const auto found = Cache(folder()).lookup(EntryKind::field, key, same).value().get<double>();
+    const auto found = Cache(folder()).lookup(EntryKind::field, entry_key, same).value().get<double>();
     EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(number)) << number;
   }
   keep(std::nan(""));
-  EXPECT_TRUE(std::isnan(Cache(folder()).lookup(EntryKind::field, key, same).value().get<double>()));
+  EXPECT_TRUE(std::isnan(Cache(folder()).lookup(EntryKind::field, entry_key, same).value().get<double>()));
 }
 
 TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
   Cache none;
-  none.store(EntryKind::field, key, 1);
-  EXPECT_EQ(none.lookup(EntryKind::field, key, same), std::nullopt);
+  none.store(EntryKind::field, entry_key, 1);
+  EXPECT_EQ(none.lookup(EntryKind::field, entry_key, same), std::nullopt);
   EXPECT_THAT(none.warnings(), IsEmpty());
   EXPECT_FALSE(fs::exists(folder()));
 }
@@ -106,9 +106,9 @@ TEST_F(CacheTest, WithoutAFolderNothingIsKept) {
 TEST_F(CacheTest, RecomputingFindsNothingAndKeepsWhatIsNew) {
   keep("old");
   Cache cache(folder(), true);
-  EXPECT_EQ(cache.lookup(EntryKind::field, key, same), std::nullopt);
-  cache.store(EntryKind::field, key, "new");
-  EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, key, same), "new");
+  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
+  cache.store(EntryKind::field, entry_key, "new");
+  EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, entry_key, same), "new");
 }
 
 TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
@@ -117,19 +117,20 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
   for (const std::string& damaged : {bytes.substr(0, bytes.size() / 2), std::string(), bytes + "x", std::string("x")}) {
     write_text(entry(), damaged);
     Cache cache(folder());
-    EXPECT_EQ(cache.lookup(EntryKind::field, key, same), std::nullopt);
-    EXPECT_EQ(cache.lookup(EntryKind::field, key, same), std::nullopt);
+    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
+    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
     EXPECT_THAT(cache.warnings(),
                 ElementsAre("damaged in the cache and computed anew: " + entry().string() + " and 1 others"));
-    cache.store(EntryKind::field, key, "value");
-    EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, key, same), "value");
+    cache.store(EntryKind::field, entry_key, "value");
+    EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, entry_key, same), "value");
   }
 }
 
 TEST_F(CacheTest, ARecordOfAnotherFormIsDamagedToo) {
   keep("a text");
   Cache cache(folder());
-  EXPECT_EQ(cache.lookup(EntryKind::field, key, [](const json& value) { return value.get<double>(); }), std::nullopt);
+  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, [](const json& value) { return value.get<double>(); }),
+            std::nullopt);
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged in the cache")));
 }
 
@@ -145,7 +146,7 @@ TEST_F(CacheTest, UsesAreCounted) {
 
 TEST_F(CacheTest, AFullDiskIsOneWarning) {
   Cache cache(folder());
-  cache.store(EntryKind::field, key, "small");
+  cache.store(EntryKind::field, entry_key, "small");
   rlimit before = {};
   ::getrlimit(RLIMIT_FSIZE, &before);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -156,7 +157,7 @@ TEST_F(CacheTest, AFullDiskIsOneWarning) {
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_THAT(cache.warnings(), ElementsAre(testing::AllOf(HasSubstr("File too large"), HasSubstr("not written to"))));
-  EXPECT_EQ(cache.lookup(EntryKind::field, key, same), "small") << "what is there is still found";
+  EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), "small") << "what is there is still found";
   EXPECT_EQ(cache_contents(folder()).total().entries, 1U) << "nothing half-written, nothing more";
 }
 
@@ -169,7 +170,7 @@ TEST_F(CacheTest, AFolderWithoutPermissionIsOneWarning) {
     const test::OrdinaryUser ordinary_user;
     cache.store(EntryKind::field, std::string(64, '1'), 1);
     cache.store(EntryKind::field, std::string(64, '2'), 2);
-    EXPECT_EQ(cache.lookup(EntryKind::field, key, same), "value");
+    EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), "value");
   }
   fs::permissions(folder(), fs::perms(0755));
   EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("Permission denied")));

@@ -56,7 +56,7 @@ class FiveShapes : public testing::Test {
   FiveShapes() {
     test::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
     test::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
-    input = read_evaluation_input({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
+    input = open_evaluation_files({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
   }
 
   // The measure of the query a1.

@@ -63,7 +63,7 @@ TEST_F(EvaluationTaskTest, FeaturesAreCompared) {
   }
   const auto bad = file("g.csv", "1,-1\n2,1\n3,1\n4,1\n");
   EXPECT_THAT(
-      test::input_error_of([&] { read_evaluation_input({.matrix = bad, .labels = labels, .distance = "emd"}); }),
+      test::input_error_of([&] { open_evaluation_files({.matrix = bad, .labels = labels, .distance = "emd"}); }),
       HasSubstr("g.csv: the distance emd is not defined for signature 0"));
 }
 
@@ -124,14 +124,14 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
 TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
   const auto qrels = file("j.txt", "2 0 10 1\n");
   const auto matrix = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
-  EXPECT_THAT(test::input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = qrels}); }),
+  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = matrix, .qrels = qrels}); }),
               HasSubstr("need ids"));
   const auto ids = file("ids.txt", "1\n2\n10\n");
   const EvaluationData input = open_evaluation_files({.matrix = matrix, .qrels = qrels, .ids = ids});
   EXPECT_THAT(input.task.retrieval.query_classes, ElementsAre(no_class, 1, no_class));
   EXPECT_EQ(measure(input, "MRR"), 0.5);
   const auto unknown = file("k.txt", "2 0 11 1\n");
-  EXPECT_THAT(test::input_error_of([&] { read_evaluation_input({.matrix = matrix, .qrels = unknown, .ids = ids}); }),
+  EXPECT_THAT(test::input_error_of([&] { open_evaluation_files({.matrix = matrix, .qrels = unknown, .ids = ids}); }),
               HasSubstr("\"11\" is judged but is not in the matrix"));
 }
 
@@ -139,7 +139,7 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
   const auto labels = two_classes();
   const auto three = file("d.txt", "0 1 2\n1 0 2\n2 3 0\n");
   const auto error = [&](const EvaluationFiles& files) {
-    return test::input_error_of([&] { read_evaluation_input(files); });
+    return test::input_error_of([&] { open_evaluation_files(files); });
   };
   EXPECT_THAT(error({.matrix = three, .labels = labels}), HasSubstr("d.txt has 3 rows, but there are 4 models in"));
   EXPECT_THAT(error({.matrix = three}), HasSubstr("give either --labels"));

@@ -40,15 +40,6 @@ TEST(ClassLabels, NameTheModelThatDoesNotFit) {
   EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" occurs twice"));
 }
 
-}  // namespace
-
-namespace {
-
-using test::TemporaryFolder;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
-
 constexpr std::string_view valid =
     "PSB 1\n"
     "3 3\n"

@@ -38,14 +38,7 @@ RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
             std::string::npos);
 }
 
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using testing::HasSubstr;
-
-std::string error_for(const fs::path& folder) {
+std::string lock_error(const fs::path& folder) {
   return test::input_error_of([&] { const FolderLock lock(folder); });
 }
 
@@ -65,7 +58,7 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
 TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / ".shapegauge-lock", "");
-  EXPECT_EQ(error_for(folder.path()), "no error");
+  EXPECT_EQ(lock_error(folder.path()), "no error");
 }
 
 TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
@@ -73,16 +66,9 @@ TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
   EXPECT_THAT(lock_error("/proc"), HasSubstr("cannot write to the folder /proc"));
 }
 
-}  // namespace
-
-namespace {
-
-using test::write_text;
-using testing::HasSubstr;
-
 const nlohmann::json mine{{"name", "mine"}};
 
-std::string error_for(const std::filesystem::path& folder, bool replace = false) {
+std::string error_for(const fs::path& folder, bool replace = false) {
   return test::input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
@@ -123,14 +109,6 @@ TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
   EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot make the folder"));
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
-
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test::text_of;
-using test::write_text;
 
 /// A folder with the results of an earlier run and a file of the user's.
 class StagedResultsTest : public testing::Test {
