@@ -64,10 +64,10 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   }
 }
 
-/// What a row of distances is measured by where its share is added: their mean; 1 where that is 0.
-double unit_of(const Eigen::Ref<const Eigen::RowVectorXd>& distances) {
-  const double mean = distances.mean();
-  return mean > 0 ? mean : 1;
+/// The factor of the original distances: the share over the mean distance to the nearest, where that is not 0.
+double tie_factor(const NearestModels& nearest, double tie) {
+  const double mean = nearest.distances.size() > 0 ? nearest.distances.mean() : 0;
+  return mean > 0 ? tie / mean : 0;
 }
 
 DistanceMatrix symmetric(const DistanceMatrix& distances) {
@@ -205,13 +205,15 @@ DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit) {
   check(options);
-  const Graph graph = diffusion_graph(nearest_models(models, options.neighbours, rows), options);
+  const NearestModels nearest = nearest_models(models, options.neighbours, rows);
+  const double tie = tie_factor(nearest, options.tie);
+  const Graph graph = diffusion_graph(nearest, options);
   const Eigen::VectorXd inverse_root = own_affinities(graph, options).cwiseSqrt().cwiseInverse();
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     DistanceMatrix affinities = diffused_affinities(graph, first, block.rows(), options);
     for (Eigen::Index i = 0; i < block.rows(); ++i) {
       affinities.row(i) = 1 - affinities.row(i).array() * inverse_root[first + i] * inverse_root.transpose().array();
-      affinities.row(i) += options.tie / unit_of(block.row(i)) * block.row(i);
+      affinities.row(i) += tie * block.row(i);
       affinities(i, first + i) = 0;
     }
     visit(first, affinities);
@@ -221,14 +223,13 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
   check(options);
   const Eigen::Index models = distances.rows();
-  const Graph graph = diffusion_graph(nearest_models(models, options.neighbours, rows_of(distances)), options);
+  const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
+  const Graph graph = diffusion_graph(nearest, options);
   const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(models, models) - options.damping * Eigen::MatrixXd(graph);
   const Eigen::MatrixXd affinities = system.llt().solve(Eigen::MatrixXd::Identity(models, models));
   const Eigen::VectorXd inverse_root = affinities.diagonal().cwiseSqrt().cwiseInverse();
-  DistanceMatrix result = 1 - (inverse_root.asDiagonal() * affinities * inverse_root.asDiagonal()).array();
-  for (Eigen::Index i = 0; i < models; ++i) {
-    result.row(i) += options.tie / unit_of(distances.row(i)) * distances.row(i);
-  }
+  const DistanceMatrix result = 1 - (inverse_root.asDiagonal() * affinities * inverse_root.asDiagonal()).array() +
+                                tie_factor(nearest, options.tie) * distances.array();
   return symmetric(result);
 }
 

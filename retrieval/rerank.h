@@ -51,8 +51,8 @@ DistanceMatrix diffused_affinities(const Eigen::SparseMatrix<double, Eigen::RowM
                                    Eigen::Index count, const DiffusionOptions& options = {});
 
 /// Diffusion of a set of models: calls visit(first, rows) with the new distances, 1 - F_ij / sqrt(F_ii F_jj), plus
-/// `tie` times the distance over its row's mean, some rows at a time from the first on. The original rows are asked for
-/// twice. Throws as nearest_models() and diffusion_graph().
+/// `tie` times the distance over the mean distance to the k nearest, some rows at a time from the first on. The
+/// original rows are asked for twice. Throws as nearest_models() and diffusion_graph().
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 

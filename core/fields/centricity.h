@@ -21,7 +21,7 @@ enum class Centricity {
 /// Settings of centricity().
 struct CentricityOptions {
   Centricity measure = Centricity::mean;
-  GeodesicOptions geodesics;
+  GeodesicOptions geodesics = {};
   int sources = 48;  ///< 1 to 100000; places that stand for all others. All vertices where there are no more
 };
 

@@ -39,7 +39,7 @@ TEST(HeatKernel, MeanByAreaIsTheTrace) {
 }
 
 TEST(HeatKernel, SpreadsEvenlyInTheEndAndIsGreatestAtTheEnds) {
-  const Shape shape = test_shapes::capsule(0.3, 2, 16, 30);
+  const Shape shape = test_shapes::box({0.4, 0.4, 3}, 12);
   const Eigen::MatrixXd found = heat_kernel_signature(spectrum_of(shape), surface_area(shape),
                                                       {.first_time = 0.05, .last_time = 100, .times = 2});
   EXPECT_NEAR(found.col(1).minCoeff(), 1, 1e-6);
@@ -72,7 +72,8 @@ TEST(HeatKernel, ScaleInvariantSignatureDoesNotNeedTheArea) {
   const ScaleInvariantOptions options = {.first_time = 1e-4, .last_time = 20, .times = 256};
   const Eigen::MatrixXd known = scale_invariant_heat_kernel_signature(spectrum, area, options);
   const Eigen::MatrixXd wrong = scale_invariant_heat_kernel_signature(spectrum, 1.5 * area, options);
-  // What is flat at both ends of time is only moved, and the magnitudes stay; the plain signature is half as much again.
+  // What is flat at both ends of time is only moved, and the magnitudes stay; the plain signature is half as much
+  // again.
   EXPECT_LT((known - wrong).cwiseAbs().maxCoeff(), 0.08 * known.maxCoeff());
 }
 

@@ -78,16 +78,16 @@ TEST(Laplacian, EigenvectorsAreOrthonormalByAreaAndSolveTheProblem) {
   }
   const Eigen::MatrixXd products = at_nodes.transpose() * laplacian.mass.asDiagonal() * at_nodes;
   EXPECT_LT((products - Eigen::MatrixXd::Identity(12, 12)).cwiseAbs().maxCoeff(), 1e-7);
-  const Eigen::MatrixXd residual = laplacian.stiffness * at_nodes -
-                                   laplacian.mass.asDiagonal() * at_nodes * spectrum.eigenvalues.asDiagonal();
+  const Eigen::MatrixXd residual =
+      laplacian.stiffness * at_nodes - laplacian.mass.asDiagonal() * at_nodes * spectrum.eigenvalues.asDiagonal();
   EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-6);
 }
 
 TEST(Laplacian, SpectrumDoesNotChangeWithMotionOrderOrSoup) {
   const Shape shape = test_shapes::capsule(0.5, 2, 16, 24);
   const Eigen::VectorXd expected = laplacian_spectrum(shape, 10).eigenvalues;
-  const Shape moved = test_shapes::transformed(test_shapes::permuted(shape, 1).shape, 2, test_shapes::rotation(4),
-                                               {3, 2, 1});
+  const Shape moved =
+      test_shapes::transformed(test_shapes::permuted(shape, 1).shape, 2, test_shapes::rotation(4), {3, 2, 1});
   EXPECT_LT((4 * laplacian_spectrum(moved, 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
   EXPECT_LT((laplacian_spectrum(test_shapes::soup(shape), 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
 }
