@@ -10,8 +10,9 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
 #include <optional>
-#include <utility>
+#include <vector>
 
 #include "shapegauge/core/error.h"
 #include "shapegauge/core/shape/merged_vertices.h"
@@ -45,38 +46,65 @@ std::optional<Element> element_of(const Shape& mesh, Eigen::Index triangle) {
   return element;
 }
 
-/// y = (A - shift)^-1 x, as Spectra asks for it.
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Cholesky = Eigen::SimplicialLDLT<SparseMatrix>;
+
+void factorise(const SparseMatrix& matrix, double shift, Cholesky& solver) {
+  SparseMatrix identity(matrix.rows(), matrix.cols());
+  identity.setIdentity();
+  solver.compute(matrix - shift * identity);
+  if (solver.info() != Eigen::Success) throw InputError("the mesh's Laplacian could not be factorised");
+}
+
+/// y = (A - shift)^-1 x, as Spectra asks for it, in the space across the eigenvectors that are known.
 class ShiftedInverse {
  public:
   using Scalar = double;
 
-  explicit ShiftedInverse(const Eigen::SparseMatrix<double>& matrix) : matrix_(matrix) {}
-  [[nodiscard]] Eigen::Index rows() const { return matrix_.rows(); }
-  [[nodiscard]] Eigen::Index cols() const { return matrix_.cols(); }
-  void set_shift(double shift) {
-    Eigen::SparseMatrix<double> identity(rows(), cols());
-    identity.setIdentity();
-    solver_.compute(matrix_ - shift * identity);
-    if (solver_.info() != Eigen::Success) throw InputError("the mesh's Laplacian could not be factorised");
+  ShiftedInverse(const SparseMatrix& matrix, double shift) : size_(matrix.rows()), known_(size_, 0) {
+    factorise(matrix, shift, solver_);
   }
+  void set_known(const Eigen::MatrixXd& eigenvectors) { known_ = eigenvectors; }
+  [[nodiscard]] Eigen::Index rows() const { return size_; }
+  [[nodiscard]] Eigen::Index cols() const { return size_; }
+  void set_shift(double /*shift*/) {}  // as constructed with
   void perform_op(const double* x, double* y) const {
-    Eigen::Map<Eigen::VectorXd>(y, rows()) = solver_.solve(Eigen::Map<const Eigen::VectorXd>(x, rows()));
+    const Eigen::VectorXd across = without_known(Eigen::Map<const Eigen::VectorXd>(x, size_));
+    Eigen::Map<Eigen::VectorXd>(y, size_) = without_known(solver_.solve(across));
   }
 
  private:
-  const Eigen::SparseMatrix<double>& matrix_;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  [[nodiscard]] Eigen::VectorXd without_known(const Eigen::VectorXd& x) const {
+    return known_.cols() == 0 ? x : Eigen::VectorXd(x - known_ * (known_.transpose() * x));
+  }
+
+  Eigen::Index size_;
+  Eigen::MatrixXd known_;
+  Cholesky solver_;
 };
 
-/// Eigenpairs of a symmetric matrix without negative eigenvalues, ascending.
-std::pair<Eigen::VectorXd, Eigen::MatrixXd> smallest_eigenpairs(const Eigen::SparseMatrix<double>& matrix,
-                                                                Eigen::Index count, double shift) {
-  if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
-    if (solver.info() != Eigen::Success) throw InputError("the eigenvalues of the mesh's Laplacian did not converge");
-    return {solver.eigenvalues().head(count), solver.eigenvectors().leftCols(count)};
-  }
-  ShiftedInverse inverse(matrix);
+/// Eigenpairs of a symmetric matrix, ascending.
+struct Eigenpairs {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+Eigenpairs first_of(const Eigenpairs& pairs, Eigen::Index count) {
+  return {pairs.values.head(count), pairs.vectors.leftCols(count)};
+}
+
+Eigenpairs merged(const Eigenpairs& a, const Eigenpairs& b) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(a.values.size() + b.values.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  Eigenpairs both{Eigen::VectorXd(std::ssize(order)), Eigen::MatrixXd(b.vectors.rows(), std::ssize(order))};
+  both.values << a.values, b.values;
+  both.vectors << a.vectors, b.vectors;
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return both.values[i]; });
+  return {both.values(order), both.vectors(Eigen::all, order)};
+}
+
+/// Lanczos iteration for the eigenvalues next above the shift.
+Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift) {
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, count, 2 * count + 20, shift);
   solver.init();
   constexpr Eigen::Index most_iterations = 300;
@@ -91,16 +119,44 @@ std::pair<Eigen::VectorXd, Eigen::MatrixXd> smallest_eigenpairs(const Eigen::Spa
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+/// How many eigenvalues are below a value, by Sylvester's law of inertia.
+Eigen::Index count_below(const SparseMatrix& matrix, double value) {
+  Cholesky solver;
+  factorise(matrix, value, solver);
+  return (solver.vectorD().array() < 0).count();
+}
+
+/// Eigenpairs of a symmetric matrix without negative eigenvalues. Lanczos iteration may pass over copies of a multiple
+/// eigenvalue, as symmetric shapes have: what is missing is counted, and sought across what is known.
+Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, double shift) {
+  if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
+    if (solver.info() != Eigen::Success) throw InputError("the eigenvalues of the mesh's Laplacian did not converge");
+    return first_of({solver.eigenvalues(), solver.eigenvectors()}, count);
+  }
+  ShiftedInverse inverse(matrix, shift);
+  Eigenpairs pairs = iterated(inverse, count, shift);
+  constexpr int most_rounds = 20;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double last = pairs.values[count - 1] * (1 - 1e-6);
+    const Eigen::Index missing = count_below(matrix, last) - (pairs.values.array() < last).count();
+    if (missing <= 0) return pairs;
+    inverse.set_known(pairs.vectors);
+    pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift)), count);
+  }
+  throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be told apart");
+}
+
 }  // namespace
 
 Laplacian cotangent_laplacian(const Shape& mesh) {
   require_usable(mesh);
   if (is_cloud(mesh)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
-  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
-  std::vector<std::int32_t> node_at(merged.size(), -1);
+  const std::vector<std::int32_t> places = merged_by_place(mesh.vertices);
+  std::vector<std::int32_t> node_at(places.size(), -1);
   std::int32_t nodes = 0;
   const auto node_of = [&](std::int32_t vertex) -> std::int32_t& {
-    return node_at[static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)])];
+    return node_at[static_cast<std::size_t>(places[static_cast<std::size_t>(vertex)])];
   };
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> mass;
@@ -132,8 +188,8 @@ Laplacian cotangent_laplacian(const Shape& mesh) {
   laplacian.stiffness.resize(nodes, nodes);
   laplacian.stiffness.setFromTriplets(entries.begin(), entries.end());
   laplacian.mass = Eigen::Map<const Eigen::VectorXd>(mass.data(), nodes);
-  laplacian.node_of.resize(merged.size());
-  for (std::size_t v = 0; v < merged.size(); ++v) laplacian.node_of[v] = node_at[static_cast<std::size_t>(merged[v])];
+  laplacian.node_of.resize(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) laplacian.node_of[v] = node_at[static_cast<std::size_t>(places[v])];
   return laplacian;
 }
 
@@ -141,7 +197,7 @@ Spectrum laplacian_spectrum(const Shape& mesh, int count) {
   if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
   const Laplacian laplacian = cotangent_laplacian(mesh);
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
-  Eigen::SparseMatrix<double> matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
+  SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
   // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.
   const double area = laplacian.mass.sum();
   matrix *= area;

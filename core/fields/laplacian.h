@@ -29,10 +29,10 @@ struct Spectrum {
                                  ///< vertices without a node
 };
 
-/// The `count` smallest eigenvalues with their eigenvectors, by Lanczos iteration about a shift below zero (Spectra);
-/// fewer where there are fewer nodes than count + 1. The signs of eigenvectors and the basis of a multiple eigenvalue
-/// are arbitrary, but the same for the same shape. Throws InputError as above, for a count below 1, and where the
-/// iteration does not converge.
+/// The `count` smallest eigenvalues with their eigenvectors, by Lanczos iteration about a shift below zero (Spectra),
+/// none of them left out, multiple ones neither; fewer where there are fewer nodes. The signs of eigenvectors and the
+/// basis of a multiple eigenvalue are arbitrary, but the same for the same shape. Throws InputError as above, for a
+/// count below 1, and where the iteration does not converge.
 Spectrum laplacian_spectrum(const Shape& mesh, int count);
 
 }  // namespace shapegauge

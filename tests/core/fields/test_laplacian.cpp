@@ -59,6 +59,14 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
   }
 }
 
+TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
+  const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 100);
+  for (Eigen::Index k = 1; k < 100; ++k) {
+    const double l = std::floor(std::sqrt(static_cast<double>(k)));
+    EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.06 * l * (l + 1)) << k;
+  }
+}
+
 TEST(Laplacian, EigenvaluesOfARectangleAreThoseOfCosines) {
   const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
   const double unit = pi * pi;  // of pi^2 (i^2 / 4 + j^2)
@@ -106,7 +114,7 @@ TEST(Laplacian, FewVerticesHaveFewEigenvalues) {
   EXPECT_EQ(laplacian_spectrum(cube, 100).eigenvalues.size(), cube.vertices.rows());
 }
 
-TEST(Laplacian, TriangesWithoutAreaAndUnusedVerticesDoNotMatter) {
+TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
   Shape shape = sphere(1, 2);
   const Eigen::VectorXd expected = laplacian_spectrum(shape, 5).eigenvalues;
   const Eigen::Index unused = shape.vertices.rows();

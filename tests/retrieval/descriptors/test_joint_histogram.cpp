@@ -123,7 +123,8 @@ TEST(JointHistogram, RefusesWhatIsNone) {
        {JointAxis{.bins = 0}, JointAxis{.smoothing_bins = -1}, JointAxis{.low = 1, .high = 1}}) {
     EXPECT_THROW(joint_histogram(fields, std::vector{axis, JointAxis{}}), InputError);
   }
-  EXPECT_THROW(joint_histogram(fields, std::vector(2, JointAxis{.bins = 1001})), InputError);
+  EXPECT_THROW(joint_histogram(fields, std::vector{JointAxis{.bins = 1001}, JointAxis{.bins = 1}}), InputError);
+  EXPECT_THROW(joint_histogram(fields, std::vector(3, JointAxis{})), std::invalid_argument);
   std::vector<ScalarField> other = fields;
   other[1].values.conservativeResize(3);
   EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);

@@ -78,7 +78,7 @@ TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
     for (const unsigned seed : {1U, 2U, 3U}) {
       const Shape turned = test_shapes::transformed(bar, 1, test_shapes::rotation(seed), {0, 0, 0});
       // Voxels are a grid that does not turn with the shape.
-      const double tolerance = voxels ? 0.5 : 0.1;
+      const double tolerance = voxels ? 0.75 : 0.1;
       EXPECT_LT(distance(spherical_harmonics(turned, options), expected), tolerance * apart) << voxels;
     }
   }
@@ -88,7 +88,8 @@ TEST(SphericalHarmonics, OrientationConnectivityAndMeshDoNotMatter) {
   const Shape bar = test_shapes::box({1, 2, 4}, 3);
   const Eigen::VectorXf expected = spherical_harmonics(bar);
   EXPECT_LT(distance(spherical_harmonics(test_shapes::flipped(test_shapes::soup(bar))), expected), 1e-4);
-  EXPECT_LT(distance(spherical_harmonics(test_shapes::box({1, 2, 4}, 7)), expected), 1e-3);
+  // Other places are drawn to find the centroid and the size.
+  EXPECT_LT(distance(spherical_harmonics(test_shapes::box({1, 2, 4}, 7)), expected), 0.02 * expected.norm());
 }
 
 TEST(SphericalHarmonics, CloudsAreDescribedByTheirPoints) {
