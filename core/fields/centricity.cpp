@@ -121,8 +121,8 @@ Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eig
 }
 
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options) {
-  if (options.sources < 1 || options.sources > 100'000) {
-    throw InputError(fmt::format("centricity takes 1 to 100000 sources, not {}", options.sources));
+  if (options.sources < 1 || options.sources > 1000) {
+    throw InputError(fmt::format("centricity takes 1 to 1000 sources, not {}", options.sources));
   }
   const Landmarks landmarks = landmarks_of(shape, options);
   const Eigen::VectorXd values = options.measure == Centricity::mean

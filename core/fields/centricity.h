@@ -22,7 +22,7 @@ enum class Centricity {
 struct CentricityOptions {
   Centricity measure = Centricity::mean;
   GeodesicOptions geodesics = {};
-  int sources = 48;  ///< 1 to 100000; places that stand for all others. All vertices where there are no more
+  int sources = 48;  ///< 1 to 1000; places that stand for all others. All vertices where there are no more
 };
 
 /// Mean geodesic distance, or eccentricity, at the samples, in the shape's units: small in the middle of a shape, large

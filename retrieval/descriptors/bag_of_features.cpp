@@ -176,7 +176,10 @@ LearntFeatures as_matrix(const Codebook& codebook) {
   return matrix;
 }
 
-Codebook as_codebook(const LearntFeatures& matrix) { return {matrix.row(0), matrix.bottomRows(matrix.rows() - 1)}; }
+Codebook as_codebook(const LearntFeatures& matrix) {
+  if (matrix.rows() < 2) throw InputError("the descriptor bag_of_features needs the codebook that it learns first");
+  return {matrix.row(0), matrix.bottomRows(matrix.rows() - 1)};
+}
 
 }  // namespace
 

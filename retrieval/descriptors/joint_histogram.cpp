@@ -204,6 +204,9 @@ Descriptor joint_histogram_descriptor() {
                 std::vector<JointAxis> axes = axes_from(settings, input.fields.size());
                 for (std::size_t k = 0; k < axes.size(); ++k) {
                   if (!axes[k].over_data_set) continue;
+                  if (ranges.rows() != std::ssize(axes)) {
+                    throw InputError(fmt::format("the descriptor {} needs the ranges that it learns first", name));
+                  }
                   axes[k].low = ranges(static_cast<Eigen::Index>(k), 0);
                   axes[k].high = ranges(static_cast<Eigen::Index>(k), 1);
                 }

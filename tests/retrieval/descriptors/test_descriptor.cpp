@@ -56,6 +56,15 @@ TEST(Descriptors, RefuseSettingsThatAreNone) {
   EXPECT_THROW(descriptor("d3"), InputError);
 }
 
+TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
+  const Shape shape = test_shapes::sphere(1, 1);
+  const Samples samples = sample_shape(shape, SampleSite::vertices);
+  const std::vector<ScalarField> fields(2, {samples.points.col(0), samples.weights});
+  const DescriptorInput input = {shape, fields};
+  EXPECT_THROW(descriptor("bag_of_features").describe(input, {}, {}), InputError);
+  EXPECT_THROW(descriptor("joint_histogram").describe(input, {}, {{"axes.1.over_data_set", 1}}), InputError);
+}
+
 TEST(DescriptorDistances, AreThoseOfAllPairs) {
   Signatures features(3, 2);
   features << 0, 0, 1, 2, 4, 0;
