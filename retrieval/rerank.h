@@ -35,7 +35,7 @@ NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 struct DiffusionOptions {
   int neighbours = 12;  ///< 1 to 1000; k. About half of a class serves well, and a few too many harm less than too few
   double damping = 0.95;  ///< 0 to below 1; a walk goes on with this probability
-  double tie = 1e-3;      ///< 0 to 1; share of the original distance, which orders what no walk tells apart
+  double tie = 1e-4;      ///< 0 to 1; share of the original distance, which orders what no walk tells apart
 };
 
 /// The symmetric graph on which a walk goes from model to model: affinities exp(-d^2 / (s_i s_j)) between the k nearest
@@ -45,14 +45,14 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> diffusion_graph(const NearestModels
                                                              const DiffusionOptions& options = {});
 
 /// Rows of the diffused affinities F = (I - damping graph)^-1 (Zhou et al. 2004; Donoser and Bischof 2013), `count`
-/// from `first` on, by conjugate gradients to 1e-10 on the sparse system, some rows at once: 20,000 models need no
+/// from `first` on, to about 1e-6 by Chebyshev iteration on the sparse system, some rows at once: 20,000 models need no
 /// inverse.
 DistanceMatrix diffused_affinities(const Eigen::SparseMatrix<double, Eigen::RowMajor>& graph, Eigen::Index first,
                                    Eigen::Index count, const DiffusionOptions& options = {});
 
-/// Diffusion of a set of models: calls visit(first, rows) with the new distances, 1 - F_ij / sqrt(F_ii F_jj), plus
-/// `tie` times the distance over the mean distance to the k nearest, some rows at a time from the first on. The
-/// original rows are asked for twice. Throws as nearest_models() and diffusion_graph().
+/// Diffusion of a set of models: calls visit(first, rows) with the new distances, 1 - (1 - damping) F, plus `tie` times
+/// the distance over the mean distance to the k nearest, some rows at a time from the first on. The original rows are
+/// asked for twice. Throws as nearest_models() and diffusion_graph().
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 
