@@ -13,8 +13,8 @@ inline constexpr int shape_dna_version = 1;
 
 /// Settings of shape_dna().
 struct ShapeDnaOptions {
-  int eigenvalues = 12;         ///< positive ones; what SHREC'11's entry took
-  bool divide_by_rank = false;  ///< the k-th divided by k, which tends to a constant, as a weighting
+  int eigenvalues = 20;        ///< positive ones; SHREC'11's entry took 12
+  bool divide_by_rank = true;  ///< the k-th divided by k, so that each counts alike; as published: false
 };
 
 /// ShapeDNA (Reuter, Wolter, Peinecke 2006): the first positive eigenvalues of the surface's Laplacian, times its area
