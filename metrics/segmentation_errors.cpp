@@ -34,7 +34,8 @@ ContingencyTable contingency_table(std::span<const std::int32_t> labels, std::sp
                                    std::span<const double> weights) {
   if (labels.empty()) throw std::invalid_argument("a segmentation needs at least one element");
   if (labels.size() != truth.size()) throw std::invalid_argument("two segmentations need the same number of elements");
-  if (!weights.empty() && weights.size() != labels.size()) throw std::invalid_argument("one weight an element is needed");
+  if (!weights.empty() && weights.size() != labels.size())
+    throw std::invalid_argument("one weight an element is needed");
   ContingencyTable table;
   std::vector<Overlap> elements;
   elements.reserve(labels.size());

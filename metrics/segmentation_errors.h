@@ -29,7 +29,7 @@ struct SegmentationErrors {
 struct SegmentationErrorEntry {
   std::string_view name;
   std::string_view definition;
-  double SegmentationErrors::* value;
+  double SegmentationErrors::*value;
 };
 
 /// All of the errors, in the order of reports.

@@ -25,9 +25,7 @@ class Growth {
         graph_(graph),
         costs_(costs) {}
 
-  void start_at(std::int32_t centre, std::int32_t number) {
-    reach(centre, 0, number);
-  }
+  void start_at(std::int32_t centre, std::int32_t number) { reach(centre, 0, number); }
 
   /// Spreads from the centres that were added since. Ties go to the patch that came first.
   void spread() {
@@ -124,8 +122,10 @@ std::vector<std::int32_t> grown_from(const SurfaceGraph& graph, std::span<const 
 
 std::vector<std::int32_t> patches(const SurfaceGraph& graph, const PatchOptions& options,
                                   std::span<const double> costs) {
-  if (options.count < 1) throw InputError(fmt::format("the number of patches must be at least 1, not {}", options.count));
-  if (options.rounds < 0) throw InputError(fmt::format("the number of rounds must not be negative: {}", options.rounds));
+  if (options.count < 1)
+    throw InputError(fmt::format("the number of patches must be at least 1, not {}", options.count));
+  if (options.rounds < 0)
+    throw InputError(fmt::format("the number of rounds must not be negative: {}", options.rounds));
   if (!costs.empty() && costs.size() != graph.links.size()) throw std::invalid_argument("one cost a link is needed");
   std::vector<std::int32_t> centres = farthest_centres(graph, options, costs);
   std::vector<std::int32_t> patch = grown_from(graph, costs, centres);

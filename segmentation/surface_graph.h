@@ -21,7 +21,7 @@ struct SurfaceLink {
 /// The triangles of a mesh, or the points of a cloud, and who is next to whom: what segmentation works on. Nodes are
 /// numbered as the shape's triangles or points.
 struct SurfaceGraph {
-  Samples samples;  ///< of the nodes: at the triangles' centroids, or the points of the cloud
+  Samples samples;                 ///< of the nodes: at the triangles' centroids, or the points of the cloud
   std::vector<std::size_t> first;  ///< by node, where its links begin; one more entry at the end
   std::vector<SurfaceLink> links;  ///< those of a node by increasing neighbour
 
