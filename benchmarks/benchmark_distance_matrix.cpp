@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shapegauge/retrieval/distance_matrix.h"
-#include "shapegauge/retrieval/distances/l1.h"
+#include "shapegauge/retrieval/l1_distance.h"
 
 namespace {
 

@@ -18,13 +18,13 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/perturbation/remove_faces.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/spatial/ray_caster.h"
-#include "shapegauge/random/random_numbers.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-# The CMake package: find_package(shapegauge) gives shapegauge::random, ::core, ::retrieval, ::metrics and ::experiments.
+# The CMake package: find_package(shapegauge) gives the libraries of docs/architecture.md.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shapegauge)

@@ -1,24 +1,30 @@
-# shapegauge_add_module(NAME): the library shapegauge_NAME, alias shapegauge::NAME, from the folder of that name, and its
-# installation.
+# shapegauge_add_library(NAME FOLDER [SOURCES sources...] [USES targets...] [USES_PRIVATELY targets...]): the library
+# shapegauge_NAME, alias shapegauge::NAME, from a folder of the project, and its installation.
 #
-# A module sees the headers of the modules it links to and no others: each module's headers are reachable only through
-# an include directory of its own, <build>/include/NAME, in which shapegauge/NAME links to the source folder. An include
-# across a border that the design does not allow is therefore a build error.
-function(shapegauge_add_module name)
+# A library sees the headers of the libraries that it uses and no others: each one's headers are reachable only through
+# an include directory of its own, <build>/include/NAME, in which shapegauge/FOLDER links to the source folder. An
+# include across a border that docs/architecture.md does not have is therefore a build error.
+function(shapegauge_add_library name folder)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES;USES_PRIVATELY" ${ARGN})
   add_library(shapegauge_${name} STATIC)
   add_library(shapegauge::${name} ALIAS shapegauge_${name})
+  foreach(source IN LISTS arg_SOURCES)
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
+    target_sources(shapegauge_${name} PRIVATE ${source})
+  endforeach()
+  target_link_libraries(shapegauge_${name} PUBLIC ${arg_USES} PRIVATE ${arg_USES_PRIVATELY})
   set(include_root ${PROJECT_BINARY_DIR}/include/${name})
-  file(MAKE_DIRECTORY ${include_root}/shapegauge)
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${include_root}/shapegauge/${name} SYMBOLIC)
+  cmake_path(GET folder PARENT_PATH parent)
+  file(MAKE_DIRECTORY ${include_root}/shapegauge/${parent})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${include_root}/shapegauge/${folder} SYMBOLIC)
   target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
                                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
   install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${folder}
           FILES_MATCHING PATTERN "*.h")
 endfunction()
-
 # What all of our own targets share: the language standard, the warnings, the sanitizers.
 function(shapegauge_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)

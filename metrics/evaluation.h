@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/metrics/distance_table.h"
-#include "shapegauge/metrics/measures/registry.h"
+#include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/precision_recall.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/metrics/retrieval_task.h"
-#include "shapegauge/metrics/ties.h"
 
 namespace shapegauge {
 

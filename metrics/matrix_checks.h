@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/metrics/distance_table.h"
+#include "shapegauge/metrics/retrieval_task.h"
 
 namespace shapegauge {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "shapegauge/metrics/named_values.h"
+#include "shapegauge/core/base/names.h"
 
 namespace shapegauge {
 namespace {

@@ -23,4 +23,21 @@ std::optional<Protocol> protocol_of(std::string_view name);
 /// All names, for configurations and error messages.
 std::vector<std::string> protocol_names();
 
+/// What becomes of models at equal distance from the query. ranked_list() is the one place where it is decided.
+///
+/// index: in the order of the models, as psbTable has it. Where the classes lie one after the other in a matrix, that
+/// is not neutral: early classes are preferred.
+/// optimistic, pessimistic: relevant models first, or last: the best and the worst that any order can give.
+/// expected: the mean of every measure over all orders of the tied, exactly.
+enum class Ties { index, optimistic, pessimistic, expected };
+
+/// The name in files and options: "index", "optimistic", "pessimistic" or "expected".
+std::string name_of(Ties ties);
+
+/// The value of that name, or nothing.
+std::optional<Ties> ties_of(std::string_view name);
+
+/// All names, for configurations and error messages.
+std::vector<std::string> ties_names();
+
 }  // namespace shapegauge

@@ -4,10 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "shapegauge/metrics/distance_table.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/metrics/retrieval_task.h"
-#include "shapegauge/metrics/ties.h"
 
 namespace shapegauge {
 

@@ -9,9 +9,10 @@
 #include <tbb/parallel_for.h>
 #include <vector>
 
-#include "shapegauge/retrieval/distances/registry.h"
+#include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
+
 namespace {
 
 const NamedDistance& distance_of(const std::string& name) {

@@ -5,9 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "shapegauge/retrieval/gaussian_smoothing.h"
-
 namespace shapegauge {
+
 namespace {
 
 void check_sizes(const ScalarField& field) {
@@ -78,6 +77,99 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
   if (!(total > 0)) throw std::invalid_argument("a field without any value of positive weight has no histogram");
   if (!std::isfinite(total)) throw std::invalid_argument("the weights of a field sum to more than a number can hold");
   return smooth_gaussian(counts / total, options.smoothing_bins).cast<float>();
+}
+
+namespace {
+
+constexpr double kernel_reach = 4.0;  // in standard deviations
+
+// Weights for offsets 0, 1, ... reach; the kernel is symmetric, and its two halves together sum to 1.
+Eigen::VectorXd half_kernel(double standard_deviation) {
+  const auto reach = static_cast<Eigen::Index>(std::lround(kernel_reach * standard_deviation));
+  Eigen::VectorXd weights(reach + 1);
+  double total = 0;
+  for (Eigen::Index offset = 0; offset <= reach; ++offset) {
+    const double x = static_cast<double>(offset) / standard_deviation;
+    weights[offset] = std::exp(-0.5 * x * x);
+    total += offset == 0 ? weights[offset] : 2 * weights[offset];
+  }
+  return weights / total;
+}
+
+// The bin that the mirrored continuation of a histogram of that many bins shows at a position.
+Eigen::Index mirrored_bin(Eigen::Index position, Eigen::Index bins) {
+  const Eigen::Index period = 2 * bins;
+  const Eigen::Index phase = ((position % period) + period) % period;
+  return phase < bins ? phase : period - 1 - phase;
+}
+
+}  // namespace
+
+Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standard_deviation) {
+  const Eigen::Index bins = histogram.size();
+  if (bins == 0) throw std::invalid_argument("a histogram without bins cannot be smoothed");
+  if (!(standard_deviation >= 0 && standard_deviation <= static_cast<double>(bins))) {
+    throw std::invalid_argument("the smoothing of a histogram must lie between 0 and its number of bins (" +
+                                std::to_string(bins) + "), not " + std::to_string(standard_deviation));
+  }
+  if (standard_deviation == 0) return histogram;
+  const Eigen::VectorXd kernel = half_kernel(standard_deviation);
+  Eigen::VectorXd smoothed(bins);
+  for (Eigen::Index bin = 0; bin < bins; ++bin) {
+    double sum = kernel[0] * histogram[bin];
+    for (Eigen::Index offset = 1; offset < kernel.size(); ++offset) {
+      sum +=
+          kernel[offset] * (histogram[mirrored_bin(bin - offset, bins)] + histogram[mirrored_bin(bin + offset, bins)]);
+    }
+    smoothed[bin] = sum;
+  }
+  return smoothed;
+}
+
+namespace {
+
+// Brings a row of parts that lie side by side to sum 1.
+void normalise(Eigen::Ref<Eigen::RowVectorXf> signature) {
+  double total = 0;
+  for (Eigen::Index i = 0; i < signature.size(); ++i) {
+    const float entry = signature[i];
+    if (!(entry >= 0) || !std::isfinite(entry)) {
+      throw std::invalid_argument("entry " + std::to_string(i) + " of a signature is " + std::to_string(entry) +
+                                  "; only finite entries that are not negative can be concatenated");
+    }
+    total += entry;
+  }
+  if (!(total > 0)) throw std::invalid_argument("a signature of zeros only cannot be normalised");
+  signature = (signature.cast<double>() / total).cast<float>();
+}
+
+}  // namespace
+
+Signatures concatenate(std::span<const Signatures> parts) {
+  if (parts.empty()) throw std::invalid_argument("no signatures to concatenate");
+  Eigen::Index length = 0;
+  for (const Signatures& part : parts) {
+    if (part.rows() != parts.front().rows()) {
+      throw std::invalid_argument("signatures of " + std::to_string(parts.front().rows()) + " and of " +
+                                  std::to_string(part.rows()) + " shapes cannot be concatenated");
+    }
+    length += part.cols();
+  }
+  Signatures whole(parts.front().rows(), length);
+  Eigen::Index column = 0;
+  for (const Signatures& part : parts) {
+    whole.middleCols(column, part.cols()) = part;
+    column += part.cols();
+  }
+  for (Eigen::Index row = 0; row < whole.rows(); ++row) normalise(whole.row(row));
+  return whole;
+}
+
+Eigen::VectorXf concatenate(std::span<const Eigen::VectorXf> parts) {
+  std::vector<Signatures> rows;
+  rows.reserve(parts.size());
+  for (const Eigen::VectorXf& part : parts) rows.emplace_back(part.transpose());
+  return concatenate(rows).row(0).transpose();
 }
 
 }  // namespace shapegauge

@@ -4,7 +4,8 @@
 #include <optional>
 #include <span>
 
-#include "shapegauge/core/sdf/scalar_field.h"
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
 
@@ -36,5 +37,23 @@ Interval enclosing_interval(std::span<const Interval> intervals);
 /// std::invalid_argument where no value counts, values and weights differ in number, a weight is negative or not
 /// finite, or the range or an option is out of range.
 Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const HistogramOptions& options);
+
+/// The histogram convolved with a Gaussian whose standard deviation is given in bins: the kernel is sampled at whole
+/// bins up to four standard deviations and normalised to sum 1. At both ends the histogram is continued by its mirror
+/// image (c b a | a b c | c b a), so no mass is lost, the sum stays what it was, and a uniform histogram stays uniform.
+/// That is the convention of scipy.ndimage.gaussian_filter1d with mode "reflect". Throws std::invalid_argument for an
+/// empty histogram and for a standard deviation that is not between 0 (no smoothing) and the number of bins.
+Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standard_deviation);
+
+/// Histograms of several fields of one shape, side by side, divided by their total so that the whole sums to 1. Each
+/// part keeps its share of the total: k histograms that sum to 1 each weigh 1/k, however many bins they have, and the
+/// L1 distance of two such signatures is the mean of the parts' distances. Multiply a part beforehand to give it
+/// another weight. Throws std::invalid_argument where there are no parts, or an entry is negative or not finite, or all
+/// are 0.
+Eigen::VectorXf concatenate(std::span<const Eigen::VectorXf> parts);
+
+/// The same for many shapes at once: row i is the concatenation of the parts' rows i. Throws std::invalid_argument as
+/// above, and where the parts differ in their number of rows.
+Signatures concatenate(std::span<const Signatures> parts);
 
 }  // namespace shapegauge

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
 
 namespace shapegauge {

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
 

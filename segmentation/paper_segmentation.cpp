@@ -8,7 +8,7 @@
 #include <numbers>
 #include <utility>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
 #include "shapegauge/segmentation/patch_features.h"
 #include "shapegauge/segmentation/segment_labels.h"

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/region_merging.h"
 
 namespace shapegauge {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <fmt/format.h>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/segment_labels.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 

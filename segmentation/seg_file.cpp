@@ -5,10 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/text_scanner.h"
+#include "shapegauge/core/io/scanner.h"
 
 namespace shapegauge {
 

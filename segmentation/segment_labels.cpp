@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "shapegauge/core/shape/disjoint_sets.h"
+#include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {
 

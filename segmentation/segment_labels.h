@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "shapegauge/core/render/colour_map.h"
+#include "shapegauge/core/render/image.h"
 #include "shapegauge/segmentation/surface_graph.h"
 
 namespace shapegauge {

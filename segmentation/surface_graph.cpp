@@ -5,11 +5,10 @@
 #include <cmath>
 #include <tuple>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/shape/edge_uses.h"
-#include "shapegauge/core/shape/merged_vertices.h"
-#include "shapegauge/core/shape/point_neighbours.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/core/shape/counting_sort.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
 namespace shapegauge {

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/render/splats.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"

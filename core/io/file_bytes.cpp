@@ -1,15 +1,17 @@
 #include "shapegauge/core/io/file_bytes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <string>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -33,36 +35,103 @@ class Descriptor {
   int value_;
 };
 
-[[noreturn]] void fail(const std::filesystem::path& path, std::string_view reason) {
+[[noreturn]] void fail_reading(const std::filesystem::path& path, std::string_view reason) {
   throw InputError(fmt::format("cannot read {}: {}", path.string(), reason));
 }
 
-[[noreturn]] void fail(const std::filesystem::path& path, int error) {
-  fail(path, std::generic_category().message(error));
+[[noreturn]] void fail_reading(const std::filesystem::path& path, int error) {
+  fail_reading(path, std::generic_category().message(error));
 }
 
 }  // namespace
 
 std::string read_file_bytes(const std::filesystem::path& path, std::size_t limit) {
   const Descriptor file(path);
-  if (file.get() < 0) fail(path, errno);
+  if (file.get() < 0) fail_reading(path, errno);
   struct stat status = {};
-  if (::fstat(file.get(), &status) != 0) fail(path, errno);
-  if (S_ISDIR(status.st_mode)) fail(path, "it is a folder");
-  if (!S_ISREG(status.st_mode)) fail(path, "it is not a regular file");
-  if (status.st_size == 0) fail(path, "the file is empty");
+  if (::fstat(file.get(), &status) != 0) fail_reading(path, errno);
+  if (S_ISDIR(status.st_mode)) fail_reading(path, "it is a folder");
+  if (!S_ISREG(status.st_mode)) fail_reading(path, "it is not a regular file");
+  if (status.st_size == 0) fail_reading(path, "the file is empty");
 
   std::string bytes(std::min(limit, static_cast<std::size_t>(status.st_size)), '\0');
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(path, errno);
+    if (got < 0) fail_reading(path, errno);
     if (got == 0) break;  // the file shrank meanwhile
     done += static_cast<std::size_t>(got);
   }
   bytes.resize(done);
   return bytes;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void fail_writing(const fs::path& path, int error) {
+  throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
+}
+
+/// Writes everything and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
+/// some errors only when the file is closed.
+int write_and_close(int descriptor, std::string_view bytes, Flush flush) {
+  int error = 0;
+  while (error == 0 && !bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written >= 0) {
+      bytes.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      error = errno;
+    }
+  }
+  if (error == 0 && flush == Flush::yes && ::fsync(descriptor) != 0) error = errno;
+  if (::close(descriptor) != 0 && error == 0) error = errno;
+  return error;
+}
+
+struct NewFile {
+  int descriptor;
+  fs::path path;
+};
+
+/// A new file beside `path` under a name that nobody uses: other threads and processes may write to the same folder.
+NewFile create_beside(const fs::path& path) {
+  static std::atomic<unsigned> counter = 0;
+  while (true) {
+    fs::path name = path;
+    name += fmt::format(".{}-{}.part", ::getpid(), counter++);
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor >= 0) return {descriptor, std::move(name)};
+    if (errno != EEXIST) fail_writing(path, errno);
+  }
+}
+
+void write_directly(const fs::path& path, std::string_view bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail_writing(path, errno);
+  if (const int error = write_and_close(descriptor, bytes, Flush::no)) fail_writing(path, error);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) fail_writing(path, EISDIR);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return write_directly(path, bytes);
+
+  fs::path target = fs::exists(status) ? fs::canonical(path, ignored) : path;
+  if (target.empty()) target = path;
+  const NewFile file = create_beside(target);
+  int error = write_and_close(file.descriptor, bytes, flush);
+  if (error == 0 && ::rename(file.path.c_str(), target.c_str()) != 0) error = errno;
+  if (error != 0) {
+    ::unlink(file.path.c_str());
+    fail_writing(path, error);
+  }
 }
 
 }  // namespace shapegauge

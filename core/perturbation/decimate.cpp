@@ -1,17 +1,288 @@
 #include "shapegauge/core/perturbation/decimate.h"
 
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModBaseT.hh>
+#include <algorithm>
 #include <array>
+#include <cstdint>
 #include <fmt/format.h>
+#include <numeric>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/perturbation/decimation_mesh.h"
-#include "shapegauge/core/perturbation/decimation_module.h"
-#include "shapegauge/core/perturbation/required_extent.h"
-#include "shapegauge/core/shape/merged_vertices.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
+
+// QuadricT.hh does not include what it needs.
+// clang-format off
+#include <OpenMesh/Core/Utils/vector_traits.hh>
+#include <OpenMesh/Core/Geometry/QuadricT.hh>
+// clang-format on
 
 namespace shapegauge {
+
+/// Double precision, and the marks of deleted and locked parts that decimation needs.
+struct DecimationTraits : OpenMesh::DefaultTraitsDouble {
+  VertexAttributes(OpenMesh::Attributes::Status);
+  HalfedgeAttributes(OpenMesh::Attributes::Status);
+  EdgeAttributes(OpenMesh::Attributes::Status);
+  FaceAttributes(OpenMesh::Attributes::Status);
+};
+using DecimationMesh = OpenMesh::TriMesh_ArrayKernelT<DecimationTraits>;
+
+/// A triangle soup as a half-edge mesh that can be decimated.
+struct DecimationInput {
+  DecimationMesh mesh;                   ///< in the shape's unit frame
+  std::vector<std::int32_t> vertices;    ///< of the shape, by vertex of the mesh; the first at the same place
+  std::vector<bool> turned;              ///< by face of the mesh, whether it has the other orientation in the shape
+  std::vector<std::int32_t> left_aside;  ///< the shape's triangles that the mesh cannot hold
+};
+
+/// Takes vertices at the same place as one, leaves out faces whose corners are not at three places, turns faces so that
+/// neighbours agree, and cuts the surface open along edges where not just two faces meet in agreement. Vertices on such
+/// edges, and those of triangles left aside, are locked.
+DecimationInput decimation_input(const Shape& shape);
+
+/// Says how good a collapse is: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area,
+/// and of planes that stand on open edges, which OpenMesh's own module lets erode; illegal where a face would turn over
+/// or become a sliver.
+class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
+ public:
+  using Handle = OpenMesh::Decimater::ModHandleT<DecimationModule>;
+
+  explicit DecimationModule(DecimationMesh& mesh) : ModBaseT(mesh, false) {}
+
+  [[nodiscard]] const std::string& name() const override;
+  void initialize() override;
+  float collapse_priority(const CollapseInfo& collapse) override;
+  void postprocess_collapse(const CollapseInfo& collapse) override;
+
+ private:
+  [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
+
+  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
+};
+
+namespace {
+
+/// Sets that are united one pair at a time; each item differs from its set's representative by a parity.
+class ParitySets {
+ public:
+  explicit ParitySets(std::size_t size) : parent_(size), odd_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  /// The representative, and whether the item differs from it.
+  std::pair<std::size_t, bool> find(std::size_t item) {
+    std::size_t root = item;
+    bool odd = false;
+    while (parent_[root] != root) {
+      odd = odd != odd_[root];
+      root = parent_[root];
+    }
+    for (bool rest = odd; parent_[item] != item;) {
+      const std::size_t next = std::exchange(parent_[item], root);
+      const bool step = odd_[item];
+      odd_[item] = rest;
+      rest = rest != step;
+      item = next;
+    }
+    return {root, odd};
+  }
+
+  /// Unites the sets of two items that are to differ or not; false where they are known to be the other way.
+  bool unite(std::size_t a, std::size_t b, bool differ) {
+    const auto [root_a, odd_a] = find(a);
+    const auto [root_b, odd_b] = find(b);
+    if (root_a == root_b) return (odd_a != odd_b) == differ;
+    parent_[root_b] = root_a;
+    odd_[root_b] = (odd_a != odd_b) != differ;
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+  std::vector<bool> odd_;
+};
+
+std::size_t corner_of(const EdgeUse& use, bool at_low) {
+  const int corner = at_low == use.forward ? use.corner : (use.corner + 1) % 3;
+  return 3 * static_cast<std::size_t>(use.triangle) + static_cast<std::size_t>(corner);
+}
+
+/// The surface cut open so that around each vertex there is one fan of faces.
+struct CutSurface {
+  ParitySets orientation;              ///< of the triangles: odd ones are to be turned
+  ParitySets corners;                  ///< of all triangles: those of one fan
+  std::vector<bool> locked;            ///< by vertex of the shape, merged by place
+  std::vector<bool> has_three_places;  ///< by triangle
+};
+
+CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merged) {
+  const auto triangles = static_cast<std::size_t>(shape.triangles.rows());
+  CutSurface cut{.orientation = ParitySets(triangles),
+                 .corners = ParitySets(3 * triangles),
+                 .locked = std::vector<bool>(merged.size()),
+                 .has_three_places = std::vector<bool>(triangles)};
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    for (const EdgeUse& use : edge) cut.has_three_places[static_cast<std::size_t>(use.triangle)] = true;
+    if (edge.size() == 1) return;
+    const EdgeUse& first = edge[0];
+    const EdgeUse& second = edge[1];
+    const bool joins = edge.size() == 2 && cut.orientation.unite(static_cast<std::size_t>(first.triangle),
+                                                                 static_cast<std::size_t>(second.triangle),
+                                                                 first.forward == second.forward);
+    if (joins) {
+      for (const bool low : {true, false}) cut.corners.unite(corner_of(first, low), corner_of(second, low), false);
+    } else {
+      cut.locked[static_cast<std::size_t>(first.low)] = true;
+      cut.locked[static_cast<std::size_t>(first.high)] = true;
+    }
+  });
+  return cut;
+}
+
+using MeshTriangle = std::array<DecimationMesh::VertexHandle, 3>;
+
+/// Whether a half-edge mesh can take the face: none of its half-edges has one already.
+bool can_hold(const DecimationMesh& mesh, const MeshTriangle& triangle) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!mesh.is_boundary(triangle[k])) return false;
+    const auto side = mesh.find_halfedge(triangle[k], triangle[(k + 1) % 3]);
+    if (side.is_valid() && !mesh.is_boundary(side)) return false;
+  }
+  return true;
+}
+
+/// Adds the triangles of a cut surface to the mesh, with a vertex for each fan.
+void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, CutSurface& cut,
+                   DecimationInput& input) {
+  const UnitFrame frame = unit_frame(shape);
+  std::vector<DecimationMesh::VertexHandle> by_fan(3 * static_cast<std::size_t>(shape.triangles.rows()));
+  for (std::size_t f = 0; f < cut.has_three_places.size(); ++f) {
+    if (!cut.has_three_places[f]) continue;
+    MeshTriangle triangle;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t vertex =
+          merged[static_cast<std::size_t>(shape.triangles(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(k)))];
+      auto& handle = by_fan[cut.corners.find(3 * f + k).first];
+      if (!handle.is_valid()) {
+        const Eigen::Vector3d place = frame.to_unit(shape.vertices.row(vertex).transpose());
+        handle = input.mesh.add_vertex({place[0], place[1], place[2]});
+        input.vertices.push_back(vertex);
+      }
+      triangle[k] = handle;
+    }
+    const bool turned = cut.orientation.find(f).second;
+    if (turned) std::swap(triangle[1], triangle[2]);
+    if (can_hold(input.mesh, triangle) && input.mesh.add_face(triangle[0], triangle[1], triangle[2]).is_valid()) {
+      input.turned.push_back(turned);
+    } else {
+      input.left_aside.push_back(static_cast<std::int32_t>(f));
+    }
+  }
+}
+
+}  // namespace
+
+DecimationInput decimation_input(const Shape& shape) {
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  CutSurface cut = cut_surface(shape, merged);
+  DecimationInput input;
+  add_triangles(shape, merged, cut, input);
+  for (const std::int32_t f : input.left_aside) {
+    for (int k = 0; k < 3; ++k) {
+      cut.locked[static_cast<std::size_t>(merged[static_cast<std::size_t>(shape.triangles(f, k))])] = true;
+    }
+  }
+  for (const auto vertex : input.mesh.vertices()) {
+    const std::int32_t place = input.vertices[static_cast<std::size_t>(vertex.idx())];
+    input.mesh.status(vertex).set_locked(cut.locked[static_cast<std::size_t>(place)]);
+  }
+  return input;
+}
+
+namespace {
+
+using Vector = DecimationMesh::Point;
+using OpenMesh::Geometry::Quadricd;
+
+/// Weight of the planes on open edges against those of the faces.
+constexpr double open_edge_weight = 10;
+
+Quadricd plane_quadric(const Vector& unit_normal, const Vector& point, double weight) {
+  return Quadricd(unit_normal[0], unit_normal[1], unit_normal[2], -unit_normal.dot(point)) * weight;
+}
+
+/// Twice the area over the square of the longest side: 0 for a degenerate triangle, 0.87 for an equilateral one.
+double roundness(const Vector& a, const Vector& b, const Vector& c) {
+  const double longest = std::max({(b - a).sqrnorm(), (c - b).sqrnorm(), (a - c).sqrnorm()});
+  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
+}
+
+}  // namespace
+
+const std::string& DecimationModule::name() const {
+  static const std::string text = "quadric error without flipped faces";
+  return text;
+}
+
+void DecimationModule::initialize() {
+  quadrics_.assign(mesh().n_vertices(), Quadricd());
+  for (const auto face : mesh().faces()) {
+    auto side = mesh().halfedge_handle(face);
+    const Vector a = mesh().point(mesh().from_vertex_handle(side));
+    const Vector b = mesh().point(mesh().to_vertex_handle(side));
+    const Vector c = mesh().point(mesh().to_vertex_handle(mesh().next_halfedge_handle(side)));
+    const Vector cross = (b - a).cross(c - a);
+    const double twice_area = cross.norm();
+    if (!(twice_area > 0)) continue;
+    const Vector normal = cross / twice_area;
+    for (int k = 0; k < 3; ++k, side = mesh().next_halfedge_handle(side)) {
+      const auto from = mesh().from_vertex_handle(side);
+      const auto to = mesh().to_vertex_handle(side);
+      quadrics_[static_cast<std::size_t>(from.idx())] += plane_quadric(normal, a, twice_area / 2);
+      if (!mesh().is_boundary(mesh().opposite_halfedge_handle(side))) continue;
+      const Vector edge = mesh().point(to) - mesh().point(from);
+      const Quadricd wall =
+          plane_quadric(normal.cross(edge).normalized(), mesh().point(from), open_edge_weight * edge.sqrnorm());
+      for (const auto end : {from, to}) quadrics_[static_cast<std::size_t>(end.idx())] += wall;
+    }
+  }
+}
+
+bool DecimationModule::keeps_faces(const CollapseInfo& collapse) {
+  constexpr double least_cosine = 0.17;  // 80 degrees
+  constexpr double least_roundness = 0.02;
+  for (const auto side : mesh().voh_range(collapse.v0)) {
+    if (mesh().is_boundary(side)) continue;
+    const auto second = mesh().to_vertex_handle(side);
+    const auto third = mesh().to_vertex_handle(mesh().next_halfedge_handle(side));
+    if (second == collapse.v1 || third == collapse.v1) continue;  // a face that goes
+    const Vector b = mesh().point(second);
+    const Vector c = mesh().point(third);
+    const double before_roundness = roundness(collapse.p0, b, c);
+    if (roundness(collapse.p1, b, c) < std::min(least_roundness, before_roundness)) return false;
+    const Vector before = (b - collapse.p0).cross(c - collapse.p0);
+    const Vector after = (b - collapse.p1).cross(c - collapse.p1);
+    if (before_roundness > 0 && before.dot(after) < least_cosine * before.norm() * after.norm()) return false;
+  }
+  return true;
+}
+
+float DecimationModule::collapse_priority(const CollapseInfo& collapse) {
+  if (!keeps_faces(collapse)) return ILLEGAL_COLLAPSE;
+  const Quadricd sum =
+      quadrics_[static_cast<std::size_t>(collapse.v0.idx())] + quadrics_[static_cast<std::size_t>(collapse.v1.idx())];
+  return static_cast<float>(std::max(0.0, sum(collapse.p1)));
+}
+
+void DecimationModule::postprocess_collapse(const CollapseInfo& collapse) {
+  quadrics_[static_cast<std::size_t>(collapse.v1.idx())] += quadrics_[static_cast<std::size_t>(collapse.v0.idx())];
+}
 
 namespace {
 

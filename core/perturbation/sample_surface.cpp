@@ -3,10 +3,11 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <utility>
+#include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/perturbation/shape_elements.h"
-#include "shapegauge/core/shape/surface_points.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/shape/samples.h"
 
 namespace shapegauge {
 
@@ -50,6 +51,17 @@ Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, Ra
     cloud.normals.row(i) = normal_of(shape, sampled.triangles[static_cast<std::size_t>(i)]);
   }
   return cloud;
+}
+
+Shape vertex_cloud(const Shape& shape) {
+  if (is_cloud(shape)) return {.vertices = shape.vertices, .triangles = {}};
+  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()), false);
+  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    if (used[static_cast<std::size_t>(i)]) kept.push_back(i);
+  }
+  return {.vertices = shape.vertices(kept, Eigen::all), .triangles = {}};
 }
 
 }  // namespace shapegauge

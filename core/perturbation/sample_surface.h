@@ -1,7 +1,7 @@
 #pragma once
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
-#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
 
@@ -18,5 +18,9 @@ struct SampleSurfaceOptions {
 ///
 /// Throws InputError for less than one point, a mesh whose area is zero or not finite, and an empty shape.
 Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random);
+
+/// A point cloud without normals: the vertices of the mesh that a triangle uses, in their order; of a cloud, its
+/// points. A hole of the mesh is one of the cloud.
+Shape vertex_cloud(const Shape& shape);
 
 }  // namespace shapegauge

@@ -1,11 +1,219 @@
 #include "shapegauge/core/preparation/denoise.h"
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <span>
 #include <utility>
 
-#include "shapegauge/core/preparation/taubin_smoothing.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
+
+namespace {
+
+/// An edge, seen from one of its ends.
+struct Neighbour {
+  std::int32_t of;
+  std::int32_t vertex;
+};
+
+/// The places at the other ends of each place's edges, sorted; those of edges with two triangles twice.
+CountedByKey<Neighbour> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+  std::vector<Neighbour> neighbours;
+  neighbours.reserve(6 * static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t a = merged[static_cast<std::size_t>(triangles(f, k))];
+      const std::int32_t b = merged[static_cast<std::size_t>(triangles(f, (k + 1) % 3))];
+      if (a == b) continue;
+      neighbours.push_back({a, b});
+      neighbours.push_back({b, a});
+    }
+  }
+  CountedByKey<Neighbour> counted = counted_by_key(neighbours, merged.size(), [](const Neighbour& n) { return n.of; });
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    const std::span all(counted.values);
+    std::ranges::sort(all.subspan(counted.first[v], counted.first[v + 1] - counted.first[v]), {}, &Neighbour::vertex);
+  }
+  return counted;
+}
+
+/// Which vertices a triangle uses.
+std::vector<bool> used_vertices(const Shape& shape) {
+  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));
+  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
+  return used;
+}
+
+}  // namespace
+
+VertexNeighbours vertex_neighbours(const Shape& shape) {
+  require_usable(shape);
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const CountedByKey<Neighbour> places = neighbouring_places(shape.triangles, merged);
+  const std::vector<bool> used = used_vertices(shape);
+  VertexNeighbours result;
+  result.first.reserve(merged.size() + 1);
+  result.neighbours.reserve(places.values.size() / 2);
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    result.first.push_back(result.neighbours.size());
+    if (!used[v]) continue;
+    const auto place = static_cast<std::size_t>(merged[v]);
+    for (std::size_t i = places.first[place]; i < places.first[place + 1]; ++i) {
+      const std::int32_t vertex = places.values[i].vertex;
+      if (i > places.first[place] && vertex == places.values[i - 1].vertex) continue;
+      result.neighbours.push_back(vertex);
+    }
+  }
+  result.first.push_back(result.neighbours.size());
+  return result;
+}
+
+namespace {
+
+/// The directions along which the triangles about each vertex face, whichever way round each is oriented. Vertices at
+/// the same place have the same.
+Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
+  const std::vector<std::int32_t> merged = merged_by_place(vertices);
+  const auto place_of = [&](Eigen::Index vertex) {
+    return static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)]);
+  };
+  std::vector<Eigen::Matrix3d> spread(static_cast<std::size_t>(vertices.rows()), Eigen::Matrix3d::Zero());
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    const Eigen::Vector3d a = vertices.row(triangles(f, 0));
+    const Eigen::Vector3d b = vertices.row(triangles(f, 1));
+    const Eigen::Vector3d c = vertices.row(triangles(f, 2));
+    const Eigen::Vector3d cross = (b - a).cross(c - a);
+    const double length = cross.norm();
+    if (!(length > 0)) continue;
+    const Eigen::Matrix3d outer = cross * cross.transpose() / length;
+    for (int k = 0; k < 3; ++k) spread[place_of(triangles(f, k))] += outer;
+  }
+  Points normals = Points::Zero(vertices.rows(), 3);
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    const Eigen::Matrix3d& matrix = spread[place_of(v)];
+    if (matrix.isZero(0)) continue;
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(matrix / matrix.trace());
+    normals.row(v) = solver.eigenvectors().col(2).transpose();
+  }
+  return normals;
+}
+
+double mean_edge_length(const Points& vertices, const VertexNeighbours& neighbours) {
+  double sum = 0;
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    for (const std::int32_t u : neighbours.of(v)) sum += (vertices.row(u) - vertices.row(v)).norm();
+  }
+  return neighbours.neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.neighbours.size());
+}
+
+/// The number of places that have neighbours.
+std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
+  std::vector<bool> has_neighbours(neighbours.first.size());
+  for (const std::int32_t u : neighbours.neighbours) has_neighbours[static_cast<std::size_t>(u)] = true;
+  return std::ranges::count(has_neighbours, true);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+/// Heights of the vertices above the smoothed mesh along its normals.
+struct Heights {
+  Points offsets;
+  Points normals;
+
+  [[nodiscard]] double of(Eigen::Index vertex) const { return offsets.row(vertex).dot(normals.row(vertex)); }
+};
+
+/// The height of each vertex that has neighbours, less their mean height, scaled so that independent heights of
+/// standard deviation 1 give values of standard deviation 1; sizes only.
+std::vector<double> unshared_heights(const Heights& heights, const VertexNeighbours& neighbours) {
+  std::vector<double> unshared;
+  for (Eigen::Index v = 0; v < heights.offsets.rows(); ++v) {
+    const auto around = neighbours.of(v);
+    if (around.empty()) continue;
+    Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+    for (const std::int32_t u : around) mean += heights.offsets.row(u);
+    const auto count = static_cast<double>(around.size());
+    const double height = (heights.offsets.row(v) - mean / count).dot(heights.normals.row(v));
+    unshared.push_back(std::abs(height) / std::sqrt(1 + 1 / count));
+  }
+  return unshared;
+}
+
+double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) {
+  std::size_t same = 0;
+  for (Eigen::Index v = 0; v < heights.offsets.rows(); ++v) {
+    for (const std::int32_t u : neighbours.of(v)) {
+      const double alike = heights.normals.row(v).dot(heights.normals.row(u)) < 0 ? -1 : 1;
+      if (alike * heights.of(v) * heights.of(u) > 0) ++same;
+    }
+  }
+  return neighbours.neighbours.empty() ? 1
+                                       : static_cast<double>(same) / static_cast<double>(neighbours.neighbours.size());
+}
+
+}  // namespace
+
+NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
+  constexpr double pass_band = 0.1;
+  constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
+  const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
+  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, shape.triangles)};
+  return {.deviation = deviation_of_median * median(unshared_heights(heights, neighbours)),
+          .edge_length = mean_edge_length(smoothed, neighbours),
+          .agreement = agreement_of(heights, neighbours)};
+}
+
+bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
+  constexpr std::ptrdiff_t fewest_vertices = 500;
+  constexpr double least_relative = 0.1;
+  constexpr double agreement_of_form = 0.56;
+  return count_places(neighbours) >= fewest_vertices && noise.relative() >= least_relative &&
+         noise.agreement < agreement_of_form;
+}
+
+namespace {
+
+/// Moves every vertex towards the mean of its neighbours, by a fraction of the way (away from it where negative).
+void step(Points& vertices, Points& before, const VertexNeighbours& neighbours, double fraction) {
+  before = vertices;
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    const auto around = neighbours.of(v);
+    if (around.empty()) continue;
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const std::int32_t u : around) sum += before.row(u);
+    vertices.row(v) += fraction * (sum / static_cast<double>(around.size()) - before.row(v));
+  }
+}
+
+}  // namespace
+
+Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
+  if (!(pass_band > 0 && pass_band < 1)) {
+    throw InputError(fmt::format("the pass band of the smoothing is {}: it must lie between 0 and 1", pass_band));
+  }
+  constexpr double inward = 0.5;
+  const double outward = 1 / (pass_band - 1 / inward);  // 1 / inward + 1 / outward = pass_band
+  const int rounds = static_cast<int>(std::ceil(2 / pass_band)) + 3;
+  Points smoothed = vertices;
+  Points before;
+  for (int round = 0; round < rounds; ++round) {
+    step(smoothed, before, neighbours, inward);
+    step(smoothed, before, neighbours, outward);
+  }
+  return smoothed;
+}
 
 DenoisedShape denoised(Shape shape) {
   const VertexNeighbours neighbours = vertex_neighbours(shape);

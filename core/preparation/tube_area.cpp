@@ -5,11 +5,10 @@
 #include <fmt/format.h>
 #include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/shape/merged_vertices.h"
-#include "shapegauge/core/shape/unit_frame.h"
-#include "shapegauge/core/shape/validity.h"
-#include "shapegauge/core/spatial/surface_tree.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 
@@ -21,7 +20,7 @@ constexpr double finest_cube = 1.0 / 256;  // of the diagonal
 /// would fill, parallel to a side and as far from the centre as the surface is.
 class TubeVolume {
  public:
-  TubeVolume(const SurfaceTree& tree, double r)
+  TubeVolume(const TriangleBVH& tree, double r)
       : tree_(tree), r_(r), smallest_half_(std::max(r / 2, finest_cube) / 2) {}
 
   [[nodiscard]] double in(const Eigen::Vector3d& centre, double half, std::int32_t hint = -1) const {
@@ -43,7 +42,7 @@ class TubeVolume {
   }
 
  private:
-  const SurfaceTree& tree_;
+  const TriangleBVH& tree_;
   double r_;
   double smallest_half_;
 };
@@ -94,7 +93,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
     throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));
   }
   const Shape unit_shape = in_unit_frame(shape, unit_frame(shape));
-  const SurfaceTree tree(unit_shape);
+  const TriangleBVH tree(unit_shape);
   const Eigen::AlignedBox3d box = bounding_box(unit_shape);
   const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);
   double area = volume / (2 * r);

@@ -1,5 +1,6 @@
 #include "shapegauge/core/render/render_shape.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -7,9 +8,9 @@
 #include <numbers>
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/render/splats.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
 namespace shapegauge {
@@ -219,6 +220,127 @@ Image render_shape(const Shape& shape, const std::vector<Colour>& colours, Sampl
   if (!is_cloud(shape)) return draw(shape, colours, site, RaysAtEdges::hit, options);
   // Splats overlap: what slips between the triangles of one meets another.
   return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, RaysAtEdges::may_slip, options);
+}
+
+namespace {
+
+/// Below this skewness (third moment by the cube of the standard deviation) an axis counts as balanced: rounding must
+/// not decide the view.
+constexpr double balanced_skewness = 1e-3;
+
+/// Calls visit(point, weight) for points with the moments of the surface up to the second: the triangles' corners and
+/// centroids, a rule that is exact for polynomials of degree 2. Of a cloud, for its points.
+template <typename Visit>
+void visit_weighted_points(const Shape& shape, const Visit& visit) {
+  for (Eigen::Index i = 0; i < shape.triangles.rows(); ++i) {
+    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(i, 0));
+    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(i, 1));
+    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(i, 2));
+    const double area = (b - a).cross(c - a).norm() / 2;
+    for (const auto& corner : {a, b, c}) visit(corner, area / 12);
+    visit((a + b + c) / 3, area * 3 / 4);
+  }
+  if (!is_cloud(shape)) return;
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) visit(shape.vertices.row(i).transpose(), 1);
+}
+
+/// The axis or its opposite.
+Eigen::Vector3d pointed(const Eigen::Vector3d& axis, double variance, double third_moment) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  const bool balanced = std::abs(third_moment) <= balanced_skewness * std::pow(variance, 1.5);
+  return (balanced ? axis[largest] : third_moment) < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
+}  // namespace
+
+RenderOptions principal_view(const Shape& shape, RenderOptions options) {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    mass += weight;
+    centre += weight * point;
+  });
+  if (!(mass > 0) || !std::isfinite(mass) || !centre.allFinite()) return options;
+  centre /= mass;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    const Eigen::Vector3d arm = point - centre;
+    second += (weight / mass * arm) * arm.transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
+  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
+  Eigen::Vector3d third = Eigen::Vector3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    const Eigen::Array3d along = to_axes * (point - centre);
+    third += (weight / mass * along * along * along).matrix();
+  });
+  Eigen::Matrix3d axes;
+  for (int k = 0; k < 3; ++k)
+    axes.col(k) = pointed(principal.eigenvectors().col(k), principal.eigenvalues()[k], third[k]);
+  options.up = axes.col(1);
+  options.towards_viewer = axes.col(0) + 0.35 * axes.col(2) + 0.45 * axes.col(1);
+  return options;
+}
+
+namespace {
+
+/// Radius of a splat in radii of the disc that has the point's area. Of a plane with random points, exp(-2.25^2) or
+/// 0.6 % stays uncovered.
+constexpr double overlap = 2.25;
+constexpr Eigen::Index neighbours = 12;
+
+/// Direction in which the point and its neighbours extend least.
+Eigen::Vector3d fitted_normal(const Points& points, const PointNeighbours& nearest, Eigen::Index i) {
+  const auto around = nearest.indices.row(i);
+  Eigen::Vector3d mean = points.row(i);
+  for (const std::int32_t j : around) mean += points.row(j).transpose();
+  mean /= static_cast<double>(around.size() + 1);
+  const auto spread_of = [&](Eigen::Index j) -> Eigen::Matrix3d {
+    const Eigen::Vector3d d = points.row(j).transpose() - mean;
+    return d * d.transpose();
+  };
+  Eigen::Matrix3d spread = spread_of(i);
+  for (const std::int32_t j : around) spread += spread_of(j);
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+}
+
+void add_splat(Shape& mesh, Eigen::Index i, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
+               double radius) {
+  constexpr int corners = triangles_per_splat + 2;
+  const Eigen::Vector3d u = normal.unitOrthogonal();
+  const Eigen::Vector3d v = normal.cross(u);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = 2 * std::numbers::pi * k / corners;
+    mesh.vertices.row(corners * i + k) = centre + radius * (std::cos(angle) * u + std::sin(angle) * v);
+  }
+  const auto first = static_cast<std::int32_t>(corners * i);
+  for (int k = 0; k < triangles_per_splat; ++k) {
+    mesh.triangles.row(triangles_per_splat * i + k) << first, first + k + 1, first + k + 2;
+  }
+}
+
+}  // namespace
+
+Shape splats(const Shape& cloud) {
+  const UnitFrame frame = unit_frame(cloud);
+  const Eigen::Index n = cloud.vertices.rows();
+  Points points(n, 3);  // in coordinates near 1, whose squares neither vanish nor overflow
+  for (Eigen::Index i = 0; i < n; ++i) points.row(i) = frame.to_unit(cloud.vertices.row(i).transpose()).transpose();
+  const Eigen::VectorXd weights = point_weights(points);
+  const bool has_all_normals = cloud.normals.rows() > 0 && (cloud.normals.array() != 0).rowwise().any().all();
+  const PointNeighbours nearest = has_all_normals ? PointNeighbours() : nearest_neighbours(points, neighbours);
+  Shape mesh;
+  mesh.vertices.resize((triangles_per_splat + 2) * n, 3);
+  mesh.triangles.resize(triangles_per_splat * n, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    if (cloud.normals.rows() > 0) normal = cloud.normals.row(i);
+    if (normal.isZero(0)) normal = fitted_normal(points, nearest, i);
+    add_splat(mesh, i, points.row(i), normal, overlap * std::sqrt(weights[i] / std::numbers::pi));
+  }
+  mesh.vertices = (mesh.vertices * frame.diagonal).rowwise() + frame.centre.transpose();
+  return mesh;
 }
 
 }  // namespace shapegauge

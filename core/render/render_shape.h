@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "shapegauge/core/render/colour_map.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
@@ -28,5 +27,21 @@ struct RenderOptions {
 /// number of colours is wrong, or an option is out of range.
 Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
                    const RenderOptions& options = {});
+
+/// The options with a view that follows the shape when it is moved or turned: its longest principal axis lies across
+/// the image, its shortest points roughly at the viewer, who looks a little from the side and from above. The axes are
+/// those of the second moments of the surface, or of a cloud's points; each points to where the shape reaches out
+/// further (positive third moment), an axis about which the shape is balanced along its largest coordinate. The
+/// options are returned as they are where the shape has no finite extent.
+RenderOptions principal_view(const Shape& shape, RenderOptions options = {});
+
+/// Triangles that each point becomes.
+constexpr int triangles_per_splat = 4;
+
+/// A mesh that looks like the surface a point cloud lies on: at each point a hexagon in the tangent plane, so large
+/// that hexagons overlap where the points are spread at random; triangle f belongs to point f / triangles_per_splat.
+/// The plane is that of the point's normal or, without one, of its 12 nearest neighbours. Of no size where all points
+/// are at one place. Throws as point_weights().
+Shape splats(const Shape& cloud);
 
 }  // namespace shapegauge

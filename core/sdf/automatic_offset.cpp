@@ -4,10 +4,10 @@
 #include <cmath>
 #include <fmt/format.h>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
-#include "shapegauge/core/preparation/noise_level.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

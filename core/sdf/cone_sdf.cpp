@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/sdf/cone_sdf_cgal.h"
-#include "shapegauge/core/sdf/cone_sdf_embree.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/sdf/cone_sdf_engines.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

@@ -1,5 +1,3 @@
-#include "shapegauge/core/sdf/cone_sdf_cgal.h"
-
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/mesh_segmentation.h>
@@ -8,7 +6,8 @@
 #include <limits>
 #include <numbers>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/sdf/cone_sdf_engines.h"
 
 namespace shapegauge {
 

@@ -8,17 +8,16 @@
 #include <limits>
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/shape/closedness.h"
-#include "shapegauge/core/shape/unit_frame.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/exposed_direction.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
+#include "shapegauge/core/spatial/morton_order.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "shapegauge/core/spatial/offset_tolerance.h"
-#include "shapegauge/core/spatial/space_filling_curve.h"
-#include "shapegauge/core/spatial/surface_tree.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 
@@ -124,15 +123,15 @@ OffsetSdfSolver::OffsetSdfSolver(const Shape& shape)
   const Clock::time_point start = Clock::now();
   const Shape unit_shape = in_unit_frame(shape, frame_);
   bounds_ = bounding_box(unit_shape);
-  tree_ = SurfaceTree(unit_shape);
-  is_closed_ = is_closed_and_oriented(shape);
+  tree_ = TriangleBVH(unit_shape);
+  is_watertight_ = is_watertight_and_oriented(shape);
   build_seconds_ = seconds_since(start);
 }
 
 OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOptions& options) const {
   check(options);
   const Clock::time_point start = Clock::now();
-  const OffsetExterior exterior(tree_, bounds_, options.offset, is_closed_);
+  const OffsetExterior exterior(tree_, bounds_, options.offset, is_watertight_);
   OffsetSdfResult result;
   result.build_seconds = seconds_since(start);
   const Clock::time_point built = Clock::now();
@@ -140,7 +139,7 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   result.values.resize(n);
   result.normals.resize(n, 3);
   std::vector<Outcome> outcomes(static_cast<std::size_t>(n));
-  const std::vector<std::int32_t> order = order_along_curve(samples.points);
+  const std::vector<std::int32_t> order = morton_order(samples.points);
   const auto answer_block = [&](Eigen::Index block) {
     Searches searches{NearestExteriorSearch(exterior), ExteriorEntrySearch(exterior)};
     const Eigen::Index end = std::min(n, (block + 1) * block_size);

@@ -6,8 +6,7 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
-#include "shapegauge/core/shape/unit_frame.h"
-#include "shapegauge/core/spatial/surface_tree.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 
@@ -57,8 +56,8 @@ class OffsetSdfSolver {
   double build_seconds_ = 0;
   UnitFrame frame_;
   Eigen::AlignedBox3d bounds_;  ///< in the frame
-  SurfaceTree tree_;            ///< in the frame
-  bool is_closed_ = false;
+  TriangleBVH tree_;            ///< in the frame
+  bool is_watertight_ = false;
   bool is_cloud_;
 };
 

@@ -8,12 +8,10 @@
 #include <numeric>
 #include <vector>
 
+#include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
-#include "shapegauge/core/preparation/noise_level.h"
-#include "shapegauge/core/shape/disjoint_sets.h"
-#include "shapegauge/core/shape/edge_uses.h"
-#include "shapegauge/core/shape/merged_vertices.h"
-#include "shapegauge/core/shape/validity.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

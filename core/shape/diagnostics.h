@@ -24,7 +24,7 @@ struct ShapeDiagnostics {
   std::size_t duplicate_triangles = 0;   ///< those whose corners are another's, in any order, but for one of each
   std::size_t components = 0;            ///< of a mesh: parts that are not connected through vertices
 
-  bool closed = false;  ///< whether every edge has an even number of triangles (is_closed)
+  bool closed = false;  ///< whether every edge has an even number of triangles (is_watertight)
   std::size_t edges = 0;
   std::size_t boundary_edges = 0;      ///< those of one triangle
   double boundary_length = 0;          ///< their lengths' sum, in the shape's units

@@ -4,9 +4,21 @@
 #include <cstdint>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
+
+/// Points on a mesh, and the triangle on which each lies.
+struct SurfacePoints {
+  Points points;
+  std::vector<std::int32_t> triangles;
+};
+
+/// So many points of a mesh, uniform by area. The area is cut, triangle after triangle, into as many equal parts as
+/// there are to be points, and each part has one point: that spreads them better than independent ones. Throws
+/// InputError for a mesh whose area is zero or not finite, and for less than one point.
+SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
 /// To be raised with every change of the samples that a shape is given (places, normals, weights): what a cache holds
 /// of earlier versions is then computed anew.
@@ -41,5 +53,12 @@ Samples sample_shape(const Shape& shape, SampleSite site);
 /// points at random, or all where there are no more; the samples say `vertices` then. Throws InputError as above, for a
 /// mesh without area, and for less than one sample.
 Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
+
+/// One value per sample with the area that the sample stands for. A value that could not be found is NaN, and whoever
+/// computes or uses a field says how many there are.
+struct ScalarField {
+  Eigen::VectorXd values;
+  Eigen::VectorXd weights;
+};
 
 }  // namespace shapegauge

@@ -1,5 +1,9 @@
 #include "shapegauge/core/shape/shape.h"
 
+#include <fmt/format.h>
+
+#include "shapegauge/core/base/error.h"
+
 namespace shapegauge {
 
 Eigen::AlignedBox3d bounding_box(const Shape& shape) {
@@ -31,5 +35,41 @@ Eigen::VectorXd triangle_areas(const Shape& shape) {
 }
 
 double surface_area(const Shape& shape) { return triangle_areas(shape).sum(); }
+
+std::optional<std::string> defect_of(const Shape& shape) {
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    if (!shape.vertices.row(i).allFinite()) {
+      return fmt::format("vertex {} has a coordinate that is not a finite number", i);
+    }
+  }
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const auto triangle = shape.triangles.row(f);
+    if (triangle.minCoeff() < 0 || triangle.maxCoeff() >= shape.vertices.rows()) {
+      return fmt::format("triangle {} has a vertex outside 0..{}", f, shape.vertices.rows() - 1);
+    }
+  }
+  return std::nullopt;
+}
+
+void require_usable(const Shape& shape) {
+  if (const auto defect = defect_of(shape)) throw InputError(fmt::format("the shape is unusable: {}", *defect));
+}
+
+UnitFrame unit_frame(const Shape& shape) {
+  const Eigen::AlignedBox3d box = bounding_box(shape);
+  if (box.isEmpty()) return {};
+  // Halves, so that the largest coordinates do not overflow.
+  const Eigen::Vector3d centre = box.min() / 2 + box.max() / 2;
+  const double diagonal = box.sizes().stableNorm();
+  return {centre, diagonal > 0 ? diagonal : 1};
+}
+
+Shape in_unit_frame(const Shape& shape, const UnitFrame& frame) {
+  Shape result{shape.vertices, shape.triangles};
+  for (Eigen::Index i = 0; i < result.vertices.rows(); ++i) {
+    result.vertices.row(i) = frame.to_unit(shape.vertices.row(i).transpose()).transpose();
+  }
+  return result;
+}
 
 }  // namespace shapegauge

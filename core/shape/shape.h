@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace shapegauge {
 
@@ -36,5 +38,27 @@ inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 
 /// Sum of the triangles' areas; 0 for a point cloud.
 double surface_area(const Shape& shape);
+
+/// What makes a shape unusable: a coordinate that is not a finite number, or a triangle with a vertex that there is
+/// not. Nothing where it is usable, as every shape from a reader is.
+std::optional<std::string> defect_of(const Shape& shape);
+
+/// Throws InputError "the shape is unusable: ..." where a shape has a defect.
+void require_usable(const Shape& shape);
+
+/// The coordinates in which a shape lies about the origin with a diagonal of 1, so that single precision and fixed
+/// thresholds serve whatever the shape's place and size.
+struct UnitFrame {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double diagonal = 1;
+
+  [[nodiscard]] Eigen::Vector3d to_unit(const Eigen::Vector3d& x) const { return (x - centre) / diagonal; }
+};
+
+/// The frame of a shape's bounding box; one of size 1 where the box has no extent.
+UnitFrame unit_frame(const Shape& shape);
+
+/// The shape in the frame's coordinates, without normals.
+Shape in_unit_frame(const Shape& shape, const UnitFrame& frame);
 
 }  // namespace shapegauge

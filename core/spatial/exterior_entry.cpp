@@ -37,7 +37,7 @@ std::optional<std::int32_t> ExteriorEntrySearch::covering(const Eigen::Vector3d&
 
 ExteriorEntry ExteriorEntrySearch::find(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
   const double r = exterior_.r();
-  const SurfaceTree& tree = exterior_.tree();
+  const TriangleBVH& tree = exterior_.tree();
   const double smallest_step = offset_slack * r;
   double t = r;
   bool decided = true;

@@ -61,7 +61,7 @@ bool is_free_at_once(const Way& way) {
 /// together.
 void join_over(const OffsetExterior& exterior, std::span<const Way> ways, DisjointSets& parts) {
   constexpr int most_halvings = 2;
-  std::array<Eigen::Vector3d, SurfaceTree::most_points_at_once> middles;
+  std::array<Eigen::Vector3d, TriangleBVH::most_points_at_once> middles;
   double longest = 0;
   for (std::size_t i = 0; i < ways.size(); ++i) {
     middles[i] = (ways[i].start + ways[i].end) / 2;
@@ -167,13 +167,13 @@ void join_leaves(const OffsetExterior& exterior, const LeafGraph& graph, std::in
   for (int axis = 0; axis < 3; ++axis) std::ranges::for_each(graph.pairs(axis), join_or_keep);
   // Only a closed surface has another way to decide what becomes of a pocket. Neighbouring centres are less than 2r
   // apart.
-  if (exterior.is_closed() && exterior.resolution() <= exterior.r())
+  if (exterior.is_watertight() && exterior.resolution() <= exterior.r())
     uncertain = with_dead_ends_joined(nodes, uncertain, parts);
   std::vector<Way> together;
   for (const FacePair& pair : uncertain) {
     if (parts.find(pair.low) == parts.find(pair.high)) continue;
     together.push_back(way_between(graph, nodes, pair));
-    if (together.size() < SurfaceTree::most_points_at_once) continue;
+    if (together.size() < TriangleBVH::most_points_at_once) continue;
     join_over(exterior, together, parts);
     together.clear();
   }
@@ -347,9 +347,9 @@ void ExteriorFlood::label(const OffsetExterior& exterior, std::vector<ExteriorNo
     leads_nowhere_[i] = leads_nowhere_[part];
   }
   spread_to_mixed(graph_, exterior.resolution(), nodes);
-  if (exterior.is_closed()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
+  if (exterior.is_watertight()) doubt_large_leaves(graph_, reliable_edge * exterior.r(), nodes);
   settle_by_crossings(exterior, graph_, nodes);
-  if (!exterior.is_closed()) enclose_dead_ends(graph_, nodes);
+  if (!exterior.is_watertight()) enclose_dead_ends(graph_, nodes);
 }
 
 std::vector<ExteriorCell> ExteriorFlood::possible_passages(const OffsetExterior& exterior) const {

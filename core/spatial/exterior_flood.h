@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "shapegauge/core/shape/disjoint_sets.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/spatial/leaf_graph.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 

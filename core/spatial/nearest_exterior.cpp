@@ -86,7 +86,7 @@ NearestExteriorSearch::Contact NearestExteriorSearch::contact_at(std::int32_t tr
   return {triangle, {normal, normal.dot(surface_point) + r_ * (1 + offset_slack)}};
 }
 
-SurfaceHit NearestExteriorSearch::closest(const Eigen::Vector3d& x, std::int32_t hint) const {
+ClosestHit NearestExteriorSearch::closest(const Eigen::Vector3d& x, std::int32_t hint) const {
   return *tree_.closest(x, std::numeric_limits<double>::infinity(), hint);
 }
 
@@ -100,7 +100,7 @@ void NearestExteriorSearch::keep(const Eigen::Vector3d& candidate, std::vector<C
 void NearestExteriorSearch::descend_from(const Eigen::Vector3d& start) {
   const Eigen::Vector3d direction = (p_ - start).normalized();
   Eigen::Vector3d x = start;
-  SurfaceHit hit = closest(x, -1);
+  ClosestHit hit = closest(x, -1);
   for (int step = 0; step < most_pull_steps && hit.distance > r_ * (1 + 2 * offset_slack); ++step) {
     x += (hit.distance - r_ * (1 + offset_slack)) * direction;
     hit = closest(x, hit.triangle);
@@ -146,7 +146,7 @@ void NearestExteriorSearch::descend(std::vector<Contact> contacts) {
   for (int step = 0; step < most_descent_steps && !contacts.empty() && contacts.size() <= most_contacts; ++step) {
     const auto x = settle(contacts);
     if (!x || (*x - p_).norm() >= best_distance_ - smallest_improvement * r_) return;
-    const SurfaceHit hit = closest(*x, contacts.back().triangle);
+    const ClosestHit hit = closest(*x, contacts.back().triangle);
     if (!(hit.distance > 0)) return;
     if (hit.distance < r_) {
       std::erase_if(contacts, [&](const Contact& contact) {
@@ -269,7 +269,7 @@ void NearestExteriorSearch::look_into(std::int32_t index) {
     if (node.kind == CellKind::divided) return divide(index);
     if (is_inside(cube)) return frontier_.remove(index);
     const std::int32_t hint = cube.bounds > 0 ? cube.triangles[cube.bounds - 1] : -1;
-    const SurfaceHit hit = closest(*x, hint);
+    const ClosestHit hit = closest(*x, hint);
     const bool divisible = 2 * cube.cell.half > smallest_cube * r_;
     if (hit.distance >= r_) {
       const auto is_exterior = exterior_.contains(*x);
@@ -305,7 +305,7 @@ bool NearestExteriorSearch::cuts_off(Cube& cube, std::int32_t triangle, const Ei
 }
 
 /// Whether a point that is barely covered has an exterior one beside it: the nearest that its triangle leaves free.
-bool NearestExteriorSearch::push_out(const Eigen::Vector3d& x, const SurfaceHit& hit) {
+bool NearestExteriorSearch::push_out(const Eigen::Vector3d& x, const ClosestHit& hit) {
   const Eigen::Vector3d free = hit.point + r_ * (1 + offset_slack) / hit.distance * (x - hit.point);
   if (closest(free, hit.triangle).distance < r_ || exterior_.contains(free) != true) return false;
   descend_from(free);

@@ -58,7 +58,7 @@ class NearestExteriorSearch {
   [[nodiscard]] double limit() const;
   [[nodiscard]] Contact contact_at(std::int32_t triangle, const Eigen::Vector3d& surface_point,
                                    const Eigen::Vector3d& x) const;
-  [[nodiscard]] SurfaceHit closest(const Eigen::Vector3d& x, std::int32_t hint) const;
+  [[nodiscard]] ClosestHit closest(const Eigen::Vector3d& x, std::int32_t hint) const;
   void keep(const Eigen::Vector3d& candidate, std::vector<Contact> contacts);
   void descend_from(const Eigen::Vector3d& start);
   void descend(std::vector<Contact> contacts);
@@ -77,10 +77,10 @@ class NearestExteriorSearch {
   [[nodiscard]] bool is_inside(Cube& cube) const;
   bool cuts_off(Cube& cube, std::int32_t triangle, const Eigen::Vector3d& x) const;
   void divide(std::int32_t index);
-  bool push_out(const Eigen::Vector3d& x, const SurfaceHit& hit);
+  bool push_out(const Eigen::Vector3d& x, const ClosestHit& hit);
 
   const OffsetExterior& exterior_;
-  const SurfaceTree& tree_;
+  const TriangleBVH& tree_;
   double r_;
 
   // Of the point in question.

@@ -31,7 +31,7 @@ double smallest_cube(double r, double diagonal, bool closed) {
 
 }  // namespace
 
-OffsetExterior::OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed)
+OffsetExterior::OffsetExterior(const TriangleBVH& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed)
     : tree_(tree), r_(r), closed_(closed) {
   const double diagonal = bounds.diagonal().norm();
   const double smallest = smallest_cube(r, diagonal, closed);
@@ -62,7 +62,7 @@ ExteriorCell OffsetExterior::octant(const ExteriorCell& cell, int i, std::int32_
   return {cell.centre + half * direction, half, node};
 }
 
-void OffsetExterior::classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest) {
+void OffsetExterior::classify(const ExteriorCell& cell, const TriangleBVH::Nearest& nearest) {
   ExteriorNode& node = nodes_[static_cast<std::size_t>(cell.node)];
   if (nearest.triangle < 0) {
     node.kind = CellKind::free;
@@ -189,7 +189,7 @@ std::optional<bool> OffsetExterior::label_seen_from(const Eigen::Vector3d& x, do
 
 std::optional<bool> OffsetExterior::decide_by_climb(Eigen::Vector3d x) const {
   constexpr int most_steps = 64;
-  SurfaceHit hit = *tree_.closest(x);
+  ClosestHit hit = *tree_.closest(x);
   for (int step = 0; step < most_steps; ++step) {
     const double clearance = hit.distance - r_;
     if (const auto label = label_seen_from(x, clearance)) return label;
@@ -198,7 +198,7 @@ std::optional<bool> OffsetExterior::decide_by_climb(Eigen::Vector3d x) const {
   return std::nullopt;
 }
 
-bool OffsetExterior::step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length) const {
+bool OffsetExterior::step_up(Eigen::Vector3d& x, ClosestHit& hit, double length) const {
   constexpr double least_slope = 0.01;  // of the ridge between two walls at 1 degree
   const double shortest = root_half_ / 65536;
   // A direction g climbs from a wall by n.g for the unit normal n: the shortest g with n.g >= 1 for all walls is the
@@ -211,7 +211,7 @@ bool OffsetExterior::step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length)
   walls[count++] = wall;
   while (length > shortest) {
     const Eigen::Vector3d next = x + length * direction;
-    const SurfaceHit there = *tree_.closest(next, std::numeric_limits<double>::infinity(), hit.triangle);
+    const ClosestHit there = *tree_.closest(next, std::numeric_limits<double>::infinity(), hit.triangle);
     if (there.distance > hit.distance + slope * length / 16) {
       x = next;
       hit = there;
@@ -244,7 +244,7 @@ std::optional<bool> OffsetExterior::is_outside_by_crossings(const Eigen::Vector3
       Eigen::Vector3d(0.8437, 0.4231, 0.3302).normalized(), Eigen::Vector3d(-0.3371, 0.8119, 0.4766).normalized(),
       Eigen::Vector3d(0.2113, -0.4027, 0.8906).normalized(), Eigen::Vector3d(-0.5309, -0.6113, -0.5871).normalized()};
   for (const Eigen::Vector3d& direction : directions) {
-    if (const auto crossings = tree_.count_crossings(x, direction))
+    if (const auto crossings = tree_.ray_parity(x, direction))
       return crossings->count % 2 == 0 && crossings->balance == 0;
   }
   return std::nullopt;

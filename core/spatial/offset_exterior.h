@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "shapegauge/core/spatial/surface_tree.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
 
 namespace shapegauge {
 
@@ -53,16 +53,16 @@ class ExteriorFlood;
 /// Expects a shape with a diagonal of about 1. Safe to query from many threads. Keeps a reference to the surface tree.
 class OffsetExterior {
  public:
-  OffsetExterior(const SurfaceTree& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed);
+  OffsetExterior(const TriangleBVH& tree, const Eigen::AlignedBox3d& bounds, double r, bool closed);
 
   [[nodiscard]] double r() const { return r_; }
   /// Edge of the cubes at the boundary of the offset solid.
   [[nodiscard]] double resolution() const { return resolution_; }
-  [[nodiscard]] const SurfaceTree& tree() const { return tree_; }
+  [[nodiscard]] const TriangleBVH& tree() const { return tree_; }
   [[nodiscard]] const std::vector<ExteriorNode>& nodes() const { return nodes_; }
 
   /// Whether the surface is closed, so that the crossings of a ray tell inside from outside.
-  [[nodiscard]] bool is_closed() const { return closed_; }
+  [[nodiscard]] bool is_watertight() const { return closed_; }
 
   /// The cube that everything lies in; all beyond it is exterior.
   [[nodiscard]] ExteriorCell root() const { return {root_centre_, root_half_, 0}; }
@@ -82,7 +82,7 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> is_outside_by_crossings(const Eigen::Vector3d& x) const;
 
  private:
-  void classify(const ExteriorCell& cell, const SurfaceTree::Nearest& nearest);
+  void classify(const ExteriorCell& cell, const TriangleBVH::Nearest& nearest);
   /// Divides the mixed leaves, and puts those of their children that are mixed in their place. False, and nothing is
   /// divided, where there are none, or would be too many.
   bool divide(std::vector<ExteriorCell>& mixed);
@@ -102,9 +102,9 @@ class OffsetExterior {
   [[nodiscard]] std::optional<bool> decide_by_climb(Eigen::Vector3d x) const;
   /// Moves x away from the surface, by the length or, where that would come nearer to another part of it, by less,
   /// along the ridge or the edge between up to four parts. False where there is no way up.
-  bool step_up(Eigen::Vector3d& x, SurfaceHit& hit, double length) const;
+  bool step_up(Eigen::Vector3d& x, ClosestHit& hit, double length) const;
 
-  const SurfaceTree& tree_;
+  const TriangleBVH& tree_;
   double r_;
   bool closed_;
   double resolution_ = 0;

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 

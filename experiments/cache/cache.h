@@ -8,12 +8,37 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
-#include "shapegauge/experiments/cache/entry_kind.h"
-
 namespace shapegauge {
+
+/// What an entry of the cache holds.
+enum class EntryKind {
+  shape,      ///< what was found of a shape while it was prepared: diagnostics, scale, noise
+  samples,    ///< the weights of a shape's samples
+  field,      ///< the values of a field on a shape
+  histogram,  ///< of one field on one shape
+  distances,  ///< a distance matrix
+  picture,    ///< of a shape, for the report
+};
+
+inline constexpr std::size_t number_of_entry_kinds = 6;
+
+/// The kinds' names, which are also the extensions of the entries' files.
+inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
+    "shape", "samples", "field", "histogram", "distances", "picture"};
+
+constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
+
+/// The bytes of the file of an entry: a line that names the format, a line `<kind> <key>`, a line `<bytes> <SHA-256>`
+/// of what follows, and that.
+std::string encode_entry(EntryKind kind, std::string_view key, std::string_view content);
+
+/// What the file of an entry holds; nothing where a byte of it is not what was written: another length, another
+/// checksum, another key.
+std::optional<std::string> decode_entry(EntryKind kind, std::string_view key, std::string_view bytes);
 
 /// Of how many results of one kind a run took from the cache and how many it computed.
 struct CacheUse {

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "shapegauge/experiments/configuration/preparation_settings.h"
-#include "shapegauge/experiments/perturbations/perturbation_registry.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
 
@@ -126,6 +125,17 @@ Json to_json(const Configuration& configuration) {
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
   return json;
+}
+
+PreparationOptions read_preparation(const nlohmann::json& settings) {
+  PreparationOptions preparation;
+  preparation.denoise = settings.value("denoise", preparation.denoise);
+  if (settings.value("scale", "area") == "tube_area") preparation.scale = ScaleEstimate::tube_area;
+  return preparation;
+}
+
+nlohmann::json to_json(const PreparationOptions& preparation) {
+  return {{"denoise", preparation.denoise}, {"scale", preparation.scale == ScaleEstimate::area ? "area" : "tube_area"}};
 }
 
 }  // namespace shapegauge

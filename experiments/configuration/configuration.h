@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/datasets/dataset.h"
-#include "shapegauge/experiments/fields/field.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
-#include "shapegauge/experiments/perturbations/perturbation.h"
-#include "shapegauge/experiments/report/model_picture.h"
-#include "shapegauge/metrics/measures/registry.h"
+#include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
-#include "shapegauge/metrics/ties.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -40,6 +38,15 @@ struct SignatureConfiguration {
 
 /// What to do with a model that cannot be used.
 enum class OnError { stop, skip };
+
+/// How the models of a run are drawn for its report; alike for all of them.
+struct PictureOptions {
+  /// Values with the ends of the colour map, which runs with the square root of (value - low) so that thin parts differ
+  /// as well; by default from 0 to the diameter of a sphere of unit area.
+  Interval range = {.low = 0, .high = 0.5641895835477563};
+  int width = 120;  ///< pixels
+  int height = 96;  ///< pixels
+};
 
 /// The page that a run of the experiment ends in.
 struct ReportConfiguration {
@@ -86,5 +93,11 @@ nlohmann::json to_json(const GeneratorOptions& generator);
 /// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
 /// absolute.
 nlohmann::json to_json(const Configuration& configuration);
+
+/// The options of a configuration's "preparation", which the schema has accepted.
+PreparationOptions read_preparation(const nlohmann::json& settings);
+
+/// The options in that form.
+nlohmann::json to_json(const PreparationOptions& preparation);
 
 }  // namespace shapegauge

@@ -1,23 +1,161 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/printable.h"
-#include "shapegauge/experiments/configuration/apply_override.h"
-#include "shapegauge/experiments/configuration/misplaced_value.h"
-#include "shapegauge/experiments/configuration/parse_json.h"
-#include "shapegauge/experiments/configuration/path_value.h"
-#include "shapegauge/experiments/configuration/preparation_settings.h"
-#include "shapegauge/experiments/configuration/read_report.h"
-#include "shapegauge/experiments/configuration/read_signatures.h"
-#include "shapegauge/experiments/configuration/schema_check.h"
-#include "shapegauge/experiments/datasets/dataset_layouts.h"
-#include "shapegauge/experiments/perturbations/perturbation_registry.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/datasets/layouts.h"
 
 namespace shapegauge {
+
+/// The setting "report" of a retrieval experiment with these signatures, or what stands for its absence (null). The
+/// schema holds for it. Throws ConfigurationError for pictures of a signature that is not there or has no field of its
+/// own, and for a range of no width.
+ReportConfiguration read_report(const nlohmann::json& setting, const std::vector<SignatureConfiguration>& signatures);
+
+namespace {
+
+using Json = nlohmann::json;
+
+bool has_field(const SignatureConfiguration& signature) { return signature.field.has_value(); }
+
+std::size_t signature_named(const std::string& name, const std::vector<SignatureConfiguration>& signatures) {
+  const auto found = std::ranges::find(signatures, name, &SignatureConfiguration::name);
+  if (found == signatures.end()) {
+    std::vector<std::string> names;
+    for (const SignatureConfiguration& signature : signatures) names.push_back(signature.name);
+    throw ConfigurationError{"pictures.of",
+                             fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
+  }
+  if (!has_field(*found)) {
+    throw ConfigurationError{"pictures.of",
+                             fmt::format("the signature \"{}\" concatenates others: name one of them", name)};
+  }
+  return static_cast<std::size_t>(found - signatures.begin());
+}
+
+Interval picture_range(const Json& range) {
+  const Interval interval{.low = range.at(0), .high = range.at(1)};
+  if (interval.low < interval.high) return interval;
+  throw ConfigurationError{"pictures.range",
+                           fmt::format("the first value must be less than the second, not {}", range.dump())};
+}
+
+}  // namespace
+
+ReportConfiguration read_report(const Json& setting, const std::vector<SignatureConfiguration>& signatures) {
+  ReportConfiguration report;
+  const auto first = std::ranges::find_if(signatures, has_field);
+  report.pictured_signature = static_cast<std::size_t>(first - signatures.begin());
+  if (setting.is_boolean()) report.wanted = setting;
+  const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.wanted);
+  report.pictures = pictures != Json(false);
+  if (!pictures.is_object()) return report;
+  if (pictures.contains("of")) report.pictured_signature = signature_named(pictures.at("of"), signatures);
+  if (pictures.contains("range")) report.picture_options.range = picture_range(pictures.at("range"));
+  return report;
+}
+
+namespace {
+
+using Json = nlohmann::json;
+
+HistogramConfiguration histogram_of(const Json& settings) {
+  HistogramConfiguration histogram;
+  histogram.options.bins = settings.value("bins", histogram.options.bins);
+  histogram.options.smoothing_bins = settings.value("smoothing_bins", histogram.options.smoothing_bins);
+  if (histogram.options.smoothing_bins > histogram.options.bins) {
+    throw ConfigurationError{"smoothing_bins",
+                             fmt::format("the smoothing must be at most the number of bins ({}), not {}",
+                                         histogram.options.bins, histogram.options.smoothing_bins)};
+  }
+  const Json& range = settings.at("range");
+  if (range.is_object()) {
+    histogram.range = HistogramRange::fixed;
+    histogram.fixed = {.low = range.at("fixed").at(0), .high = range.at("fixed").at(1)};
+    if (!(histogram.fixed.low < histogram.fixed.high)) {
+      throw ConfigurationError{
+          "range.fixed", fmt::format("the first value must be less than the second, not {}", range.at("fixed").dump())};
+    }
+    if (!std::isfinite(histogram.fixed.high - histogram.fixed.low)) {
+      throw ConfigurationError{"range.fixed",
+                               fmt::format("the values are too far apart: {}", range.at("fixed").dump())};
+    }
+  } else {
+    histogram.range = range == "dataset" ? HistogramRange::dataset : HistogramRange::per_shape;
+  }
+  return histogram;
+}
+
+std::vector<std::string> unique_names(const Json& signatures) {
+  std::vector<std::string> names;
+  for (const Json& signature : signatures) {
+    const std::string name = signature.at("name");
+    const auto earlier = std::ranges::find(names, name);
+    if (earlier != names.end()) {
+      throw ConfigurationError{
+          fmt::format("{}.name", names.size()),
+          fmt::format("\"{}\" is the name of signatures.{} already", name, earlier - names.begin())};
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::size_t> parts_of(const Json& concatenate, const std::vector<std::string>& names) {
+  std::vector<std::size_t> parts;
+  for (std::size_t i = 0; i < concatenate.size(); ++i) {
+    const std::string name = concatenate[i];
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end()) {
+      throw ConfigurationError{fmt::format("concatenate.{}", i),
+                               fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
+    }
+    parts.push_back(static_cast<std::size_t>(found - names.begin()));
+  }
+  return parts;
+}
+
+SignatureConfiguration signature_of(const Json& settings, const std::vector<std::string>& names) {
+  SignatureConfiguration signature;
+  signature.name = settings.at("name");
+  if (settings.contains("concatenate")) {
+    for (const char* key : {"field", "histogram"}) {
+      if (settings.contains(key))
+        throw ConfigurationError{key, "does not go with \"concatenate\"; remove one of the two"};
+    }
+    signature.parts = parts_of(settings.at("concatenate"), names);
+    return signature;
+  }
+  signature.field = at("field", [&] { return make_field(settings.at("field")); });
+  signature.histogram = at("histogram", [&] { return histogram_of(settings.at("histogram")); });
+  return signature;
+}
+
+}  // namespace
+
+std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
+  const std::vector<std::string> names = unique_names(settings);
+  std::vector<SignatureConfiguration> signatures;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
+  }
+  if (const auto cyclic = part_of_itself(signatures)) {
+    throw ConfigurationError{fmt::format("{}.concatenate", *cyclic),
+                             fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
+  }
+  return signatures;
+}
 
 namespace {
 
@@ -30,12 +168,12 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
   location.root = path_value(dataset, "root", folder);
   if (location.layout == "folders") {
     if (dataset.contains("classification")) {
-      throw MisplacedValue{"classification", "the layout \"folders\" has its classes in the folders' names"};
+      throw ConfigurationError{"classification", "the layout \"folders\" has its classes in the folders' names"};
     }
     location.split = dataset.value("split", location.split);
     return location;
   }
-  if (dataset.contains("split")) throw MisplacedValue{"split", "only the layout \"folders\" has a split"};
+  if (dataset.contains("split")) throw ConfigurationError{"split", "only the layout \"folders\" has a split"};
   location.classification = dataset.contains("classification")
                                 ? path_value(dataset, "classification", location.root)
                                 : location.root / dataset_layout(location.layout).usual_classification;
@@ -45,7 +183,7 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
 GeneratorOptions generator_of(const Json& dataset) {
   for (const auto& [key, value] : dataset.items()) {
     if (key != "generate") {
-      throw MisplacedValue{key, "does not go with \"generate\"; remove one of the two"};
+      throw ConfigurationError{key, "does not go with \"generate\"; remove one of the two"};
     }
   }
   const Json& settings = dataset.at("generate");
@@ -56,7 +194,7 @@ GeneratorOptions generator_of(const Json& dataset) {
   options.seed = settings.value("seed", options.seed);
   const std::size_t known = generated_class_names().size();
   if (static_cast<std::size_t>(options.classes) > known) {
-    throw MisplacedValue{"generate.classes", fmt::format("there are {} classes, not {}", known, options.classes)};
+    throw ConfigurationError{"generate.classes", fmt::format("there are {} classes, not {}", known, options.classes)};
   }
   return options;
 }
@@ -79,7 +217,7 @@ void read_evaluation(const Json& setting, Configuration& configuration) {
   try {
     configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
   } catch (const std::invalid_argument& error) {
-    throw MisplacedValue{"measures", error.what()};
+    throw ConfigurationError{"measures", error.what()};
   }
 }
 
@@ -117,7 +255,7 @@ Configuration configuration_from_json(const Json& document, const std::string& s
   }
   try {
     return checked_configuration(document, folder);
-  } catch (const MisplacedValue& error) {
+  } catch (const ConfigurationError& error) {
     throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
   }
 }

@@ -4,10 +4,15 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "shapegauge/experiments/configuration/configuration.h"
 
 namespace shapegauge {
+
+/// The signatures of a configuration's "signatures", which the schema has accepted. Throws ConfigurationError for two
+/// of the same name, `concatenate` that points nowhere or to itself, and settings that contradict each other.
+std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
 /// Reads the configuration file of a retrieval experiment, applies the overrides (see apply_override), and checks
 /// everything that can be checked without looking at the data: the schema, unique names, `concatenate` that points

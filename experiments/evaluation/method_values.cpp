@@ -6,14 +6,14 @@
 #include <unordered_map>
 #include <utility>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/datasets/model_ids.h"
-#include "shapegauge/experiments/text/csv.h"
-#include "shapegauge/experiments/text/parse_number.h"
-#include "shapegauge/experiments/text/quoted_word.h"
+#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/experiments/files/model_ids.h"
 
 namespace shapegauge {
+
 namespace {
 
 constexpr std::size_t first_measure = 4;

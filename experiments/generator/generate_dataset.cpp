@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/generator/generate_dataset.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
@@ -7,19 +8,84 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <regex>
+#include <stdexcept>
 #include <system_error>
 #include <tbb/parallel_for.h>
 #include <utility>
+#include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/core/io/write_off.h"
-#include "shapegauge/experiments/datasets/classification_file.h"
-#include "shapegauge/experiments/generator/articulated_body.h"
-#include "shapegauge/experiments/generator/classes/class_skeletons.h"
-#include "shapegauge/experiments/generator/generate_model.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/generator/class_skeletons.h"
+#include "shapegauge/experiments/generator/implicit_surface.h"
+#include "shapegauge/experiments/generator/mesh_implicit_surface.h"
+#include "shapegauge/experiments/generator/pose.h"
+#include "shapegauge/experiments/generator/skeleton.h"
 
 namespace shapegauge {
+
+namespace {
+
+// Whether a triangle is a thousand times longer than high.
+bool has_degenerate_triangle(const Shape& shape) {
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
+    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(f, 1));
+    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(f, 2));
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    if ((b - a).cross(c - a).norm() <= 1e-3 * longest) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ArticulatedBody make_body(const Skeleton& skeleton, int faces) {
+  const ImplicitSurface surface(skeleton);
+  const Shape mesh = mesh_implicit_surface(surface, faces);
+  ArticulatedBody body;
+  body.skeleton = skeleton;
+  body.rest = {mesh.vertices, bones_of(skeleton)};
+  body.triangles = mesh.triangles;
+  body.weights = bone_weights(mesh, surface, body.rest.tree);
+  body.labels = limb_labels(mesh, body.weights, body.rest.tree);
+  return body;
+}
+
+Shape draw_model(const ArticulatedBody& body, RandomNumbers& random) {
+  constexpr int attempts = 60;
+  constexpr double shrinkage = 0.96;
+  const RestPose individual = draw_individual(body.skeleton, body.rest, body.weights, random);
+  double amplitude = 1;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    const std::vector<RigidMotion> motions = draw_pose(body.skeleton, individual.tree, amplitude, random);
+    Shape model{skinned(individual.points, body.weights, motions), body.triangles};
+    if (!has_degenerate_triangle(model) && !self_intersects(model)) return model;
+    amplitude *= shrinkage;
+  }
+  throw std::runtime_error("no pose of the generated class " + body.skeleton.name + " is free of self-intersections");
+}
+
+Shape draw_numbered_model(const ArticulatedBody& body, std::size_t class_index, std::size_t model, std::uint64_t seed) {
+  RandomNumbers random(seed, (class_index << 32U) + model);
+  return draw_model(body, random);
+}
+
+Shape generate_model(const GeneratedModel& wanted) {
+  const std::vector<std::string> classes = generated_class_names();
+  const auto found = std::ranges::find(classes, wanted.model_class);
+  if (found == classes.end()) throw InputError(fmt::format("there is no class \"{}\" to generate", wanted.model_class));
+  if (wanted.model < 0 || wanted.faces < 1000 || wanted.faces > 100000) {
+    throw InputError(
+        fmt::format("cannot generate model {} with {} faces; choose a model from 0 and 1000 to 100000 faces",
+                    wanted.model, wanted.faces));
+  }
+  const auto class_index = static_cast<std::size_t>(found - classes.begin());
+  const ArticulatedBody body = make_body(class_skeleton(class_index), wanted.faces);
+  return draw_numbered_model(body, class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
+}
 
 namespace {
 

@@ -1,12 +1,49 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/generator/pose.h"
+#include "shapegauge/experiments/generator/skeleton.h"
+
 namespace shapegauge {
+
+/// A class's body in the rest pose, meshed, ready to be posed.
+struct ArticulatedBody {
+  Skeleton skeleton;
+  RestPose rest;
+  Triangles triangles;
+  Eigen::VectorXi labels;   ///< for each triangle, the limb that it belongs to
+  Eigen::MatrixXd weights;  ///< see bone_weights
+};
+
+/// Meshes a skeleton's skin with about so many triangles (within a fifth) and attaches it to the bones.
+ArticulatedBody make_body(const Skeleton& skeleton, int faces);
+
+/// An individual of the body's class in a pose: proportions drawn at random, then poses until one is free of
+/// self-intersections and of degenerate triangles, the range of motion shrinking from draw to draw. Throws
+/// std::runtime_error where none of them is.
+Shape draw_model(const ArticulatedBody& body, RandomNumbers& random);
+
+/// One model of a data set that generate_dataset makes with the same number of faces and the same seed.
+struct GeneratedModel {
+  std::string model_class;  ///< a name of generated_class_names()
+  int model = 0;            ///< which of its class, from 0
+  int faces = 4000;         ///< approximate number of triangles; from 1000 to 100000
+  std::uint64_t seed = 1;
+};
+
+/// Makes the model. Throws InputError for a class that is not known and an option out of range.
+Shape generate_model(const GeneratedModel& wanted);
+
+/// Draws that model of a class's body, by the class's index in generated_class_names(): an individual in a pose.
+Shape draw_numbered_model(const ArticulatedBody& body, std::size_t class_index, std::size_t model, std::uint64_t seed);
 
 /// What generate_dataset makes.
 struct GeneratorOptions {

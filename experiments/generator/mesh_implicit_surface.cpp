@@ -1,24 +1,62 @@
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Delaunay_triangulation_cell_base_with_circumcenter_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Robust_circumcenter_traits_3.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_cell_base_3.h>
+#include <CGAL/Surface_mesh_vertex_base_3.h>
 #include <CGAL/make_surface_mesh.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
-#include "shapegauge/experiments/generator/surface_triangulation.h"
+// Of CGAL: to be included by sources only.
 
 namespace shapegauge {
+
+/// A vertex or cell that knows when it was made. CGAL then orders handles by that and not by address, without which the
+/// refinement of a surface would not be the same from run to run.
+template <typename Base>
+class TimeStamped : public Base {
+ public:
+  using Base::Base;
+  using Has_timestamp = CGAL::Tag_true;
+
+  template <typename DataStructure>
+  struct Rebind_TDS {
+    using Other = TimeStamped<typename Base::template Rebind_TDS<DataStructure>::Other>;
+  };
+
+  std::size_t time_stamp() const { return time_stamp_; }
+  void set_time_stamp(const std::size_t& time_stamp) { time_stamp_ = time_stamp; }
+
+ private:
+  std::size_t time_stamp_ = static_cast<std::size_t>(-1);  // CGAL's sign for "none yet"
+};
+
+/// CGAL's default triangulation for surface meshes, with time stamps.
+using SurfaceTriangulationTraits =
+    CGAL::Robust_circumcenter_traits_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
+using SurfaceTriangulation = CGAL::Delaunay_triangulation_3<
+    SurfaceTriangulationTraits,
+    CGAL::Triangulation_data_structure_3<
+        TimeStamped<CGAL::Surface_mesh_vertex_base_3<SurfaceTriangulationTraits>>,
+        TimeStamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<
+            SurfaceTriangulationTraits, CGAL::Surface_mesh_cell_base_3<SurfaceTriangulationTraits>>>>>;
 
 namespace {
 
@@ -274,6 +312,20 @@ Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces) {
     }
   }
   throw std::runtime_error("a generated surface cannot be meshed; raise the number of faces");
+}
+
+bool self_intersects(const Shape& mesh) {
+  using Mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
+  using Vertex = Mesh::Vertex_index;
+  Mesh halfedges;
+  for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
+    halfedges.add_vertex({mesh.vertices(i, 0), mesh.vertices(i, 1), mesh.vertices(i, 2)});
+  }
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const auto corner = [&](int k) { return Vertex(static_cast<Mesh::size_type>(mesh.triangles(f, k))); };
+    halfedges.add_face(corner(0), corner(1), corner(2));
+  }
+  return CGAL::Polygon_mesh_processing::does_self_intersect(halfedges);
 }
 
 }  // namespace shapegauge

@@ -12,4 +12,7 @@ namespace shapegauge {
 /// std::runtime_error where that does not help either.
 Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces);
 
+/// Whether two triangles of a manifold mesh meet elsewhere than at a vertex or an edge that they share (CGAL, exact).
+bool self_intersects(const Shape& mesh);
+
 }  // namespace shapegauge

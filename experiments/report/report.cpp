@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "shapegauge/experiments/perturbations/perturbation_registry.h"
-#include "shapegauge/experiments/results/field_warnings.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
 

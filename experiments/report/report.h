@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/experiments/results/experiment_results.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"

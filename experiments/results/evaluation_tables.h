@@ -1,12 +1,13 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/text/table.h"
+#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "shapegauge/metrics/statistics/bootstrap.h"
 
 namespace shapegauge {
 
@@ -69,5 +70,11 @@ Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span
 
 /// A curve as psbPlot writes it, for gnuplot: recall and precision, a level a line.
 std::string psb_plot(const PrecisionRecallCurve& curve);
+
+/// An evaluation as JSON (the design, section 6): protocol, ties, number of queries, of those that ties could change,
+/// and of models that are never queries; the measures as fractions: micro, macro, and per class by the class's name;
+/// and where there are intervals those of the averages.
+nlohmann::ordered_json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
+                                       const EvaluationIntervals& intervals = {});
 
 }  // namespace shapegauge

@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/core/io/write_ply.h"
-#include "shapegauge/core/render/colour_map.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
-#include "shapegauge/experiments/matrices/npy.h"
-#include "shapegauge/experiments/text/lower_case.h"
+#include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -74,6 +74,34 @@ void write_picture(const fs::path& path, const Shape& shape, const Samples& samp
   write_png(path, render_shape(shape, colours(samples, values), samples.site));
 }
 
+void write_normals_csv(const fs::path& path, const Shape& /*shape*/, const Samples& samples, const Points& normals) {
+  fmt::memory_buffer text;
+  fmt::format_to(std::back_inserter(text), "index,nx,ny,nz,weight\n");
+  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, normals(i, 0), normals(i, 1), normals(i, 2),
+                   samples.weights[i]);
+  }
+  write_file_atomically(path, {text.data(), text.size()});
+}
+
+void write_normals_npy(const fs::path& path, const Shape& /*shape*/, const Samples& /*samples*/,
+                       const Points& normals) {
+  write_npy(path, normals);
+}
+
+void write_normals_ply(const fs::path& path, const Shape& shape, const Samples& samples, const Points& normals) {
+  write_ply(path, shape, samples.site, normals);
+}
+
+void write_normals_xyz(const fs::path& path, const Shape& /*shape*/, const Samples& samples, const Points& normals) {
+  fmt::memory_buffer text;
+  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+    fmt::format_to(std::back_inserter(text), "{} {} {} {} {} {}\n", samples.points(i, 0), samples.points(i, 1),
+                   samples.points(i, 2), normals(i, 0), normals(i, 1), normals(i, 2));
+  }
+  write_file_atomically(path, {text.data(), text.size()});
+}
+
 }  // namespace
 
 FieldFileWriter field_file_writer(const fs::path& path) {
@@ -83,6 +111,15 @@ FieldFileWriter field_file_writer(const fs::path& path) {
   if (extension == ".ply") return write_coloured_shape;
   if (extension == ".png") return write_picture;
   throw InputError(fmt::format("cannot write {}: the name must end in .csv, .npy, .ply or .png", path.string()));
+}
+
+NormalFileWriter normal_file_writer(const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".csv") return write_normals_csv;
+  if (extension == ".npy") return write_normals_npy;
+  if (extension == ".ply") return write_normals_ply;
+  if (extension == ".xyz") return write_normals_xyz;
+  throw InputError(fmt::format("cannot write {}: the name must end in .csv, .npy, .ply or .xyz", path.string()));
 }
 
 }  // namespace shapegauge

@@ -18,4 +18,13 @@ using FieldFileWriter =
 /// .png (a picture). Colours go from the smallest value to the largest. Throws InputError for another extension.
 FieldFileWriter field_file_writer(const std::filesystem::path& path);
 
+/// Writes normals at the samples of a shape to a file, whole or not at all.
+using NormalFileWriter =
+    std::function<void(const std::filesystem::path&, const Shape&, const Samples&, const Points& normals)>;
+
+/// The writer for the format that the name's extension tells: .csv (columns index,nx,ny,nz,weight), .npy (n x 3), .ply
+/// (the shape with the normals as properties of its faces or vertices), .xyz (a cloud of the samples, x y z nx ny nz a
+/// line). Numbers read back the same. Throws InputError for another extension.
+NormalFileWriter normal_file_writer(const std::filesystem::path& path);
+
 }  // namespace shapegauge

@@ -2,12 +2,31 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "shapegauge/experiments/results/experiment_results.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
+
+/// The parts that the manifests of all kinds of runs have.
 
 namespace shapegauge {
+
+/// The program and what it runs on: version, commit, compiler, build type, libraries, processor.
+nlohmann::ordered_json program_json();
+
+/// SHA-256 of the result files in the folder, by name; not of tables of timings, which differ from run to run.
+nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);
+
+/// For each field its settings and its samples by outcome.
+nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
+
+/// Threads, seconds by stage, and seconds by field: what differs from run to run.
+nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
+                                      std::span<const FieldReport> fields);
 
 /// What a run was, to know and to repeat it: version, commit, compiler, libraries, configuration with all defaults
 /// filled in, SHA-256 of every input, outcomes of samples, failed models, threads, timings, and the files of its

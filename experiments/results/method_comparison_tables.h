@@ -5,9 +5,9 @@
 #include <string>
 
 #include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/experiments/text/table.h"
-#include "shapegauge/metrics/statistics/method_comparison.h"
+#include "shapegauge/metrics/method_comparison.h"
 
 namespace shapegauge {
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <optional>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/experiments/configuration/parse_json.h"
-#include "shapegauge/experiments/results/manifest_parts.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 
 namespace shapegauge {

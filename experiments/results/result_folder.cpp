@@ -2,13 +2,96 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cerrno>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/experiments/configuration/parse_json.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/configuration/json_document.h"
 
 namespace shapegauge {
+
+namespace {
+
+bool is_safe(char c) {
+  return (std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & '\x80') == 0) || c == '-' || c == '.';
+}
+
+}  // namespace
+
+std::string file_safe_name(std::string_view name) {
+  std::string safe;
+  for (const char c : name) {
+    if (is_safe(c)) {
+      safe += c;
+    } else if (!safe.ends_with('_')) {
+      safe += '_';
+    }
+  }
+  safe.resize(std::min<std::size_t>(safe.size(), 100));
+  safe.erase(0, safe.find_first_not_of("_."));
+  safe.erase(safe.find_last_not_of("_.") + 1);
+  return safe.empty() ? "unnamed" : safe;
+}
+
+std::vector<std::string> file_safe_names(std::span<const std::string> names) {
+  std::vector<std::string> safe_names;
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    const std::string safe = file_safe_name(name);
+    std::string candidate = safe;
+    for (int i = 2; !taken.insert(lower_case(candidate)).second; ++i) candidate = fmt::format("{}_{}", safe, i);
+    safe_names.push_back(candidate);
+  }
+  return safe_names;
+}
+
+namespace {
+
+/// Whether the open file is still the one of that name.
+bool is_file_of(int descriptor, const std::filesystem::path& path) {
+  struct stat opened = {};
+  struct stat named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / ".shapegauge-lock") {
+  make_folder(folder);
+  while (true) {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw InputError(
+          fmt::format("cannot write to the folder {}: {}", folder.string(), std::generic_category().message(errno)));
+    }
+    const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (error == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw InputError(
+          fmt::format("another run is under way in {}; wait until it has ended, or give another folder with --output",
+                      folder.string()));
+    }
+    // Whoever had it before removes the file at last: a lock on a file that is gone keeps nobody out.
+    if (error != 0 || is_file_of(descriptor_, path_)) return;
+    ::close(descriptor_);
+  }
+}
+
+FolderLock::~FolderLock() {
+  ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
 
 namespace fs = std::filesystem;
 
@@ -88,6 +171,38 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
       fmt::format("{} holds the results of another configuration; give another folder with --output, or replace them "
                   "with --replace",
                   folder.string()));
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void move_file(const fs::path& from, const fs::path& to) {
+  make_folder(to.parent_path());
+  std::error_code failure;
+  fs::rename(from, to, failure);
+  if (failure) throw InputError(fmt::format("cannot write {}: {}", to.string(), failure.message()));
+}
+
+}  // namespace
+
+StagedResults::StagedResults(fs::path destination)
+    : destination_(std::move(destination)), folder_(destination_ / ".shapegauge-new") {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);  // of a run that was killed
+  make_folder(folder_);
+}
+
+StagedResults::~StagedResults() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void StagedResults::publish(const std::vector<std::string>& files) {
+  const std::vector<std::string> earlier = earlier_results(destination_);
+  for (const std::string& file : files) move_file(folder_ / file, destination_ / file);
+  move_file(folder_ / manifest_name, destination_ / manifest_name);
+  remove_superseded(destination_, earlier, files);
 }
 
 }  // namespace shapegauge

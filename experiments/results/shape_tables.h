@@ -1,11 +1,17 @@
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <span>
 
-#include "shapegauge/experiments/results/experiment_results.h"
-#include "shapegauge/experiments/text/table.h"
+#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
 
 namespace shapegauge {
+
+/// The diagnostics by name, as ShapeDiagnostics has them; `boundary_fraction`, `gap_fraction` and
+/// `noise_fraction` are lengths over the diagonal, or 0 where there is none.
+nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics);
 
 /// The table, whose rows name the shapes, with more columns: the choices of a shape's perturbations, its diagnostics,
 /// and for each field the number of samples of each outcome.

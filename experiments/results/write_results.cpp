@@ -4,15 +4,13 @@
 #include <span>
 #include <string>
 
-#include "shapegauge/core/io/atomic_file.h"
-#include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/report/report_page.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/experiments/results/file_names.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
-#include "shapegauge/experiments/results/staged_results.h"
 
 namespace shapegauge {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "shapegauge/experiments/results/experiment_results.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
 
 namespace shapegauge {
 

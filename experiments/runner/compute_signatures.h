@@ -1,18 +1,51 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/datasets/dataset.h"
-#include "shapegauge/experiments/datasets/dataset_layouts.h"
-#include "shapegauge/experiments/fields/field.h"
-#include "shapegauge/experiments/results/shape_report.h"
+#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
+
+/// What a run found of one model, as it was measured: after the perturbations, in the file's units.
+struct ShapeReport {
+  std::string sha256 = {};  ///< of the file; empty where there is none
+  ShapeDiagnostics diagnostics;
+  std::vector<std::size_t> chosen;             ///< what perturbations that choose have chosen, in order
+  double area = 0;                             ///< that was scaled to 1, in the file's units, squared
+  double noise = 0;                            ///< NoiseLevel::relative(), where the preparation looks for noise
+  double pass_band = 0;                        ///< of the preparation's smoothing; 0: none
+  std::vector<FieldOutcomes> outcomes;         ///< by field
+  std::vector<std::optional<double>> offsets;  ///< by field, where it chose one
+  std::vector<double> seconds;                 ///< by field
+};
+
+/// The signatures, in the configuration's order, of all models: row i is of models[i]. Runs in the calling TBB arena.
+std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
+                                            std::span<const PlannedField> plan,
+                                            const std::vector<SignatureConfiguration>& signatures);
+
+/// What the plan's fields did, over all models.
+std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
+                                       std::span<const PlannedField> plan);
+
+/// What is reported of a model.
+ShapeReport report_shape(const ModelDescription& model);
+
+/// The range of each model's histogram of a field.
+std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
+                                       const HistogramConfiguration& wanted, std::size_t field);
 
 /// The signatures of the models of a data set.
 struct ComputedSignatures {
@@ -31,5 +64,9 @@ struct ComputedSignatures {
 /// in the calling TBB arena. What the cache holds is taken from it, and what is computed is kept there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache);
+
+/// What a reader of the results should know of the fields: a sentence for each outcome that leaves samples undecided or
+/// without a value.
+std::vector<std::string> field_warnings(std::span<const FieldReport> fields);
 
 }  // namespace shapegauge

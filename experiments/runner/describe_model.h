@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -8,13 +9,26 @@
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/core/sdf/scalar_field.h"
 #include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/perturbations/perturbation.h"
-#include "shapegauge/experiments/runner/field_plan.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
+
+/// A field to compute on every shape, and who uses it.
+struct PlannedField {
+  Field field;
+  std::vector<std::size_t> signatures;  ///< indices of the signatures that are histograms of it
+  bool keep_values = false;             ///< a histogram over the whole data set's range has to wait for all shapes
+};
+
+/// The distinct fields of the signatures, in order of first use: fields of equal settings are computed once.
+std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures);
+
+/// Whether it is the field that colours the models in the report.
+bool is_pictured(const PlannedField& planned, const ReportConfiguration& report);
 
 /// What one shape gave for one field.
 struct FieldDescription {

@@ -7,13 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/experiments/cache/cache_keys.h"
-#include "shapegauge/experiments/cache/cache_records.h"
-#include "shapegauge/experiments/report/model_picture.h"
-#include "shapegauge/experiments/results/sha256.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/experiments/runner/cache_records.h"
+#include "shapegauge/experiments/runner/model_picture.h"
 
 namespace shapegauge {
 

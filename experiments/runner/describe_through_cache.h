@@ -7,7 +7,6 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/runner/describe_model.h"
-#include "shapegauge/experiments/runner/field_plan.h"
 
 namespace shapegauge {
 

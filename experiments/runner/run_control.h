@@ -2,9 +2,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "shapegauge/experiments/datasets/layouts.h"
 
 namespace shapegauge {
 
@@ -23,5 +27,22 @@ class Interrupted : public std::runtime_error {
   explicit Interrupted(const std::string& message = "interrupted; no results were written")
       : std::runtime_error(message) {}
 };
+
+/// Number of threads that 0 stands for: what the machine has.
+int available_threads();
+
+/// Runs the work with at most so many threads (0: available_threads()), its own included.
+void with_threads(int threads, const std::function<void()>& work);
+
+/// Does a job for each of the models, in parallel over them, in the calling TBB arena. A job that throws is a failure
+/// of its model; with stop_at_failure, jobs that have not begun by then are not done. Returns the failures, in order of
+/// the models. Throws Interrupted.
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control,
+                                         const std::function<void(std::size_t model)>& job);
+
+/// Reads every model as a run would, in parallel, and returns those that a run could not use, in order. Throws
+/// Interrupted. Runs in the calling TBB arena.
+std::vector<ModelFailure> validate_models(const Dataset& dataset, const RunControl& control);
 
 }  // namespace shapegauge

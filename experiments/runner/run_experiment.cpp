@@ -4,13 +4,81 @@
 #include <stdexcept>
 #include <utility>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
-#include "shapegauge/experiments/runner/distances_through_cache.h"
-#include "shapegauge/experiments/runner/prepare_dataset.h"
-#include "shapegauge/experiments/runner/with_threads.h"
+#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// What the folder's own record says of the data set in it; null where there is none.
+Json record_in(const fs::path& file) {
+  try {
+    return fs::exists(file) ? read_json(file) : Json();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+void generate(const fs::path& folder, const GeneratorOptions& options, const RunControl& control) {
+  const fs::path record_file = folder / "generated.json";
+  Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
+  const Json earlier = record_in(record_file);
+  if (earlier == record) return;
+
+  // The record comes first, to know the folder for our own again after an interruption.
+  fs::create_directories(folder);
+  record["complete"] = false;
+  GeneratorOptions now = options;
+  now.force = earlier.is_object();
+  if (now.force || fs::is_empty(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
+  generate_dataset(folder, now, [&](int done, int total) {
+    if (control.interrupted()) throw Interrupted();
+    control.progress("generating models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
+  });
+  record["complete"] = true;
+  write_file_atomically(record_file, record.dump(2) + "\n");
+}
+
+}  // namespace
+
+Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder,
+                        const RunControl& control) {
+  if (!configuration.generator) return find_dataset(configuration.location.value());
+  generate(generated_folder, *configuration.generator, control);
+  return find_dataset({.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
+}
+
+namespace {
+
+constexpr Eigen::Index most_shapes_kept = 2900;
+
+}  // namespace
+
+DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
+  const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
+  const std::string key = kept ? distances_key(signatures, distance) : "";
+  if (kept) {
+    if (auto distances = cache.find(EntryKind::distances, key, read_distances)) {
+      cache.count(EntryKind::distances, true);
+      return std::move(*distances);
+    }
+  }
+  DistanceMatrix distances = distance_matrix(signatures, distance);
+  cache.count(EntryKind::distances, false);
+  if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
+  return distances;
+}
 
 namespace {
 

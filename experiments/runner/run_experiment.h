@@ -1,13 +1,60 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/results/experiment_results.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/runner/compute_signatures.h"
 #include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
+
+/// A model that a run went on without.
+struct FailedModel {
+  Model model;
+  std::string message;
+};
+
+/// What a run found for one signature.
+struct MethodResults {
+  std::string name;
+  DistanceMatrix distances;                ///< rows and columns are ExperimentResults::models
+  std::vector<Evaluation> evaluations;     ///< by protocol of the configuration
+  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]
+  std::vector<Interval> histogram_ranges;  ///< of each row, where the signature is one histogram; else empty
+};
+
+/// All that a run found.
+struct ExperimentResults {
+  Configuration configuration;
+  std::vector<std::string> classes;   ///< names, by label
+  std::vector<Model> models;          ///< those that have signatures
+  std::vector<ShapeReport> shapes;    ///< of the models
+  std::vector<std::string> pictures;  ///< of the models, as PNG files; none at all where the configuration wants none
+  std::vector<FailedModel> failures;
+  std::vector<FieldReport> fields;
+  std::vector<MethodResults> methods;
+  CacheReport cache;
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
+};
+
+/// The data set of the configuration. One that the program makes lies in the given folder: it is made there unless it
+/// was made before, by this version and commit with these settings. Throws InputError as find_dataset and
+/// generate_dataset do, and Interrupted.
+Dataset prepare_dataset(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                        const RunControl& control);
+
+/// distance_matrix(), taken from the cache where it is there, and else kept there. A matrix of more than 64 MB (2,900
+/// shapes) is not kept: it is computed as fast as it is read. Throws as distance_matrix() does.
+DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache);
 
 /// Runs a whole experiment: data set, signatures, distances, evaluation. Writes nothing but a data set that the
 /// configuration asks to generate, which goes to (or is found in) the folder. Throws InputError for a model that fails

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge::test_shapes {
 

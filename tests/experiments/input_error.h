@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 

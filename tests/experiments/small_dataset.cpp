@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "shapegauge/core/io/write_off.h"
+#include "shapegauge/core/io/off.h"
 #include "tests/core/test_shapes.h"
 #include "tests/experiments/text_files.h"
 

@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/experiments/comparison/read_comparison.h"
-#include "shapegauge/experiments/configuration/apply_override.h"
-#include "shapegauge/experiments/configuration/parse_json.h"
+#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"

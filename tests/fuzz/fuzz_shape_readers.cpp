@@ -1,9 +1,9 @@
 #include <string>
 
-#include "shapegauge/core/io/read_obj.h"
-#include "shapegauge/core/io/read_off.h"
-#include "shapegauge/core/io/read_ply.h"
-#include "shapegauge/core/io/read_stl.h"
+#include "shapegauge/core/io/obj.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/stl.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 

@@ -1,10 +1,10 @@
 #include <cmath>
 
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/closedness.h"
-#include "shapegauge/core/shape/normalise.h"
-#include "shapegauge/core/shape/point_weights.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/point_cloud.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 #include "tests/fuzz/soup_from_bytes.h"
@@ -42,7 +42,7 @@ bool shape_sdf(std::string_view bytes) {
   const Measurement measurement = measurement_from_bytes(bytes);
   Samples samples;
   const bool usable = is_accepted("", [&] {
-    is_closed(measurement.shape);
+    is_watertight(measurement.shape);
     samples = sample_shape(measurement.shape, measurement.site);
   });
   if (!usable) return false;

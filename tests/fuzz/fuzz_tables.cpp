@@ -1,9 +1,7 @@
-#include "shapegauge/experiments/datasets/classification_file.h"
-#include "shapegauge/experiments/evaluation/ranked_answers.h"
-#include "shapegauge/experiments/matrices/csv_matrix.h"
-#include "shapegauge/experiments/matrices/npy.h"
-#include "shapegauge/experiments/matrices/psb_matrix.h"
-#include "shapegauge/experiments/matrices/text_matrix.h"
+#include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/files/matrix_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/experiments/files/ranked_answers.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge::fuzz {
 

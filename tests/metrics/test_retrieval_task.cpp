@@ -4,6 +4,7 @@
 #include "shapegauge/metrics/retrieval_task.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::ElementsAre;
@@ -31,4 +32,5 @@ TEST(RetrievalTask, JudgementsCountWithoutTheQuery) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

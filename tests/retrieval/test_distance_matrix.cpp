@@ -10,6 +10,7 @@
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
+
 namespace {
 
 Signatures random_signatures(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
@@ -119,4 +120,5 @@ RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

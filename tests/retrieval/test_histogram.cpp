@@ -7,8 +7,10 @@
 #include <vector>
 
 #include "shapegauge/retrieval/histogram.h"
+#include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -135,4 +137,155 @@ TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
 }
 
 }  // namespace
+
+namespace {
+
+// The convolution written out the long way: the mirrored histogram is laid out in full, then every offset is summed.
+Eigen::VectorXd smoothed_naively(const Eigen::VectorXd& histogram, double standard_deviation) {
+  const auto reach = static_cast<int>(4 * standard_deviation + 0.5);
+  std::vector<double> once(histogram.begin(), histogram.end());
+  std::vector<double> there_and_back = once;
+  there_and_back.insert(there_and_back.end(), once.rbegin(), once.rend());
+  std::vector<double> unrolled;
+  const int copies = reach / static_cast<int>(there_and_back.size()) + 1;
+  for (int copy = 0; copy < 2 * copies + 1; ++copy) {
+    unrolled.insert(unrolled.end(), there_and_back.begin(), there_and_back.end());
+  }
+  const int origin = copies * static_cast<int>(there_and_back.size());
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(histogram.size());
+  double total = 0;
+  for (int offset = -reach; offset <= reach; ++offset) {
+    const double weight = std::exp(-offset * offset / (2 * standard_deviation * standard_deviation));
+    total += weight;
+    for (int bin = 0; bin < static_cast<int>(histogram.size()); ++bin) {
+      result[bin] += weight * unrolled[static_cast<std::size_t>(origin + bin + offset)];
+    }
+  }
+  return result / total;
+}
+
+rc::Gen<Eigen::VectorXd> histograms() {
+  return rc::gen::map(rc::gen::nonEmpty(rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1000))),
+                      [](const std::vector<int>& counts) {
+                        Eigen::VectorXd histogram(static_cast<Eigen::Index>(counts.size()));
+                        for (Eigen::Index i = 0; i < histogram.size(); ++i) {
+                          histogram[i] = counts[static_cast<std::size_t>(i)];
+                        }
+                        return histogram;
+                      });
+}
+
+double deviation_up_to(Eigen::Index bins) {
+  return static_cast<double>(*rc::gen::inRange<Eigen::Index>(1, bins * 100 + 1)) / 100.0;
+}
+
+TEST(GaussianSmoothing, NoneAtZero) {
+  const Eigen::VectorXd histogram = Eigen::VectorXd::LinSpaced(5, 1, 5);
+  EXPECT_EQ(smooth_gaussian(histogram, 0), histogram);
+}
+
+// At a border the mirror image gives back what would have left: worked out by hand for one unit of mass in bin 0.
+TEST(GaussianSmoothing, MassAtABorderIsMirrored) {
+  const Eigen::VectorXd histogram = Eigen::VectorXd::Unit(9, 0);
+  const Eigen::VectorXd result = smooth_gaussian(histogram, 1);
+  const auto g = [](int offset) { return std::exp(-0.5 * offset * offset); };
+  const double total = g(0) + 2 * (g(1) + g(2) + g(3) + g(4));
+  EXPECT_NEAR(result[0], (g(0) + g(1)) / total, 1e-15);
+  EXPECT_NEAR(result[1], (g(1) + g(2)) / total, 1e-15);
+  EXPECT_NEAR(result[3], (g(3) + g(4)) / total, 1e-15);
+  EXPECT_NEAR(result[4], g(4) / total, 1e-15);
+  EXPECT_EQ(result[5], 0);
+}
+
+TEST(GaussianSmoothing, RefusesWhatIsOutOfRange) {
+  const Eigen::VectorXd histogram = Eigen::VectorXd::Ones(3);
+  EXPECT_THROW(smooth_gaussian(Eigen::VectorXd(), 1), std::invalid_argument);
+  EXPECT_THROW(smooth_gaussian(histogram, -0.5), std::invalid_argument);
+  EXPECT_THROW(smooth_gaussian(histogram, 3.5), std::invalid_argument);
+  EXPECT_THROW(smooth_gaussian(histogram, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
+RC_GTEST_PROP(GaussianSmoothing, AgreesWithTheSumWrittenOut, ()) {
+  const Eigen::VectorXd histogram = *histograms();
+  const double deviation = deviation_up_to(histogram.size());
+  const Eigen::VectorXd difference = smooth_gaussian(histogram, deviation) - smoothed_naively(histogram, deviation);
+  RC_ASSERT(difference.cwiseAbs().maxCoeff() <= 1e-12 * (1 + histogram.sum()));
+}
+
+RC_GTEST_PROP(GaussianSmoothing, KeepsTheSumAndTheUniformHistogram, ()) {
+  const Eigen::VectorXd histogram = *histograms();
+  const double deviation = deviation_up_to(histogram.size());
+  const double sum = smooth_gaussian(histogram, deviation).sum();
+  RC_ASSERT(std::abs(sum - histogram.sum()) <= 1e-12 * (1 + histogram.sum()));
+  const Eigen::VectorXd uniform = Eigen::VectorXd::Ones(histogram.size());
+  RC_ASSERT((smooth_gaussian(uniform, deviation) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
+}
+
+}  // namespace
+
+namespace {
+
+Eigen::VectorXf vector_of(const std::vector<float>& entries) {
+  return Eigen::Map<const Eigen::VectorXf>(entries.data(), static_cast<Eigen::Index>(entries.size()));
+}
+
+double distance_between(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+  return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
+}
+
+TEST(Concatenate, PutsPartsSideBySideEachWithItsShare) {
+  const std::vector<Eigen::VectorXf> parts = {vector_of({0.5F, 0.5F}), vector_of({0.25F, 0.25F, 0.5F})};
+  EXPECT_EQ(concatenate(parts), vector_of({0.25F, 0.25F, 0.125F, 0.125F, 0.25F}));
+}
+
+TEST(Concatenate, KeepsTheProportionOfPartsOfUnequalSum) {
+  const std::vector<Eigen::VectorXf> parts = {vector_of({3}), vector_of({0, 1})};
+  EXPECT_EQ(concatenate(parts), vector_of({0.75F, 0, 0.25F}));
+}
+
+TEST(Concatenate, WorksRowByRow) {
+  Signatures left(2, 1);
+  left << 1, 2;
+  Signatures right(2, 2);
+  right << 1, 0, 0, 2;
+  const std::vector<Signatures> parts = {left, right};
+  Signatures expected(2, 3);
+  expected << 0.5F, 0.5F, 0, 0.5F, 0, 0.5F;
+  EXPECT_EQ(concatenate(parts), expected);
+}
+
+TEST(Concatenate, RefusesWhatCannotBeNormalised) {
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{}), std::invalid_argument);
+  EXPECT_THROW(concatenate(std::vector<Signatures>{}), std::invalid_argument);
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({0, 0})}), std::invalid_argument);
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({1, -1, 2})}), std::invalid_argument);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({nan})}), std::invalid_argument);
+  const std::vector<Signatures> unequal = {Signatures::Ones(2, 1), Signatures::Ones(3, 1)};
+  EXPECT_THROW(concatenate(unequal), std::invalid_argument);
+}
+
+RC_GTEST_PROP(Concatenate, L1DistanceIsTheMeanOfThePartsDistances, ()) {
+  const auto bins = *rc::gen::inRange<std::size_t>(1, 20);
+  const auto count = *rc::gen::inRange<std::size_t>(1, 5);
+  const auto random_histogram = [&] {
+    const auto counts = *rc::gen::container<std::vector<int>>(bins, rc::gen::inRange(1, 100));
+    Eigen::VectorXf histogram(static_cast<Eigen::Index>(bins));
+    for (std::size_t i = 0; i < bins; ++i) histogram[static_cast<Eigen::Index>(i)] = static_cast<float>(counts[i]);
+    return Eigen::VectorXf(histogram / histogram.sum());
+  };
+  std::vector<Eigen::VectorXf> a;
+  std::vector<Eigen::VectorXf> b;
+  double mean = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    a.push_back(random_histogram());
+    b.push_back(random_histogram());
+    mean += distance_between(a.back(), b.back()) / static_cast<double>(count);
+  }
+  // Entries are rounded to float: an error of 2^-24 for each unit of mass, on both sides, twice.
+  RC_ASSERT(std::abs(distance_between(concatenate(a), concatenate(b)) - mean) < 1e-6);
+}
+
+}  // namespace
+
 }  // namespace shapegauge

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/boundary_smoothing.h"
 #include "tests/core/test_shapes.h"
 

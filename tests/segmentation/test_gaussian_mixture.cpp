@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/gaussian_mixture.h"
 
 namespace shapegauge {

@@ -3,7 +3,7 @@
 #include <set>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "tests/core/test_shapes.h"

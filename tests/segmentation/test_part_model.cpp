@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/part_model.h"
 #include "shapegauge/segmentation/part_model_training.h"
 

@@ -4,7 +4,7 @@
 #include <tbb/global_control.h>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/core/test_shapes.h"

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/patch_features.h"
 
 namespace shapegauge {

@@ -3,7 +3,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/core/test_shapes.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/seg_file.h"
 
 namespace shapegauge {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/core/test_shapes.h"

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/surface_graph.h"
 #include "tests/core/test_shapes.h"
 

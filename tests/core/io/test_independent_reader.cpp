@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/test_shapes.h"

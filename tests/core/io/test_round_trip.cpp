@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/io/read_off.h"
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/io/write_off.h"
-#include "shapegauge/core/io/write_ply.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/random_shapes.h"
 #include "tests/core/io/temporary_folder.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/core/io/largest_allocation.h"
 #include "tests/core/io/temporary_folder.h"

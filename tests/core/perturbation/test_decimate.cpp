@@ -1,15 +1,15 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/decimate.h"
-#include "shapegauge/core/perturbation/flip_orientation.h"
-#include "shapegauge/core/perturbation/remove_faces.h"
-#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
+
 namespace {
 
 using test_shapes::signed_volume;
@@ -27,7 +27,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   expect_valid(coarse);
   EXPECT_LE(coarse.triangles.rows(), 1000);
   EXPECT_GE(coarse.triangles.rows(), 998);
-  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_TRUE(is_watertight(coarse));
   // A polyhedron of n alike triangles in the unit sphere loses about 4 pi / (n sqrt(3)) of its volume and more.
   EXPECT_NEAR(signed_volume(coarse) / signed_volume(sphere), 1, 0.015);
   const Samples faces = sample_shape(coarse, SampleSite::faces);
@@ -40,7 +40,7 @@ TEST(Decimate, ABoxLosesNothing) {
   const Shape box = test_shapes::box({1, 2, 3}, 8);
   const Shape coarse = decimate(box, 40);
   expect_valid(coarse);
-  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_TRUE(is_watertight(coarse));
   EXPECT_LE(coarse.triangles.rows(), 40);
   EXPECT_NEAR(signed_volume(coarse), 6, 1e-12);
   EXPECT_NEAR(surface_area(coarse), 22, 1e-12);
@@ -62,7 +62,7 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
 TEST(Decimate, TakesASoupForTheMeshItIs) {
   const Shape sphere = test_shapes::sphere(1, 3);
   const Shape coarse = decimate(test_shapes::soup(sphere), 200);
-  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_TRUE(is_watertight(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_LE(coarse.vertices.rows(), 102);
 }
@@ -72,7 +72,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
   RandomNumbers random(1);
   const Shape mixed = decimate(flip_orientation(sphere, 0.5, random), 500);
   EXPECT_LE(mixed.triangles.rows(), 500);
-  EXPECT_TRUE(is_closed(mixed));
+  EXPECT_TRUE(is_watertight(mixed));
   const Samples faces = sample_shape(mixed, SampleSite::faces);
   const Eigen::VectorXd cosines = faces.points.cwiseProduct(faces.normals).rowwise().sum();
   const auto outward = static_cast<double>((cosines.array() > 0).count());
@@ -86,7 +86,7 @@ TEST(Decimate, StaysClosedWhereSurfacesMeet) {
       test_shapes::joined({box, test_shapes::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
   const Shape coarse = decimate(pair, 200);
   expect_valid(coarse);
-  EXPECT_TRUE(is_closed(coarse));
+  EXPECT_TRUE(is_watertight(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_NEAR(signed_volume(coarse), 2, 1e-12);
 }
@@ -126,4 +126,5 @@ TEST(Decimate, RefusesWhatCannotBeDone) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -3,14 +3,14 @@
 #include <limits>
 #include <numbers>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/perturbation/remove_faces.h"
-#include "shapegauge/core/perturbation/vertex_noise.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/tube_area.h"
 #include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
+
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -102,4 +102,5 @@ TEST(TubeArea, RefusesWhatHasNoExtentAndARadiusOutOfRange) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

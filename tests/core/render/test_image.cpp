@@ -1,17 +1,69 @@
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <limits>
 #include <png.h>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/image.h"
 
 namespace shapegauge {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(ColourMap, PublishedColoursOfViridis) {
+  // Entries 0, 85, 127, 170 and 255 of the published table of 256, rounded to 8 bits; between the entries that the map
+  // keeps, a straight line is at most one step away.
+  const std::vector<std::pair<int, Colour>> published = {{0, {68, 1, 84}},      {28, {72, 40, 120}},
+                                                         {85, {49, 104, 142}},  {127, {33, 144, 141}},
+                                                         {170, {53, 183, 121}}, {255, {253, 231, 37}}};
+  for (const auto& [index, colour] : published) {
+    const Colour ours = colour_of(index / 255.0);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(ours[k], colour[k], 1) << index << " " << k;
+  }
+}
+
+TEST(ColourMap, LightnessGrowsAllTheWay) {
+  double previous = -1;
+  for (int i = 0; i <= 100; ++i) {
+    const Colour colour = colour_of(i / 100.0);
+    const double luminance = 0.2126 * std::pow(colour[0] / 255.0, 2.2) + 0.7152 * std::pow(colour[1] / 255.0, 2.2) +
+                             0.0722 * std::pow(colour[2] / 255.0, 2.2);
+    EXPECT_GT(luminance, previous) << i;
+    previous = luminance;
+  }
+}
+
+TEST(ColourMap, ClampsAndMarksWhatHasNoValue) {
+  EXPECT_EQ(colour_of(-infinity), colour_of(0));
+  EXPECT_EQ(colour_of(7), colour_of(1));
+  const Colour grey = colour_of(nan);
+  EXPECT_EQ(grey[0], grey[1]);
+  EXPECT_EQ(grey[1], grey[2]);
+}
+
+TEST(ColourMap, OfARangeOfValues) {
+  const std::vector<Colour> colours = colours_of(Eigen::Vector4d(2, 4, 3, nan), 2, 4);
+  EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(1), colour_of(0.5), colour_of(nan)}));
+}
+
+TEST(ColourMap, OfARangeWithoutWidth) {
+  const std::vector<Colour> colours = colours_of(Eigen::Vector4d(1, 2, 3, nan), 2, 2);
+  EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(0.5), colour_of(1), colour_of(nan)}));
+}
+
+}  // namespace
+
 namespace {
 
 Image gradient(int width, int height, int seed) {
@@ -91,4 +143,5 @@ TEST(ContactSheet, FewerImagesThanColumns) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/perturbation/remove_faces.h"
-#include "shapegauge/core/perturbation/vertex_noise.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/offset_sdf.h"

@@ -11,11 +11,12 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
+
 namespace {
 
 /// A direction in a cone: angle from the axis, angle about the axis.
@@ -356,4 +357,5 @@ TEST(ConeSdf, RefusesWhatItCannotAnswer) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

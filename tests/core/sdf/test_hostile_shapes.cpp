@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/closedness.h"
-#include "shapegauge/core/shape/normalise.h"
-#include "shapegauge/random/random_numbers.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "tests/core/test_shapes.h"
 
 /// Shapes that nobody wants, and what becomes of them: a defined value or an InputError, in bounded time.
@@ -111,7 +111,7 @@ TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
 TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
   Shape point = test_shapes::box({0, 0, 0}, 2);
   point.vertices.array() += 3;
-  EXPECT_FALSE(is_closed(point));
+  EXPECT_FALSE(is_watertight(point));
   EXPECT_TRUE((sample_shape(point, SampleSite::vertices).weights.array() == 0).all());
   EXPECT_THAT([&] { offset_sdf(point, sample_shape(point, SampleSite::faces), {}); },
               ThrowsMessage<InputError>(HasSubstr("no usable extent")));
@@ -153,7 +153,7 @@ TEST(HostileShapes, HugeAndTinyCoordinates) {
 }
 
 void expect_unusable(const Shape& shape, const std::string& message) {
-  EXPECT_THAT([&] { is_closed(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
+  EXPECT_THAT([&] { is_watertight(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
   EXPECT_THAT([&] { scaled_to_unit_area(shape); }, ThrowsMessage<InputError>(HasSubstr(message)));
   const Samples samples = sample_shape(tetrahedron_at({0, 0, 0}, 1), SampleSite::faces);
   EXPECT_THAT([&] { cone_sdf(shape, samples, {}); }, ThrowsMessage<InputError>(HasSubstr(message)));

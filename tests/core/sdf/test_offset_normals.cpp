@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/perturbation/flip_orientation.h"
-#include "shapegauge/core/perturbation/vertex_noise.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/offset_normals.h"
 #include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <rapidcheck/gtest.h>
 
-#include "shapegauge/core/error.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/core/random_points.h"
 #include "tests/core/test_shapes.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "tests/core/sdf/offset_sdf_reference.h"
@@ -59,8 +59,8 @@ TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
                                                test_shapes::rotation(5), Eigen::Vector3d::Zero());
   const double r = GetParam().offset;
   const OffsetSdfReference reference(shape, r);
-  const SurfaceTree tree(shape);
-  const OffsetExterior exterior(tree, bounding_box(shape), r, is_closed(shape));
+  const TriangleBVH tree(shape);
+  const OffsetExterior exterior(tree, bounding_box(shape), r, is_watertight(shape));
   const Samples samples = sample_shape(shape, SampleSite::faces);
   NearestExteriorSearch search(exterior);
   ExteriorEntrySearch entry(exterior);

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/perturbation/flip_orientation.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/closedness.h"
-#include "shapegauge/core/shape/unit_frame.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
@@ -35,7 +35,7 @@ struct Disputes {
 };
 
 Disputes disputes_about(const Shape& closed, const Samples& samples, double offset) {
-  const SurfaceTree tree(closed);
+  const TriangleBVH tree(closed);
   const OffsetExterior local(tree, bounding_box(closed), offset, true);
   const OffsetExterior connected(tree, bounding_box(closed), offset, false);
   NearestExteriorSearch local_search(local);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(6, 60) / 1000.0;
   const Shape joined = test_shapes::joined(parts);
-  RC_ASSERT(is_closed_and_oriented(joined));
+  RC_ASSERT(is_watertight_and_oriented(joined));
   const Shape shape = in_unit_frame(joined, unit_frame(joined));
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const Disputes disputes = disputes_about(shape, samples, offset);
@@ -104,7 +104,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
 }
 
 void expect_no_dispute(const Shape& given, double offset) {
-  ASSERT_TRUE(is_closed_and_oriented(given));
+  ASSERT_TRUE(is_watertight_and_oriented(given));
   const Shape shape = in_unit_frame(given, unit_frame(given));
   const Disputes disputes = disputes_about(shape, sample_shape(shape, SampleSite::faces), offset);
   EXPECT_EQ(disputes.invented, 0) << offset;

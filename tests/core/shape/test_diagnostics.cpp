@@ -1,11 +1,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/diagnostics.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
+
 namespace {
 
 /// The cube of edge 1 with eight vertices and twelve triangles.
@@ -136,7 +137,7 @@ TEST(Diagnose, IsTheSameInAnyOrderAndInAnySize) {
                     0, 1, 2),
       5, 5, 9);
   const ShapeDiagnostics found = diagnose(broken);
-  EXPECT_EQ(found.closed, is_closed(broken));
+  EXPECT_EQ(found.closed, is_watertight(broken));
   for (unsigned seed = 0; seed < 10; ++seed) {
     Shape other = test_shapes::permuted(broken, seed).shape;
     other.vertices *= 0x1p100;
@@ -167,4 +168,5 @@ TEST(Diagnose, ACloudHasPointsOnly) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

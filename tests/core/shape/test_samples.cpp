@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "shapegauge/core/error.h"
-#include "shapegauge/core/shape/point_normals.h"
-#include "shapegauge/core/shape/point_weights.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge {
+
 namespace {
 
 using test_shapes::Permuted;
@@ -191,4 +191,5 @@ TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -8,7 +8,7 @@ namespace {
 TEST(ExposedDirection, OfAPointInAGridIsThePlanesNormal) {
   Shape grid{Points(441, 3), {}};
   for (int i = 0; i < 441; ++i) grid.vertices.row(i) << (i / 21 - 10) / 30.0, (i % 21 - 10) / 30.0, 0;
-  const SurfaceTree tree(grid);
+  const TriangleBVH tree(grid);
   const OffsetExterior exterior(tree, bounding_box(grid), 0.05, false);
   for (const double side : {1.0, -1.0}) {
     for (const double tilt : {0.0, 0.2, 0.5}) {
@@ -26,7 +26,7 @@ TEST(ExposedDirection, OfAPointInAGridIsThePlanesNormal) {
 TEST(ExposedDirection, OfALonePointIsTheAxis) {
   Shape points{Points(2, 3), {}};
   points.vertices << 0.5, 0, 0, -0.5, 0, 0;
-  const SurfaceTree tree(points);
+  const TriangleBVH tree(points);
   const OffsetExterior exterior(tree, bounding_box(points), 0.05, false);
   const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
   const auto middle = middle_of_exposed(exterior, {0.5, 0, 0}, axis);

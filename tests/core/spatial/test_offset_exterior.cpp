@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "shapegauge/core/shape/closedness.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "tests/core/spatial/random_triangle.h"
@@ -21,7 +21,7 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
   const bool flip = *rc::gen::arbitrary<bool>();
   const bool closed = *rc::gen::arbitrary<bool>();  // without the help of parity the flood decides alone
   const double r = *rc::gen::inRange(25, 80) / 1000.0;
-  const SurfaceTree tree(flip ? flipped : torus);
+  const TriangleBVH tree(flip ? flipped : torus);
   const OffsetExterior exterior(tree, bounding_box(torus), r, closed);
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d x = 0.6 * Eigen::Vector3d::Random();
@@ -37,7 +37,7 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
 TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
   const Shape torus = test_shapes::torus(0.35, 0.12, 64, 32);
   const Samples samples = sample_shape(torus, SampleSite::faces);
-  const SurfaceTree tree(torus);
+  const TriangleBVH tree(torus);
   for (const double r : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0055}) {
     const OffsetExterior exterior(tree, bounding_box(torus), r, true);
     int wrong = 0;
@@ -54,7 +54,7 @@ TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
 TEST(OffsetExterior, SeesAShellsVoidAsEnclosed) {
   const Shape hollow =
       test_shapes::joined({test_shapes::sphere(0.5, 3), test_shapes::flipped(test_shapes::sphere(0.25, 3))});
-  const SurfaceTree tree(hollow);
+  const TriangleBVH tree(hollow);
   for (const bool closed : {true, false}) {
     const OffsetExterior exterior(tree, bounding_box(hollow), 0.05, closed);
     EXPECT_EQ(exterior.contains({0, 0, 0}), false);      // the void
@@ -68,8 +68,8 @@ TEST(OffsetExterior, SeesTheOverlapOfTwoPartsAsEnclosed) {
   Shape second = test_shapes::sphere(0.3, 3);
   second.vertices.col(0).array() += 0.3;
   const Shape both = test_shapes::joined({test_shapes::sphere(0.3, 3), second});
-  const SurfaceTree tree(both);
-  const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_closed(both));
+  const TriangleBVH tree(both);
+  const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_watertight(both));
   EXPECT_EQ(exterior.contains({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0, 0}), false);
   EXPECT_EQ(exterior.is_outside_by_crossings({0.15, 0.5, 0}), true);
@@ -85,8 +85,8 @@ TEST(OffsetExterior, ClosesAGapThatIsNarrowerThanTwiceTheOffset) {
     if (corner.z() < 0 || corner.head<2>().norm() > 0.1) kept.row(count++) = sphere.triangles.row(f);
   }
   sphere.triangles = kept.topRows(count);
-  ASSERT_FALSE(is_closed(sphere));
-  const SurfaceTree tree(sphere);
+  ASSERT_FALSE(is_watertight(sphere));
+  const TriangleBVH tree(sphere);
   const OffsetExterior shut(tree, bounding_box(sphere), 0.15, false);
   EXPECT_EQ(shut.contains({0, 0, 0}), false);
   const OffsetExterior open(tree, bounding_box(sphere), 0.04, false);

@@ -1,12 +1,17 @@
+#include <chrono>
 #include <cstdlib>
 #include <gmock/gmock.h>
 #include <optional>
 #include <string>
 
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
+#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/input_error.h"
+#include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::HasSubstr;
@@ -77,4 +82,94 @@ TEST(CacheFolder, TheLimitIsThatOfTheVariable) {
 }
 
 }  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+using test_experiments::write_text;
+using testing::HasSubstr;
+
+class CacheContentsTest : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
+  /// Keeps a value and says that it was last used so many hours ago.
+  void keep(EntryKind kind, char digit, std::size_t size, int hours = 0) const {
+    const std::string key(64, digit);
+    Cache(folder()).store(kind, key, std::string(size, 'x'));
+    fs::last_write_time(entry_path(folder(), kind, key), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(CacheContentsTest, EntriesAreCountedByKind) {
+  keep(EntryKind::field, '1', 1000);
+  keep(EntryKind::field, '2', 1000);
+  keep(EntryKind::distances, '1', 10);
+  const CacheContents contents = cache_contents(folder());
+  const auto& fields = contents.by_kind.at(static_cast<std::size_t>(EntryKind::field));
+  EXPECT_EQ(fields.entries, 2U);
+  EXPECT_GT(fields.bytes, 2000U);
+  EXPECT_LT(fields.bytes, 2500U);
+  EXPECT_EQ(contents.total().entries, 3U);
+  EXPECT_EQ(cache_contents(folder() / "absent").total().entries, 0U);
+}
+
+TEST_F(CacheContentsTest, ClearingRemovesTheFolder) {
+  keep(EntryKind::shape, '1', 10);
+  EXPECT_TRUE(fs::exists(folder() / "CACHEDIR.TAG"));
+  EXPECT_EQ(clear_cache(folder()).total().entries, 1U);
+  EXPECT_FALSE(fs::exists(folder()));
+  EXPECT_EQ(clear_cache(folder()).total().entries, 0U);
+}
+
+TEST_F(CacheContentsTest, ClearingLeavesWhatIsNotOfTheCache) {
+  keep(EntryKind::shape, '1', 10);
+  const std::string digits(62, '1');
+  const std::vector<std::string> others{"notes.txt",
+                                        "11/notes.txt",
+                                        "11/" + digits + ".off",
+                                        "aa/" + digits,
+                                        "abc/" + digits + ".shape",
+                                        "11/x" + digits + ".shape",
+                                        "11/" + digits + ".shape.bak"};
+  for (const std::string& other : others) write_text(folder() / other, "mine");
+  EXPECT_EQ(clear_cache(folder()).total().entries, 1U);
+  for (const std::string& other : others) EXPECT_TRUE(fs::exists(folder() / other)) << other;
+}
+
+TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
+  keep(EntryKind::field, '1', 1000, 30);
+  keep(EntryKind::field, '2', 1000, 10);
+  keep(EntryKind::field, '3', 1000, 20);
+  trim_cache(folder(), 10'000);
+  EXPECT_EQ(cache_contents(folder()).total().entries, 3U);
+  // The first is the oldest, but is used now.
+  const auto same = [](const nlohmann::json& value) { return value; };
+  EXPECT_TRUE(Cache(folder()).find(EntryKind::field, std::string(64, '1'), same));
+  trim_cache(folder(), 2500);
+  EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '1'))));
+  EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '2'))));
+  EXPECT_FALSE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '3'))));
+}
+
+TEST_F(CacheContentsTest, WhatAKilledRunLeftIsRemovedOnceItIsOld) {
+  const fs::path left = folder() / "11" / (std::string(62, '1') + ".field.123-4.part");
+  write_text(left, "half");
+  EXPECT_EQ(cache_contents(folder()).unfinished.entries, 1U);
+  trim_cache(folder(), 10'000);
+  EXPECT_TRUE(fs::exists(left)) << "another run may be writing it";
+  fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
+  trim_cache(folder(), 10'000);
+  EXPECT_FALSE(fs::exists(left));
+}
+
+TEST_F(CacheContentsTest, AFileInPlaceOfTheFolderIsAnError) {
+  write_text(folder(), "a file");
+  EXPECT_THAT(input_error_of([&] { cache_contents(folder()); }), HasSubstr("cannot read the cache"));
+}
+
+}  // namespace
+
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include "shapegauge/experiments/configuration/nearest_word.h"
 
 namespace shapegauge {
+
 namespace {
 
 TEST(EditDistance, CountsEdits) {
@@ -50,4 +51,5 @@ TEST(Suggestion, NamesTheNearestOrAll) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

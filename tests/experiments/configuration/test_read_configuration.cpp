@@ -6,6 +6,7 @@
 #include "tests/experiments/input_error.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::Eq;
@@ -198,4 +199,5 @@ TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

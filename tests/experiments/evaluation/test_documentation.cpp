@@ -2,9 +2,8 @@
 #include <gtest/gtest.h>
 #include <map>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/evaluation/evaluation_input.h"
-#include "shapegauge/experiments/text/lines.h"
-#include "shapegauge/experiments/text/parse_number.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/text_files.h"
@@ -45,7 +44,7 @@ std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
     rows.emplace_back();
     line.remove_prefix(1);
     while (line.find('|') != std::string_view::npos) {
-      rows.back().emplace_back(without_outer_blanks(line.substr(0, line.find('|'))));
+      rows.back().emplace_back(trim(line.substr(0, line.find('|'))));
       line.remove_prefix(line.find('|') + 1);
     }
   }

@@ -1,17 +1,55 @@
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <string>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/experiments/evaluation/evaluate_input.h"
-#include "shapegauge/experiments/evaluation/matrix_remarks.h"
-#include "shapegauge/experiments/matrices/npy.h"
-#include "shapegauge/experiments/results/evaluation_json.h"
+#include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/random/random_numbers.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const std::vector<std::string> ids = {"a", "b", "c", "d"};
+
+TEST(MatrixRemarks, NothingOddIsNoRemark) { EXPECT_THAT(matrix_warnings({}, ids, false), IsEmpty()); }
+
+TEST(MatrixRemarks, SayWhatWasFoundAndWhatItDoes) {
+  MatrixFindings findings;
+  findings.negative = 1;
+  findings.infinite = 2;
+  findings.asymmetric_pairs = 3;
+  findings.largest_asymmetry = 0.25;
+  findings.nonzero_diagonal = 4;
+  findings.rows_nearest_to_others = 4;
+  findings.equal_rows = {{3, 1}};
+  findings.constant_rows = {0, 2};
+  EXPECT_THAT(matrix_warnings(findings, ids, false),
+              ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("2 distances are infinite"),
+                          HasSubstr("in 4 of 4 rows the query is the farthest"),
+                          HasSubstr("not symmetric: 3 pairs of entries (i, j) and (j, i) differ, by up to 0.25"),
+                          HasSubstr("4 entries are not 0 on the diagonal"),
+                          HasSubstr("1 row repeats an earlier one (first: d repeats b)"),
+                          HasSubstr("2 rows have all distances equal (first: a)")));
+}
+
+TEST(MatrixRemarks, OfSimilaritiesSayNothingOfSignsAndTheDiagonal) {
+  MatrixFindings findings;
+  findings.negative = 12;
+  findings.nonzero_diagonal = 4;
+  EXPECT_THAT(matrix_warnings(findings, ids, true), IsEmpty());
+}
+
+}  // namespace
+
 namespace {
 
 // Features of so many models that they do not come as one block of rows, with ties and some repeated.
@@ -56,7 +94,7 @@ class EvaluateInput : public testing::Test {
     text += to_csv(summary_table(one, all_digits)) + to_csv(per_query_table(one, input.query_ids, input.class_names));
     text += to_csv(per_class_table(one, input.class_names)) + to_csv(precision_recall_table(one));
     text += to_csv(class_curves_table(one, input.class_names));
-    for (const std::string& remark : matrix_remarks(checked.findings, input.query_ids, false)) text += remark + "\n";
+    for (const std::string& remark : matrix_warnings(checked.findings, input.query_ids, false)) text += remark + "\n";
     return text;
   }
 
@@ -93,4 +131,5 @@ TEST_F(EvaluateInput, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

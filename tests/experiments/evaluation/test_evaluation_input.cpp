@@ -3,13 +3,14 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/evaluation/evaluation_input.h"
-#include "shapegauge/experiments/matrices/npy.h"
+#include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/input_error.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 using test_experiments::write_text;
@@ -162,4 +163,5 @@ TEST_F(EvaluationInputTest, WhatDoesNotFitIsOneError) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

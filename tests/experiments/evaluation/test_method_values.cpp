@@ -7,6 +7,7 @@
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::ElementsAre;
@@ -80,4 +81,5 @@ TEST_F(MethodValuesTest, FaultsAreOneErrorWithTheLine) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

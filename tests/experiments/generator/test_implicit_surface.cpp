@@ -2,11 +2,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "shapegauge/experiments/generator/classes/class_skeletons.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/experiments/generator/class_skeletons.h"
 #include "shapegauge/experiments/generator/implicit_surface.h"
-#include "shapegauge/random/random_numbers.h"
 
 namespace shapegauge {
+
 namespace {
 
 Eigen::Vector3d random_point(RandomNumbers& random, double extent) {
@@ -92,4 +93,5 @@ TEST(ImplicitSurface, OfEveryClassLiesInItsBall) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

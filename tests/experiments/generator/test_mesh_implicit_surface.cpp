@@ -7,6 +7,7 @@
 #include "tests/experiments/generator/mesh_topology.h"
 
 namespace shapegauge {
+
 namespace {
 
 Skeleton rod() { return {"rod", {{.kind = "rod", .nodes = {{{-1, 0, 0}, 0.3}, {{0, 0, 0}, 0.3}, {{1, 0, 0}, 0.3}}}}}; }
@@ -56,4 +57,19 @@ TEST(MeshImplicitSurface, RingsAndThinPartsKeepTheirTopology) {
 }
 
 }  // namespace
+
+namespace {
+
+TEST(SelfIntersections, AreFoundWhereTwoSpheresCross) {
+  const Shape sphere = test_shapes::sphere(1, 2);
+  const auto moved = [&](double x) {
+    return test_shapes::transformed(sphere, 1, Eigen::Matrix3d::Identity(), {x, 0.01, 0.02});
+  };
+  EXPECT_FALSE(self_intersects(sphere));
+  EXPECT_TRUE(self_intersects(test_shapes::joined({sphere, moved(1.9)})));
+  EXPECT_FALSE(self_intersects(test_shapes::joined({sphere, moved(2.1)})));
+}
+
+}  // namespace
+
 }  // namespace shapegauge

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <iostream>
 
-#include "shapegauge/core/io/atomic_file.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/report/report_page.h"
 #include "tests/experiments/report/sample_reports.h"
 

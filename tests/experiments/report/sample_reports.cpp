@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/experiments/report/model_picture.h"
+#include "shapegauge/experiments/runner/model_picture.h"
 #include "tests/core/test_shapes.h"
 
 namespace shapegauge::test_report {

@@ -1,11 +1,96 @@
 #include <algorithm>
+#include <cmath>
 #include <gmock/gmock.h>
+#include <limits>
 
-#include "shapegauge/experiments/report/packed_values.h"
 #include "shapegauge/experiments/report/report_json.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/experiments/report/sample_reports.h"
 
 namespace shapegauge {
+
+namespace {
+
+TEST(Base64, AsInTheRfc) {
+  // RFC 4648, section 10.
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Base64, ALongTextIsEncodedInOnePiece) {
+  const std::string text = base64(std::string(7 << 20, '\0'));
+  EXPECT_EQ(text.size(), 4U * (((7 << 20) + 2) / 3));
+  EXPECT_EQ(text.find('='), text.size() - 2);
+}
+
+TEST(PackedValues, TwoBytesEachOfTheLargest) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const nlohmann::ordered_json json = packed(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
+  EXPECT_EQ(json["scale"], 3);
+  // 0, 65534, 32767, 65535, 65535, 0
+  EXPECT_EQ(json["values"], base64(std::string("\0\0\xfe\xff\xff\x7f\xff\xff\xff\xff\0\0", 12)));
+}
+
+TEST(PackedValues, AllZeroOrNothing) {
+  EXPECT_EQ(packed(Eigen::VectorXd{{0, 0}})["scale"], 1);
+  EXPECT_EQ(packed(Eigen::VectorXd(0))["values"], "");
+}
+
+TEST(Rounded, KeepsTheLeadingDigits) {
+  EXPECT_EQ(rounded(0.123456789, 3), 0.123);
+  EXPECT_EQ(rounded(98765.4321, 3), 98800);
+  EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
+}
+
+}  // namespace
+
+namespace {
+
+using testing::ElementsAre;
+
+TEST(OrderByClass, ClassByClassInTheModelsOrder) {
+  EXPECT_THAT(order_by_class(std::vector<int>{2, 0, 1, 0, 2}), ElementsAre(1, 3, 2, 0, 4));
+}
+
+TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
+  // Models 1 and 2 are of the first class, 0 of the second.
+  const DistanceMatrix distances{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}};
+  const auto json = heat_map(distances, std::vector<int>{1, 0, 0});
+  EXPECT_EQ(json["side"], 3);
+  EXPECT_EQ(json["block"], 1);
+  EXPECT_EQ(json["symmetric"], true);
+  EXPECT_EQ(json["values"], packed(Eigen::VectorXd{{0, 4, 1, 0, 2, 0}})["values"]);
+  EXPECT_EQ(json["scale"], 4);
+}
+
+TEST(HeatMap, OfAnyOtherMatrixHasAllCellsAndTheDiagonalPlaysNoPart) {
+  const DistanceMatrix distances{{9, 1}, {3, 9}};
+  const auto json = heat_map(distances, std::vector<int>{0, 0});
+  EXPECT_EQ(json["symmetric"], false);
+  EXPECT_EQ(json["values"], packed(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
+}
+
+TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {
+  const Eigen::Index models = 2 * largest_heat_map + 1;
+  DistanceMatrix distances = DistanceMatrix::Constant(models, models, 6);
+  distances.diagonal().setConstant(1e9);
+  const auto json = heat_map(distances, std::vector<int>(static_cast<std::size_t>(models), 0));
+  EXPECT_EQ(json["block"], 3);
+  const Eigen::Index side = json["side"];
+  EXPECT_EQ(side, 667);
+  EXPECT_EQ(json["symmetric"], true);
+  EXPECT_EQ(json["scale"], 6);
+  // In the first cell three of nine pairs are of a model with itself: the mean is 4.
+  EXPECT_EQ(json["values"].get<std::string>().substr(0, 4), base64(std::string("\xa9\xaa\xfe", 3)));
+}
+
+}  // namespace
+
 namespace {
 
 using testing::Contains;
@@ -79,4 +164,5 @@ TEST(ReportJson, PicturesAreThereOrNot) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -6,6 +6,7 @@
 #include "tests/experiments/report/sample_reports.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::HasSubstr;
@@ -66,4 +67,5 @@ TEST(ReportPage, TheSameBytesForAnyNumberOfThreads) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

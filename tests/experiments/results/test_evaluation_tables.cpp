@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/results/evaluation_json.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 
 namespace shapegauge {
+
 namespace {
 
 using testing::ElementsAre;
@@ -117,4 +117,5 @@ TEST_F(Evaluations, AsJsonInFractions) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -8,6 +8,7 @@
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 using test_experiments::text_of;
@@ -66,4 +67,5 @@ TEST_F(FieldFiles, AnUnwritableFileIsAnError) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -1,12 +1,13 @@
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/results/manifest_parts.h"
+#include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/replay.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/input_error.h"
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 using Json = nlohmann::json;
@@ -94,4 +95,5 @@ TEST(Replay, OutputsAreComparedByTheirHashes) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

@@ -1,4 +1,6 @@
 #include <gmock/gmock.h>
+#include <rapidcheck/gtest.h>
+#include <set>
 
 #include "shapegauge/experiments/results/result_folder.h"
 #include "tests/core/io/temporary_folder.h"
@@ -6,6 +8,71 @@
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+
+TEST(FileSafeName, KeepsWhatIsSafe) {
+  EXPECT_EQ(file_safe_name("Our SDF (d = 1%)"), "Our_SDF_d_1");
+  EXPECT_EQ(file_safe_name("v1.2-b"), "v1.2-b");
+  EXPECT_EQ(file_safe_name("a/../b"), "a_.._b");
+  EXPECT_EQ(file_safe_name("../x"), "x");
+  EXPECT_EQ(file_safe_name(".."), "unnamed");
+  EXPECT_EQ(file_safe_name("中文"), "unnamed");
+  EXPECT_EQ(file_safe_name(std::string(300, 'a')).size(), 100U);
+}
+
+TEST(FileSafeNames, AreDifferentEvenWithoutCase) {
+  const std::vector<std::string> names{"a b", "a/b", "A?b", "a_b_2"};
+  EXPECT_THAT(file_safe_names(names), ElementsAre("a_b", "a_b_2", "A_b_3", "a_b_2_2"));
+}
+
+RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
+  const std::string safe = file_safe_name(name);
+  RC_ASSERT(!safe.empty());
+  RC_ASSERT(safe.front() != '.');
+  RC_ASSERT(safe.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._-") ==
+            std::string::npos);
+}
+
+}  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+std::string error_for(const fs::path& folder) {
+  return input_error_of([&] { const FolderLock lock(folder); });
+}
+
+TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
+  const test_io::TemporaryFolder folder;
+  {
+    const FolderLock lock(folder.path() / "a/b");
+    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run is under way in"));
+    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("--output"));
+    EXPECT_EQ(error_for(folder.path() / "a"), "no error");
+    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
+  EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
+}
+
+TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
+  const test_io::TemporaryFolder folder;
+  test_experiments::write_text(folder.path() / ".shapegauge-lock", "");
+  EXPECT_EQ(error_for(folder.path()), "no error");
+}
+
+TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
+  EXPECT_THAT(error_for("/proc/x"), HasSubstr("/proc/x"));
+  EXPECT_THAT(error_for("/proc"), HasSubstr("cannot write to the folder /proc"));
+}
+
+}  // namespace
+
 namespace {
 
 using test_experiments::write_text;
@@ -56,4 +123,71 @@ TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
 }
 
 }  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+using test_experiments::text_of;
+using test_experiments::write_text;
+
+/// A folder with the results of an earlier run and a file of the user's.
+class StagedResultsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_text(at("summary.csv"), "old");
+    write_text(at("distances/a.npy"), "old");
+    write_text(at("distances/b.npy"), "old");
+    write_text(at("notes.txt"), "mine");
+    write_text(at("manifest.json"), R"({"files": ["summary.csv", "distances/a.npy", "distances/b.npy"]})");
+  }
+  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
+
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
+  {
+    StagedResults staged(folder_.path());
+    write_text(staged.folder() / "summary.csv", "new");
+    write_text(staged.folder() / "distances/a.npy", "new");
+    write_text(staged.folder() / "manifest.json", "{}");
+    EXPECT_EQ(text_of(at("summary.csv")), "old");
+    staged.publish({"summary.csv", "distances/a.npy"});
+  }
+  EXPECT_EQ(text_of(at("summary.csv")), "new");
+  EXPECT_EQ(text_of(at("distances/a.npy")), "new");
+  EXPECT_EQ(text_of(at("manifest.json")), "{}");
+  EXPECT_FALSE(fs::exists(at("distances/b.npy"))) << "of the earlier run only";
+  EXPECT_EQ(text_of(at("notes.txt")), "mine");
+  EXPECT_EQ(folder_.size(), 4U) << "nothing else: notes, manifest, summary, distances";
+}
+
+TEST_F(StagedResultsTest, LeaveTheEarlierOnesWhereTheyAreNotPublished) {
+  {
+    const StagedResults staged(folder_.path());
+    write_text(staged.folder() / "summary.csv", "new");
+  }
+  EXPECT_EQ(text_of(at("summary.csv")), "old");
+  EXPECT_FALSE(fs::exists(at(".shapegauge-new")));
+}
+
+TEST_F(StagedResultsTest, WhatAKilledRunHasLeftIsRemoved) {
+  write_text(at(".shapegauge-new/per_class.csv"), "half");
+  {
+    const StagedResults staged(folder_.path());
+    EXPECT_TRUE(fs::is_empty(staged.folder()));
+  }
+  EXPECT_FALSE(fs::exists(at(".shapegauge-new")));
+}
+
+TEST_F(StagedResultsTest, AFileThatCannotBeMovedIsAnError) {
+  fs::remove(at("summary.csv"));
+  write_text(at("summary.csv/x"), "a folder of that name");
+  StagedResults staged(folder_.path());
+  write_text(staged.folder() / "summary.csv", "new");
+  EXPECT_THAT(input_error_of([&] { staged.publish({"summary.csv"}); }), testing::HasSubstr("cannot write"));
+}
+
+}  // namespace
+
 }  // namespace shapegauge

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <map>
 
-#include "shapegauge/experiments/cache/cache_contents.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
@@ -11,6 +11,7 @@
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -259,4 +260,5 @@ TEST_F(DescribeThroughCache, DamagedEntriesAreComputedAnew) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

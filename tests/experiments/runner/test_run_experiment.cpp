@@ -3,14 +3,15 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "shapegauge/core/io/read_shape.h"
-#include "shapegauge/core/io/write_off.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
-#include "shapegauge/core/shape/normalise.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "shapegauge/experiments/text/csv.h"
 #include "tests/core/io/temporary_folder.h"
 #include "tests/core/random_points.h"
 #include "tests/experiments/input_error.h"
@@ -18,6 +19,91 @@
 #include "tests/experiments/text_files.h"
 
 namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using test_experiments::text_of;
+using test_experiments::write_text;
+
+Configuration generated(std::uint64_t seed) {
+  Configuration configuration;
+  configuration.generator = GeneratorOptions{.classes = 1, .models_per_class = 2, .faces = 1000, .seed = seed};
+  return configuration;
+}
+
+/// How many models the call makes anew.
+int models_made(const Configuration& configuration, const fs::path& folder) {
+  int made = 0;
+  RunControl control;
+  control.progress = [&](std::string_view, std::size_t, std::size_t) { ++made; };
+  const Dataset dataset = prepare_dataset(configuration, folder, control);
+  EXPECT_EQ(dataset.models.size(), 2U);
+  return made;
+}
+
+TEST(PrepareDataset, IsGeneratedOnceForTheSameSettings) {
+  const test_io::TemporaryFolder folder;
+  EXPECT_EQ(models_made(generated(1), folder.path() / "new"), 2);
+  const std::string first = text_of(folder.path() / "new/T0.off");
+  EXPECT_EQ(models_made(generated(1), folder.path() / "new"), 0);
+  EXPECT_EQ(models_made(generated(2), folder.path() / "new"), 2);
+  EXPECT_NE(text_of(folder.path() / "new/T0.off"), first);
+}
+
+TEST(PrepareDataset, WhatAnInterruptionLeftIsMadeAnew) {
+  const test_io::TemporaryFolder folder;
+  RunControl control;
+  control.interrupted = [] { return true; };
+  EXPECT_THROW(prepare_dataset(generated(1), folder.path() / "new", control), Interrupted);
+  EXPECT_EQ(models_made(generated(1), folder.path() / "new"), 2);
+}
+
+TEST(PrepareDataset, AnotherDataSetIsNotReplaced) {
+  const test_io::TemporaryFolder folder;
+  write_text(folder.path() / "T0.off", "mine");
+  EXPECT_NE(input_error_of([&] { prepare_dataset(generated(1), folder.path(), {}); }), "no error");
+  EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
+}
+
+}  // namespace
+
+namespace {
+
+CacheUse use_of(const Cache& cache) { return cache.report().uses.at(static_cast<std::size_t>(EntryKind::distances)); }
+
+TEST(DistancesThroughCache, AreComputedOnce) {
+  const test_io::TemporaryFolder folder;
+  const Signatures signatures = Signatures::Random(7, 5);
+  const DistanceMatrix expected = distance_matrix(signatures);
+  Cache first(folder.path() / "cache");
+  EXPECT_EQ(distances_through_cache(signatures, "l1", first), expected);
+  EXPECT_EQ(use_of(first).computed, 1U);
+  Cache second(folder.path() / "cache");
+  EXPECT_EQ(distances_through_cache(signatures, "l1", second), expected);
+  EXPECT_EQ(use_of(second).taken, 1U);
+  Signatures other = signatures;
+  other(3, 3) += 1;
+  EXPECT_EQ(distances_through_cache(other, "l1", second), distance_matrix(other));
+  EXPECT_EQ(use_of(second).computed, 1U);
+}
+
+TEST(DistancesThroughCache, LargeOnesAreNotKept) {
+  const test_io::TemporaryFolder folder;
+  Cache cache(folder.path() / "cache");
+  distances_through_cache(Signatures::Random(2901, 1), "l1", cache);
+  EXPECT_EQ(cache_contents(folder.path() / "cache").total().entries, 0U);
+}
+
+TEST(DistancesThroughCache, WithoutACacheAreComputed) {
+  Cache none;
+  const Signatures signatures = Signatures::Random(4, 5);
+  EXPECT_EQ(distances_through_cache(signatures, "l1", none), distance_matrix(signatures));
+  EXPECT_EQ(use_of(none).computed, 1U);
+}
+
+}  // namespace
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -284,4 +370,5 @@ TEST_F(RunExperiment, TheManifestSaysWhatWasRun) {
 }
 
 }  // namespace
+
 }  // namespace shapegauge

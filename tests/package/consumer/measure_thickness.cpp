@@ -1,6 +1,6 @@
 #include <iostream>
 
-#include "shapegauge/core/io/read_shape.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 
 int main(int, char** arguments) {

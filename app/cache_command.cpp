@@ -1,0 +1,74 @@
+#include "app/cache_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <fmt/format.h>
+#include <memory>
+#include <string>
+
+#include "app/options.h"
+#include "app/run_program.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/files/table.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6); }
+
+fs::path folder_of(const CacheOption& option) {
+  fs::path folder = chosen_cache(option);
+  if (folder.empty()) throw InputError("there is no cache: SHAPEGAUGE_CACHE is empty or HOME not set; see --cache");
+  return folder;
+}
+
+int info(const CacheOption& option) {
+  const fs::path folder = folder_of(option);
+  const CacheContents contents = cache_contents(folder);
+  Table table{.header = {"kind", "entries", "size"}, .rows = {}};
+  const auto add = [&](std::string_view name, const CacheContents::Amount& amount) {
+    table.rows.push_back({std::string(name), std::to_string(amount.entries), megabytes(amount.bytes)});
+  };
+  for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind)
+    add(entry_kind_names.at(kind), contents.by_kind.at(kind));
+  if (contents.unfinished.entries > 0) add("unfinished", contents.unfinished);
+  add("all", contents.total());
+  fmt::print("Cache in {}\n\n{}\nAfter a run it holds at most {} (SHAPEGAUGE_CACHE_LIMIT).\n", folder.string(),
+             to_plain_text(table), megabytes(cache_limit()));
+  return exit_success;
+}
+
+int clear(const CacheOption& option) {
+  const fs::path folder = folder_of(option);
+  const CacheContents::Amount removed = clear_cache(folder).total();
+  fmt::print("{} entries, {}, removed from {}\n", removed.entries, megabytes(removed.bytes), folder.string());
+  return exit_success;
+}
+
+void add_action(CLI::App& cache, const char* name, const char* what, int (*action)(const CacheOption&), int& status) {
+  CLI::App* command = cache.add_subcommand(name, what);
+  command->footer(fmt::format("Example: shapegauge cache {}", name));
+  const auto option = std::make_shared<CacheOption>();
+  add_cache_option(*command, *option);
+  command->callback([option, action, &status] { status = action(*option); });
+}
+
+}  // namespace
+
+void add_cache_command(CLI::App& app, int& status) {
+  CLI::App* cache = app.add_subcommand("cache", "Look at or remove what earlier runs have computed");
+  cache->require_subcommand(1);
+  cache->footer(
+      "`shapegauge run` keeps in the cache what it computes of each shape, and takes it from there when it needs the "
+      "same\n"
+      "again. It can be removed at any time: later runs take longer, their results are the same.\n"
+      "Example: shapegauge cache info");
+  add_action(*cache, "info", "Say where the cache is and what it holds", info, status);
+  add_action(*cache, "clear", "Remove all of it", clear, status);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,69 @@
+#include "app/measures_command.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "app/run_program.h"
+#include "shapegauge/metrics/measures.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::size_t text_width = 100;
+
+/// The words on lines of the text width, each behind so many blanks.
+std::string wrapped(std::string_view words, std::size_t indent) {
+  std::string text;
+  std::string line(indent, ' ');
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    words.remove_prefix(std::min(word.size() + 1, words.size()));
+    if (line.size() > indent && line.size() + 1 + word.size() > text_width) {
+      text += line + '\n';
+      line.assign(indent, ' ');
+    }
+    if (line.size() > indent) line += ' ';
+    line += word;
+  }
+  return text + line + '\n';
+}
+
+int run(const std::string& format) {
+  if (format == "json") {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const MeasureDefinition& measure : measure_definitions()) {
+      all.push_back({{"name", measure.name},
+                     {"title", measure.title},
+                     {"definition", measure.definition},
+                     {"source", measure.source},
+                     {"caveat", measure.caveat}});
+    }
+    fmt::print("{}\n", all.dump(2));
+    return exit_success;
+  }
+  fmt::print("h(i) is 1 where the model at rank i is relevant, else 0; R is the number of relevant models.\n");
+  for (const MeasureDefinition& measure : measure_definitions()) {
+    fmt::print("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
+               wrapped(fmt::format("Source: {}", measure.source), 4),
+               wrapped(fmt::format("Caveat: {}", measure.caveat), 4));
+  }
+  return exit_success;
+}
+
+}  // namespace
+
+void add_measures_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("measures", "Explain the measures: definitions, sources, caveats");
+  command->footer("Example: shapegauge measures");
+  const auto format = std::make_shared<std::string>("text");
+  command->add_option("--format", *format, "text or json")
+      ->check(CLI::IsMember({"text", "json"}))
+      ->capture_default_str();
+  command->callback([format, &status] { status = run(*format); });
+}
+
+}  // namespace shapegauge

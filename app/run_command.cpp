@@ -1,0 +1,267 @@
+#include "app/run_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/options.h"
+#include "app/progress_line.h"
+#include "app/run_program.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/results/replay.h"
+#include "shapegauge/experiments/results/result_folder.h"
+#include "shapegauge/experiments/results/write_comparison.h"
+#include "shapegauge/experiments/results/write_results.h"
+#include "shapegauge/experiments/runner/run_comparison.h"
+#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
+
+namespace shapegauge {
+
+RequestedRun requested_run(const RunSource& source) {
+  if (!source.replay.empty()) {
+    RequestedRun request;
+    request.recorded = read_manifest(source.replay);
+    request.document = recorded_configuration(request.recorded, source.dataset_root);
+    for (const std::string& assignment : source.overrides) apply_override(request.document, assignment);
+    request.source = source.replay.string() + ": configuration";
+    return request;
+  }
+  if (source.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
+  if (!source.dataset_root.empty()) {
+    throw InputError("--dataset-root goes with --replay; of a configuration, change it by --set dataset.root=FOLDER");
+  }
+  return {.document = read_configuration_document(source.configuration, source.overrides),
+          .source = source.configuration.string(),
+          .folder = source.configuration.parent_path(),
+          .recorded = {}};
+}
+
+namespace {
+
+constexpr std::size_t most_by_name = 10;
+
+void print_lines(const std::vector<std::string>& names, std::string_view verdict) {
+  for (const std::string& name : names) fmt::print("{:<14}{}\n", verdict, name);
+}
+
+}  // namespace
+
+void warn_of_changed_inputs(const std::vector<std::string>& changes) {
+  const std::size_t named = std::min(changes.size(), most_by_name);
+  for (std::size_t i = 0; i < named; ++i) fmt::print(stderr, "shapegauge: warning: input: {}\n", changes[i]);
+  if (named < changes.size()) {
+    fmt::print(stderr, "shapegauge: warning: {} more inputs are not those recorded\n", changes.size() - named);
+  }
+}
+
+int report_replay(const nlohmann::json& recorded, const std::filesystem::path& results) {
+  const nlohmann::json now = read_json(results / manifest_name);
+  const ComparedOutputs outputs = compare_outputs(recorded, now);
+  fmt::print("\n");
+  print_lines(outputs.same, "same");
+  print_lines(outputs.different, "DIFFERENT");
+  print_lines(outputs.timings, "not compared");
+  print_lines(changed_program(recorded), "program");
+  const std::vector<std::string> inputs = changed_inputs(recorded.at("inputs"), now.at("inputs"));
+  const std::size_t named = std::min(inputs.size(), most_by_name);
+  print_lines({inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(named)}, "input");
+  if (named < inputs.size()) fmt::print("{:<14}and {} more\n", "input", inputs.size() - named);
+  const std::size_t all = outputs.same.size() + outputs.different.size();
+  if (outputs.different.empty()) {
+    fmt::print("All {} outputs are the same bytes as recorded.\n", all);
+    return exit_success;
+  }
+  fmt::print("{} of {} outputs are not the same bytes as recorded{}.\n", outputs.different.size(), all,
+             inputs.empty() ? "" : fmt::format("; {} of its inputs are not those recorded", inputs.size()));
+  return exit_with_failures;
+}
+
+std::string cache_text(const CacheReport& cache) {
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 4> shown{{{EntryKind::shape, "shapes"},
+                                                                         {EntryKind::field, "fields"},
+                                                                         {EntryKind::histogram, "histograms"},
+                                                                         {EntryKind::distances, "distance matrices"}}};
+  std::vector<std::string> parts;
+  bool any = false;
+  for (const auto& [kind, name] : shown) {
+    const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
+    parts.push_back(fmt::format("{} of {} {}", use.taken, use.taken + use.computed, name));
+    any = any || use.taken > 0;
+  }
+  return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
+}
+
+CacheWarnings::~CacheWarnings() {
+  const std::vector<std::string> warnings = cache_->warnings();
+  if (!warnings.empty()) progress_->clear();
+  for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunArguments {
+  RunSource source;
+  fs::path output;
+  int threads = 0;
+  bool force = false;
+  bool replace = false;
+  CacheOption cache;
+};
+
+/// Something that a run went on without.
+struct LeftOut {
+  std::string what;  ///< such as "model 12"
+  std::string why;
+};
+
+/// Says on standard error what a reader of the results should know; returns the exit status. all: of how many shapes.
+int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftOut>& left_out, std::size_t all,
+                 std::string_view kind) {
+  for (const std::string& warning : field_warnings(fields)) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
+  for (const LeftOut& one : left_out) {
+    fmt::print(stderr, "shapegauge: warning: left out {}: {}\n", one.what, one.why);
+  }
+  if (left_out.empty()) return exit_success;
+  fmt::print(stderr, "shapegauge: error: {} of {} {} could not be used; the results are without them\n",
+             left_out.size(), all, kind);
+  return exit_with_failures;
+}
+
+/// The folder for the results of the experiment of that name. That of a repeated run is another than the run's own.
+fs::path result_folder(const RunArguments& arguments, const std::string& name) {
+  if (!arguments.output.empty()) return arguments.output;
+  return fs::path("results") / (file_safe_name(name) + (arguments.source.replay.empty() ? "" : "-replay"));
+}
+
+/// The cache that is asked for. A run that repeats another one must not take from it what the other one has computed.
+std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
+  return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
+}
+
+RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
+  catch_interruption();
+  return {.threads = arguments.threads,
+          .interrupted = interrupted,
+          .progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
+            progress.show(stage, done, total);
+          }};
+}
+
+/// Says before a repeated run begins, as far as it can be known then, that its inputs are not the recorded ones.
+void warn_of_inputs(const RequestedRun& request, const Configuration& configuration, int threads) {
+  if (request.recorded.is_null() || !configuration.location) return;
+  with_threads(threads, [&] {
+    const Dataset dataset = find_dataset(*configuration.location);
+    warn_of_changed_inputs(
+        changed_inputs(request.recorded.at("inputs"), dataset_inputs(configuration, dataset.models)));
+  });
+}
+
+/// The experiment, through the cache.
+ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,
+                                 const fs::path& folder, ProgressLine& progress) {
+  const std::unique_ptr<Cache> cache = cache_for(arguments);
+  const CacheWarnings warnings(*cache, progress);
+  try {
+    return run_experiment(configuration, folder / "dataset", run_control(arguments, progress), *cache);
+  } catch (const Interrupted&) {
+    if (cache->folder().empty()) throw;
+    throw Interrupted(
+        "interrupted; no results were written. The shapes that were done are in the cache: the same run goes on from "
+        "there");
+  }
+}
+
+int run_retrieval(const RunArguments& arguments, const RequestedRun& request) {
+  const Configuration configuration = configuration_from_json(request.document, request.source, request.folder);
+  const std::uintmax_t limit = cache_limit();
+  const fs::path folder = result_folder(arguments, configuration.name);
+  const FolderLock lock(folder);
+  prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
+  warn_of_inputs(request, configuration, arguments.threads);
+  ProgressLine progress;
+  const ExperimentResults results = run_with_cache(arguments, configuration, folder, progress);
+  with_threads(arguments.threads, [&] { write_results(folder, results); });
+  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
+  progress.clear();
+  fmt::print("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
+  if (configuration.report.wanted) fmt::print("Report: {}\n", (folder / report_name).string());
+  std::vector<LeftOut> left_out;
+  for (const FailedModel& failure : results.failures)
+    left_out.push_back({"model " + failure.model.id, failure.message});
+  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
+  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.models.size(), "models"));
+}
+
+int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
+  const Comparison comparison = comparison_from_json(request.document, request.source, request.folder);
+  const fs::path folder = result_folder(arguments, comparison.name);
+  const FolderLock lock(folder);
+  prepare_result_folder(folder, to_json(comparison), arguments.replace || arguments.force);
+  ProgressLine progress;
+  const ComparisonResults results = run_comparison(comparison, run_control(arguments, progress));
+  write_comparison(folder, results);
+  progress.clear();
+  fmt::print("{}\nResults in {}\n", summary_text(results), folder.string());
+  std::vector<LeftOut> left_out;
+  for (const FailedShape& failure : results.failures) {
+    left_out.push_back({fmt::format("shape \"{}\"", failure.name), failure.message});
+  }
+  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
+  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes"));
+}
+
+int run(const RunArguments& arguments) {
+  const RequestedRun request = requested_run(arguments.source);
+  return is_comparison(request.document) ? run_shapes(arguments, request) : run_retrieval(arguments, request);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("run", "Run an experiment from its configuration");
+  command->footer(
+      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
+      "A folder that holds the results of the same configuration is written anew; one with the results of another\n"
+      "configuration only with --replace or --force.\n"
+      "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that "
+      "was\n"
+      "interrupted goes on from there, and other bins need no new field. See shapegauge cache --help.\n"
+      "With --replay results/NAME/manifest.json the run that wrote the manifest is repeated, without the cache, into\n"
+      "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");
+  const auto arguments = std::make_shared<RunArguments>();
+  CLI::Option* configuration =
+      command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
+  command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
+  add_threads_option(*command, arguments->threads);
+  command->add_option("--set", arguments->source.overrides, "Change a value of the configuration: dotted.key=value")
+      ->allow_extra_args(false);
+  command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");
+  command->add_flag("--force", arguments->force, "So too, and compute everything anew");
+  add_cache_option(*command, arguments->cache);
+  command->add_flag("--no-cache", arguments->cache.none, "Neither use nor fill the cache")->excludes("--cache");
+  command->add_option("--replay", arguments->source.replay, "Repeat the run of this manifest.json")
+      ->excludes(configuration);
+  command->add_option("--dataset-root", arguments->source.dataset_root,
+                      "With --replay: the folder of the data set here");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,139 @@
+#include "shapegauge/core/io/obj.h"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <fmt/format.h>
+#include <limits>
+#include <string_view>
+#include <system_error>
+
+#include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_format.h"
+
+namespace shapegauge {
+
+namespace {
+
+class ObjReader {
+ public:
+  explicit ObjReader(const TextScanner& scanner) : scanner_(scanner), beginning_(scanner) {}
+
+  Shape read() {
+    while (!scanner_.at_end()) {
+      const std::string_view statement = scanner_.read_word();
+      if (statement == "v") {
+        read_vertex();
+      } else if (statement == "f") {
+        read_face();
+      }
+      skip_statement();
+    }
+    const auto vertices = static_cast<std::int64_t>(soup_.vertices());
+    if (largest_.vertex >= vertices) {
+      scanner_.fail_at(largest_.offset, message_bad_index(largest_.face, largest_.vertex + 1));
+    }
+    if (vertices == 0) scanner_.fail_whole("it holds no vertex");
+    if (faces_ > 0 && soup_.triangles() == 0) scanner_.fail_whole(message_no_triangles(faces_));
+    if (faces_ == 0) read_normals();
+    return soup_.shape();
+  }
+
+ private:
+  /// A corner, and where it is: a face may come before its vertices.
+  struct Corner {
+    std::int64_t vertex = -1;
+    std::int64_t face = 0;
+    std::size_t offset = 0;
+  };
+
+  /// True where the statement has nothing more: a backslash at a line's end continues it on the next line.
+  bool at_statement_end() {
+    while (!scanner_.at_line_end()) {
+      if (!is_continuation(scanner_.rest())) return false;
+      scanner_.advance(1);
+      scanner_.at_end();
+    }
+    return true;
+  }
+
+  static bool is_continuation(std::string_view rest) { return rest.starts_with("\\\n") || rest.starts_with("\\\r"); }
+
+  void skip_statement() {
+    while (!at_statement_end()) scanner_.read_word();
+  }
+
+  /// Reads the `vn` statements. Only those of a point cloud are of interest, and what is one is known at the end.
+  void read_normals() {
+    scanner_ = beginning_;
+    for (std::size_t normal = 1; !scanner_.at_end(); skip_statement()) {
+      if (scanner_.read_word() != "vn") continue;
+      soup_.add_normal(read_vector("normal", normal, "a normal's component"));
+      ++normal;
+    }
+  }
+
+  std::array<double, 3> read_vector(std::string_view what, std::size_t number, std::string_view role) {
+    std::array<double, 3> vector;
+    for (double& component : vector) {
+      if (at_statement_end()) scanner_.fail(fmt::format("{} {} has fewer than three coordinates", what, number));
+      scanner_.read_number(component, role);
+    }
+    return vector;
+  }
+
+  void read_vertex() {
+    const std::array<double, 3> position = read_vector("vertex", soup_.vertices() + 1, "a coordinate");
+    if (soup_.vertices() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more vertices than can be read");
+    soup_.add_vertex(position);
+  }
+
+  void read_face() {
+    ++faces_;
+    soup_.begin_face();
+    while (!at_statement_end()) soup_.add_corner(read_corner());
+  }
+
+  /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`; the vertex's index from 0.
+  std::int32_t read_corner() {
+    const std::string_view word = scanner_.read_word();
+    std::int64_t index = 0;
+    const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), index);
+    if (error != std::errc() || (last != word.data() + word.size() && *last != '/')) {
+      scanner_.fail(fmt::format("expected a vertex's index, found \"{}\"", word));
+    }
+    const auto vertices = static_cast<std::int64_t>(soup_.vertices());
+    const std::int64_t vertex = index < 0 ? vertices + index : index - 1;
+    if (vertex < 0 || vertex > std::numeric_limits<std::int32_t>::max()) {
+      scanner_.fail(message_bad_index(faces_, index));
+    }
+    if (vertex > largest_.vertex) largest_ = {vertex, faces_, scanner_.word_offset()};
+    return static_cast<std::int32_t>(vertex);
+  }
+
+  [[nodiscard]] std::string message_bad_index(std::int64_t face, std::int64_t index) const {
+    return fmt::format("face {} refers to vertex {}, but there are {} vertices, numbered from 1", face, index,
+                       soup_.vertices());
+  }
+
+  TextScanner scanner_;
+  TextScanner beginning_;
+  SoupBuilder soup_;
+  std::int64_t faces_ = 0;
+  Corner largest_;
+};
+
+}  // namespace
+
+Shape read_obj(const std::string& bytes, const std::string& name) { return ObjReader(TextScanner(bytes, name)).read(); }
+
+void check_obj_header(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  while (!scanner.at_end()) {
+    if (scanner.read_word() == "v") return;
+    scanner.skip_line();
+  }
+  scanner.fail_whole("not an OBJ file: it holds no vertex");
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,410 @@
+#include "shapegauge/core/io/off.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_format.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// What an OFF file's keyword says of its body.
+struct OffHeader {
+  bool binary = false;
+  bool texture = false;  ///< ST: 2 numbers after each vertex
+  bool colours = false;  ///< C: 4 numbers
+  bool normals = false;  ///< N: 3 numbers
+
+  /// Numbers that follow each vertex's coordinates.
+  [[nodiscard]] std::size_t vertex_extras() const {
+    return (texture ? 2U : 0U) + (colours ? 4U : 0U) + (normals ? 3U : 0U);
+  }
+};
+
+/// Numbers of vertices and faces in an OFF file.
+struct OffCounts {
+  std::int64_t vertices = 0;
+  std::int64_t faces = 0;
+};
+
+/// How the records of an ASCII OFF file are told apart. `lines`: each begins a line, and what follows it on the line is
+/// of no interest (colours, normals, with or without a keyword that announces them). `words`: they follow each other
+/// anyhow, as in a file that is a single line; then the keyword says how many numbers belong to a vertex.
+enum class OffLayout { lines, words };
+
+/// Reads an OFF file's keyword, and `BINARY` behind it. A file without a keyword, but with a number in its place, is
+/// plain OFF. Throws InputError where it is something else, or where the points are not three-dimensional (4OFF, nOFF).
+OffHeader read_off_header(TextScanner& scanner);
+
+/// Reads the line of counts of an ASCII OFF file. The number of edges, which is often wrong or missing, is passed over.
+OffCounts read_off_counts(TextScanner& scanner, OffLayout layout);
+
+/// Throws InputError where a count is negative or more than a triangle's indices can address.
+void check_off_counts(const OffCounts& counts, const TextScanner& scanner);
+
+/// The shape in a binary OFF file's body, which the scanner has come to, after the header's line: big-endian, 32-bit.
+Shape read_off_binary(const TextScanner& scanner, const OffHeader& header);
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes the prefix off the front of the text, if it is there.
+bool consume(std::string_view& text, std::string_view prefix) {
+  if (!text.starts_with(prefix)) return false;
+  text.remove_prefix(prefix.size());
+  return true;
+}
+
+struct Keyword {
+  OffHeader header;
+  bool dimensions = false;  // 4OFF, nOFF
+  std::size_t length = 0;   // 0: there is none
+};
+
+/// [ST][C][N][4][n]OFF, the letters in any order.
+Keyword parse_keyword(std::string_view text) {
+  Keyword keyword;
+  std::string_view rest = text;
+  if (consume(rest, "off")) {
+    keyword.length = 3;
+    return keyword;
+  }
+  while (!consume(rest, "OFF")) {
+    if (consume(rest, "ST")) {
+      keyword.header.texture = true;
+    } else if (consume(rest, "C")) {
+      keyword.header.colours = true;
+    } else if (consume(rest, "N")) {
+      keyword.header.normals = true;
+    } else if (consume(rest, "4") || consume(rest, "n")) {
+      keyword.dimensions = true;
+    } else {
+      return {};
+    }
+  }
+  keyword.length = text.size() - rest.size();
+  return keyword;
+}
+
+bool ends_keyword(std::string_view rest) {
+  return rest.empty() || is_digit(rest.front()) ||
+         std::string_view(" \t\r\n#").find(rest.front()) != std::string_view::npos;
+}
+
+/// True where the next line that is not blank holds exactly one word.
+bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
+
+}  // namespace
+
+OffHeader read_off_header(TextScanner& scanner) {
+  if (scanner.at_end()) scanner.fail_whole("holds nothing but white space and comments");
+  const Keyword keyword = parse_keyword(scanner.rest());
+  const std::string_view behind = scanner.rest().substr(keyword.length);
+  if (keyword.length == 0 ? !is_digit(scanner.rest().front()) : !ends_keyword(behind)) {
+    scanner.advance(0);
+    scanner.fail("not an OFF file: it begins neither with the keyword OFF nor with the number of vertices");
+  }
+  scanner.advance(keyword.length);
+  if (keyword.dimensions)
+    scanner.fail("4OFF and nOFF files hold points of other than three dimensions; convert it to OFF");
+  OffHeader header = keyword.header;
+  if (keyword.length > 0 && !scanner.at_line_end() && scanner.rest().starts_with("BINARY")) {
+    scanner.read_word();
+    header.binary = true;
+  }
+  return header;
+}
+
+OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
+  OffCounts counts;
+  if (!scanner.read_integer(counts.vertices, "the number of vertices") ||
+      !scanner.read_integer(counts.faces, "the number of faces")) {
+    scanner.fail_whole("ends before the numbers of vertices and faces");
+  }
+  check_off_counts(counts, scanner);
+  if (layout == OffLayout::lines && !scanner.at_line_end()) {
+    scanner.skip_line();
+  } else if (layout == OffLayout::words || single_word_on_line(scanner)) {
+    scanner.skip_words(1);  // the number of edges, perhaps on a line of its own
+  }
+  return counts;
+}
+
+void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
+  constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
+  if (counts.vertices < 0 || counts.faces < 0) {
+    scanner.fail(fmt::format("{} vertices and {} faces: neither can be negative", counts.vertices, counts.faces));
+  }
+  if (counts.vertices > largest || counts.faces > largest) {
+    scanner.fail(fmt::format("{} vertices and {} faces: at most {} of each can be read", counts.vertices, counts.faces,
+                             largest));
+  }
+}
+
+namespace {
+
+/// The bytes behind the header's line end.
+std::string_view body_of(std::string_view rest) {
+  const std::size_t line_end = rest.find('\n');
+  return line_end == std::string_view::npos ? std::string_view() : rest.substr(line_end + 1);
+}
+
+class BinaryOffBody {
+ public:
+  BinaryOffBody(const TextScanner& text, const OffHeader& header)
+      : text_(text), header_(header), bytes_(body_of(text.rest()), std::endian::big) {}
+
+  Shape read() {
+    read_counts();
+    for (std::int64_t i = 0; i < counts_.vertices; ++i) read_vertex(i);
+    for (std::int64_t i = 0; i < counts_.faces; ++i) read_face(i);
+    if (counts_.faces > 0 && soup_.triangles() == 0) {
+      text_.fail_whole(message_no_triangles(counts_.faces));
+    }
+    return soup_.shape();
+  }
+
+ private:
+  void read_counts() {
+    std::array<std::int32_t, 3> counts;
+    for (std::int32_t& count : counts) {
+      if (!bytes_.read(count)) text_.fail_whole("ends before the numbers of vertices, faces and edges");
+    }
+    counts_ = {counts[0], counts[1]};
+    check_off_counts(counts_, text_);
+    soup_.reserve(std::min<std::size_t>(counts_.vertices, bytes_.remaining() / 12),
+                  std::min<std::size_t>(counts_.faces, bytes_.remaining() / 20));
+  }
+
+  void read_vertex(std::int64_t i) {
+    soup_.add_vertex(read_vector(i, "coordinate"));
+    std::size_t extras = header_.vertex_extras();
+    if (header_.normals && counts_.faces == 0) {  // those of a mesh are of no interest
+      soup_.add_normal(read_vector(i, "normal"));
+      extras -= 3;
+    }
+    if (!bytes_.skip(4 * extras)) fail_end(i, counts_.vertices, "vertices");
+  }
+
+  std::array<double, 3> read_vector(std::int64_t vertex, std::string_view what) {
+    std::array<double, 3> vector;
+    for (double& component : vector) {
+      float value = 0;
+      if (!bytes_.read(value)) fail_end(vertex, counts_.vertices, "vertices");
+      if (!std::isfinite(value)) text_.fail_whole(message_not_finite(vertex, what));
+      component = value;
+    }
+    return vector;
+  }
+
+  void read_face(std::int64_t i) {
+    std::int32_t corners = 0;
+    if (!bytes_.read(corners)) fail_end(i, counts_.faces, "faces");
+    if (corners < 0) text_.fail_whole(fmt::format("face {} cannot have {} vertices", i, corners));
+    soup_.begin_face();
+    for (std::int32_t k = 0; k < corners; ++k) {
+      std::int32_t vertex = 0;
+      if (!bytes_.read(vertex)) fail_end(i, counts_.faces, "faces");
+      if (vertex < 0 || vertex >= counts_.vertices) {
+        text_.fail_whole(message_no_such_vertex(i, vertex, counts_.vertices));
+      }
+      soup_.add_corner(vertex);
+    }
+    std::uint32_t colour_components = 0;
+    if (!bytes_.read(colour_components) || !bytes_.skip(std::uint64_t{4} * colour_components)) {
+      fail_end(i, counts_.faces, "faces");
+    }
+  }
+
+  [[noreturn]] void fail_end(std::int64_t got, std::int64_t expected, std::string_view what) const {
+    text_.fail_whole(message_truncated(got, expected, what));
+  }
+
+  const TextScanner& text_;
+  OffHeader header_;
+  ByteScanner bytes_;
+  OffCounts counts_;
+  SoupBuilder soup_;
+};
+
+}  // namespace
+
+Shape read_off_binary(const TextScanner& scanner, const OffHeader& header) {
+  return BinaryOffBody(scanner, header).read();
+}
+
+namespace {
+
+constexpr std::size_t bytes_of_shortest_vertex = 6;    // "0 0 0\n"
+constexpr std::size_t bytes_of_shortest_triangle = 8;  // "3 0 1 2\n"
+
+/// Reads the body of an ASCII OFF file.
+class OffBody {
+ public:
+  OffBody(TextScanner& scanner, const OffHeader& header, OffLayout layout)
+      : scanner_(scanner), header_(header), layout_(layout), counts_(read_off_counts(scanner, layout)) {
+    // What the file has room for, whatever its header claims.
+    soup_.reserve(std::min<std::size_t>(counts_.vertices, scanner.remaining() / bytes_of_shortest_vertex + 1),
+                  std::min<std::size_t>(counts_.faces, scanner.remaining() / bytes_of_shortest_triangle + 1));
+  }
+
+  Shape read() {
+    for (std::int64_t i = 0; i < counts_.vertices; ++i) read_vertex(i);
+    for (std::int64_t i = 0; i < counts_.faces; ++i) read_face(i);
+    if (layout_ == OffLayout::words && !scanner_.at_end()) scanner_.fail_whole("more data follow the last face");
+    if (counts_.faces > 0 && soup_.triangles() == 0) {
+      scanner_.fail_whole(message_no_triangles(counts_.faces));
+    }
+    return soup_.shape();
+  }
+
+ private:
+  void read_vertex(std::int64_t i) {
+    std::array<double, 3> position;
+    for (double& coordinate : position) {
+      if (!scanner_.read_number(coordinate, "a coordinate")) fail_end(i, counts_.vertices, "vertices");
+    }
+    soup_.add_vertex(position);
+    std::size_t extras = header_.vertex_extras();
+    if (i == 0) normals_ = has_normals();
+    if (normals_) {
+      read_normal(i);
+      extras -= 3;
+    }
+    if (layout_ == OffLayout::lines) {
+      scanner_.skip_line();
+    } else if (!scanner_.skip_words(extras)) {
+      fail_end(i, counts_.vertices, "vertices");
+    }
+  }
+
+  /// Whether normals follow, the first vertex's position being read. Of interest are those of a point cloud only.
+  bool has_normals() {
+    return header_.normals && counts_.faces == 0 && (layout_ == OffLayout::words || !scanner_.at_line_end());
+  }
+
+  /// The first of the extras.
+  void read_normal(std::int64_t i) {
+    std::array<double, 3> normal;
+    for (double& component : normal) {
+      if (layout_ == OffLayout::lines && scanner_.at_line_end()) {
+        scanner_.fail(fmt::format("the normal of vertex {} has fewer than three components", i));
+      }
+      if (!scanner_.read_number(component, "a normal's component")) fail_end(i, counts_.vertices, "vertices");
+    }
+    soup_.add_normal(normal);
+  }
+
+  void read_face(std::int64_t i) {
+    std::int64_t corners = 0;
+    if (!scanner_.read_integer(corners, "a face's number of vertices")) fail_end(i, counts_.faces, "faces");
+    if (corners < (layout_ == OffLayout::words ? 3 : 0)) {
+      scanner_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
+    }
+    soup_.begin_face();
+    for (std::int64_t k = 0; k < corners; ++k) {
+      std::int64_t vertex = 0;
+      if (!scanner_.read_integer(vertex, "a vertex's index")) fail_end(i, counts_.faces, "faces");
+      if (vertex < 0 || vertex >= counts_.vertices) {
+        scanner_.fail(message_no_such_vertex(i, vertex, counts_.vertices));
+      }
+      soup_.add_corner(static_cast<std::int32_t>(vertex));
+    }
+    if (layout_ == OffLayout::lines) scanner_.skip_line();
+  }
+
+  [[noreturn]] void fail_end(std::int64_t got, std::int64_t expected, std::string_view what) const {
+    scanner_.fail_whole(message_truncated(got, expected, what));
+  }
+
+  TextScanner& scanner_;
+  OffHeader header_;
+  OffLayout layout_;
+  OffCounts counts_;
+  bool normals_ = false;
+  SoupBuilder soup_;
+};
+
+/// The shape, if the file is one whose records do not keep to lines. All its words must fit, so that a truncated file
+/// is not taken for such.
+std::optional<Shape> read_words(TextScanner scanner, const OffHeader& header) {
+  try {
+    return OffBody(scanner, header, OffLayout::words).read();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+Shape read_off(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  const OffHeader header = read_off_header(scanner);
+  if (header.binary) return read_off_binary(scanner, header);
+  const TextScanner body = scanner;
+  try {
+    return OffBody(scanner, header, OffLayout::lines).read();
+  } catch (const InputError&) {
+    if (std::optional<Shape> shape = read_words(body, header)) return *std::move(shape);
+    throw;
+  }
+}
+
+void check_off_header(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
+}
+
+namespace {
+
+template <typename Number>
+void append_number(std::string& text, Number number, char separator) {
+  std::array<char, 32> digits;  // the longest double has 24 characters
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size() - 1, number).ptr;
+  *end = separator;
+  text.append(digits.data(), end + 1);
+}
+
+void append_vector(std::string& text, const Eigen::RowVector3d& vector, char end) {
+  append_number(text, vector[0], ' ');
+  append_number(text, vector[1], ' ');
+  append_number(text, vector[2], end);
+}
+
+}  // namespace
+
+void write_off(const std::filesystem::path& path, const Shape& shape) {
+  require_writable(path, shape);
+  const bool with_normals = has_cloud_normals(shape);
+  std::string text = with_normals ? "NOFF\n" : "OFF\n";
+  append_number(text, shape.vertices.rows(), ' ');
+  append_number(text, shape.triangles.rows(), ' ');
+  append_number(text, 0, '\n');
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    append_vector(text, shape.vertices.row(i), with_normals ? ' ' : '\n');
+    if (with_normals) append_vector(text, shape.normals.row(i), '\n');
+  }
+  for (const auto& triangle : shape.triangles.rowwise()) {
+    text += "3 ";
+    append_number(text, triangle[0], ' ');
+    append_number(text, triangle[1], ' ');
+    append_number(text, triangle[2], '\n');
+  }
+  write_file_atomically(path, text);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,173 @@
+#include "shapegauge/core/io/stl.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <string_view>
+#include <unordered_map>
+
+#include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_format.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Position = std::array<double, 3>;
+
+constexpr std::size_t header_size = 80;
+constexpr std::size_t facet_size = 50;
+
+struct PositionHash {
+  std::size_t operator()(const Position& position) const {
+    std::uint64_t hash = 0;
+    for (const double x : position)
+      hash = (std::rotl(hash, 23) ^ std::bit_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U;
+    return hash ^ (hash >> 32U);
+  }
+};
+
+/// A soup whose vertices are told apart by their coordinates.
+class MergingBuilder {
+ public:
+  void begin_face() { soup_.begin_face(); }
+
+  void add_corner(Position position) {
+    for (double& x : position) x += 0.0;  // -0 becomes 0: they are equal, so they must hash alike
+    const auto [vertex, is_new] = numbers_.try_emplace(position, static_cast<std::int32_t>(soup_.vertices()));
+    if (is_new) soup_.add_vertex(position);
+    soup_.add_corner(vertex->second);
+  }
+
+  [[nodiscard]] const SoupBuilder& soup() const { return soup_; }
+
+ private:
+  SoupBuilder soup_;
+  std::unordered_map<Position, std::int32_t, PositionHash> numbers_;
+};
+
+std::uint32_t number_of_facets(const std::string& bytes) {
+  ByteScanner scanner(bytes, std::endian::little);
+  std::uint32_t facets = 0;
+  scanner.skip(header_size);
+  scanner.read(facets);
+  return facets;
+}
+
+/// ASCII begins with "solid", but so do the headers of many binary files: those have bytes that no text has.
+bool is_ascii(const std::string& bytes) {
+  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
+  if (start == std::string::npos || bytes.compare(start, 5, "solid") != 0) return false;
+  const std::string_view head = std::string_view(bytes).substr(0, 512);
+  return head.find('\0') == std::string_view::npos;
+}
+
+Shape read_binary(const std::string& bytes, const TextScanner& text) {
+  if (bytes.size() < header_size + 4) text.fail_whole("ends within its header of 84 bytes, or is not an STL file");
+  const std::uint32_t facets = number_of_facets(bytes);
+  ByteScanner scanner(bytes, std::endian::little);
+  scanner.skip(header_size + 4);
+  MergingBuilder builder;
+  for (std::uint32_t i = 0; i < facets; ++i) {
+    if (scanner.remaining() < facet_size) text.fail_whole(message_truncated(i, facets, "facets"));
+    scanner.skip(12);  // the normal
+    builder.begin_face();
+    for (int k = 0; k < 3; ++k) {
+      std::array<float, 3> corner = {};
+      for (float& coordinate : corner) scanner.read(coordinate);
+      if (!std::ranges::all_of(corner, [](float x) { return std::isfinite(x); })) {
+        text.fail_whole(
+            fmt::format("facet {} has a coordinate that is not a finite number; repair or remove the file", i));
+      }
+      builder.add_corner({corner[0], corner[1], corner[2]});
+    }
+    scanner.skip(2);  // the attribute
+  }
+  return builder.soup().shape();
+}
+
+/// Reads the facets of an ASCII file: a sequence of keywords, which need not keep to lines.
+class AsciiReader {
+ public:
+  explicit AsciiReader(const TextScanner& scanner) : scanner_(scanner) {}
+
+  Shape read() {
+    bool in_solid = false;
+    while (true) {
+      const std::string word = lower_case(scanner_.read_word());
+      if (word.empty() && !in_solid) break;
+      if (word.empty()) scanner_.fail_whole(fmt::format("ends after {} facets, before \"endsolid\"", facets_));
+      if (word == "solid" || word == "endsolid") {
+        in_solid = word == "solid";
+        scanner_.skip_line();  // the solid's name
+      } else if (word == "facet" && in_solid) {
+        read_facet();
+      } else {
+        scanner_.fail(fmt::format("expected \"facet\" or \"endsolid\", found \"{}\"", word));
+      }
+    }
+    return builder_.soup().shape();
+  }
+
+ private:
+  static std::string lower_case(std::string_view word) {
+    std::string result(word);
+    for (char& c : result) {
+      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    return result;
+  }
+
+  void read_facet() {
+    expect("normal");
+    if (!scanner_.skip_words(3)) fail_end();
+    expect("outer");
+    expect("loop");
+    builder_.begin_face();
+    for (int k = 0; k < 3; ++k) {
+      expect("vertex");
+      Position position = {};
+      for (double& coordinate : position) {
+        if (!scanner_.read_number(coordinate, "a coordinate")) fail_end();
+      }
+      builder_.add_corner(position);
+    }
+    expect("endloop");
+    expect("endfacet");
+    ++facets_;
+  }
+
+  void expect(std::string_view keyword) {
+    const std::string_view word = scanner_.read_word();
+    if (word.empty()) fail_end();
+    if (lower_case(word) != keyword) {
+      scanner_.fail(fmt::format("expected \"{}\" in facet {}, found \"{}\"", keyword, facets_, word));
+    }
+  }
+
+  [[noreturn]] void fail_end() const { scanner_.fail_whole(fmt::format("ends within facet {}", facets_)); }
+
+  TextScanner scanner_;
+  MergingBuilder builder_;
+  std::int64_t facets_ = 0;
+};
+
+}  // namespace
+
+Shape read_stl(const std::string& bytes, const std::string& name) {
+  const TextScanner scanner(bytes, name);
+  const bool exact = bytes.size() == header_size + 4 + facet_size * std::size_t{number_of_facets(bytes)};
+  return is_ascii(bytes) && !exact ? AsciiReader(scanner).read() : read_binary(bytes, scanner);
+}
+
+void check_stl_header(const std::string& bytes, const std::string& name) {
+  if (is_ascii(bytes) || bytes.size() >= header_size + 4) return;
+  TextScanner(bytes, name).fail_whole("not an STL file: neither \"solid\" nor a header of 84 bytes");
+}
+
+}  // namespace shapegauge

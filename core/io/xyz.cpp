@@ -1,0 +1,182 @@
+#include "shapegauge/core/io/xyz.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_format.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The text with blanks for separators and `#` for `//`, as a TextScanner knows them. Every byte keeps its place, and
+/// with it its line.
+std::string in_words(std::string text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == ',' || text[i] == ';') text[i] = ' ';
+    if (text[i] == '/' && i + 1 < text.size() && text[i + 1] == '/') text[i] = '#';
+  }
+  return text;
+}
+
+/// Whether numbers on the line have decimal commas: a comma between two digits, and other separators too.
+bool has_decimal_commas(std::string_view line) {
+  const auto is_digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
+  const auto begins_number = [&](std::size_t i) { return is_digit(i) || (i < line.size() && line[i] == '-'); };
+  bool tight_comma = false;
+  bool other = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (line[i] == ',') tight_comma = tight_comma || (is_digit(i - 1) && is_digit(i + 1));
+    const bool separates = line[i] == ';' || line[i] == ' ' || line[i] == '\t';
+    other = other || (separates && is_digit(i - 1) && begins_number(i + 1));
+  }
+  return tight_comma && other;
+}
+
+/// The number that the word is; NaN where it is none.
+double number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double number = 0;
+  const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool whole = error == std::errc() && last == word.data() + word.size();
+  return whole ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+using Vector = std::array<double, 3>;
+
+class XyzReader {
+ public:
+  /// `text` is in words, `original` the bytes it was made from.
+  XyzReader(const std::string& text, std::string_view original, const std::string& name)
+      : scanner_(text, name), original_(original), text_(text) {}
+
+  Shape read() {
+    read_count();
+    while (!scanner_.at_end()) read_line();
+    const std::size_t lines = positions_.size();
+    const bool normals_follow = count_ && columns_ == 3 && *count_ > 0 && lines == 2 * *count_;
+    if (count_ && lines != *count_ && !normals_follow) fail_count(lines);
+    SoupBuilder soup;
+    const std::size_t points = normals_follow ? *count_ : lines;
+    soup.reserve(points, 0);
+    for (std::size_t i = 0; i < points; ++i) soup.add_vertex(positions_[i]);
+    for (std::size_t i = points; i < lines; ++i) soup.add_normal(positions_[i]);
+    if (normals_in_columns()) {
+      for (const Vector& normal : columns_4_to_6_) soup.add_normal(normal);
+    }
+    return soup.shape();
+  }
+
+  /// Reads the number of points or the first line.
+  void read_beginning() {
+    read_count();
+    if (!count_ && !scanner_.at_end()) read_line();
+  }
+
+ private:
+  /// The number of points, if it is alone on the first line.
+  void read_count() {
+    if (scanner_.at_end()) scanner_.fail_whole("holds nothing but white space and comments");
+    TextScanner ahead = scanner_;
+    ahead.read_word();
+    if (!ahead.at_line_end()) return;
+    std::int64_t count = 0;
+    scanner_.read_integer(count, "the number of points, or a point's three coordinates");
+    if (count < 0 || count > std::numeric_limits<std::int32_t>::max()) {
+      scanner_.fail(fmt::format("{} points cannot be read", count));
+    }
+    count_ = static_cast<std::size_t>(count);
+  }
+
+  void read_line() {
+    const std::size_t begin = text_.size() - scanner_.remaining();
+    Vector position;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("{} of a point's three coordinates", k));
+      scanner_.read_number(position[k], "a coordinate");
+    }
+    Vector more = {};
+    std::size_t columns = 3;
+    for (; !scanner_.at_line_end(); ++columns) {
+      const std::string_view word = scanner_.read_word();
+      if (columns < 6) more[columns - 3] = number_in(word);
+    }
+    if (positions_.empty()) begin_columns(columns, begin);
+    if (columns != columns_) {
+      scanner_.fail(fmt::format("{} columns, where the first point has {}", columns, columns_));
+    }
+    if (positions_.size() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more points than can be read");
+    positions_.push_back(position);
+    if (columns >= 6) add_columns_4_to_6(more);
+  }
+
+  void begin_columns(std::size_t columns, std::size_t begin) {
+    columns_ = columns;
+    const std::size_t end = text_.size() - scanner_.remaining();
+    if (has_decimal_commas(original_.substr(begin, end - begin))) {
+      scanner_.fail("commas and other separators are mixed; write decimal points, not commas");
+    }
+  }
+
+  void add_columns_4_to_6(const Vector& vector) {
+    columns_4_to_6_.push_back(vector);
+    const Eigen::Vector3d v(vector[0], vector[1], vector[2]);
+    const double length = v.stableNorm();
+    if (!v.allFinite()) {
+      if (!not_finite_) not_finite_ = scanner_.word_offset();
+    } else if (length > 0) {
+      ++vectors_;
+      unit_vectors_ += length > 0.95 && length < 1.05 ? 1 : 0;
+    }
+  }
+
+  bool normals_in_columns() {
+    if (vectors_ == 0 || 10 * unit_vectors_ < 9 * vectors_) return false;
+    if (not_finite_) {
+      scanner_.fail_at(*not_finite_, "the normal is not three finite numbers; repair or remove the file");
+    }
+    return true;
+  }
+
+  [[noreturn]] void fail_count(std::size_t lines) const {
+    if (lines < *count_) {
+      scanner_.fail_whole(
+          message_truncated(static_cast<std::int64_t>(lines), static_cast<std::int64_t>(*count_), "points"));
+    }
+    scanner_.fail_whole(fmt::format("{} points follow its first line, which says {}", lines, *count_));
+  }
+
+  TextScanner scanner_;
+  std::string_view original_;
+  std::string_view text_;
+  std::optional<std::size_t> count_;
+  std::size_t columns_ = 0;
+  std::vector<Vector> positions_;
+  std::vector<Vector> columns_4_to_6_;
+  std::size_t vectors_ = 0;                ///< in columns 4 to 6, finite and not zero
+  std::size_t unit_vectors_ = 0;           ///< of these, with a length of about 1
+  std::optional<std::size_t> not_finite_;  ///< the place in the text of the first that is not finite
+};
+
+}  // namespace
+
+Shape read_xyz(const std::string& bytes, const std::string& name) {
+  const std::string text = in_words(bytes);
+  return XyzReader(text, bytes, name).read();
+}
+
+void check_xyz_header(const std::string& bytes, const std::string& name) {
+  const std::string text = in_words(bytes);
+  XyzReader(text, bytes, name).read_beginning();
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,115 @@
+#include "shapegauge/core/shape/connectivity.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The first vertex at each place, in a hash table with open addressing.
+class Places {
+ public:
+  explicit Places(const Points& vertices)
+      : vertices_(vertices), slots_(std::bit_ceil(2 * static_cast<std::size_t>(vertices.rows()) + 1), -1) {}
+
+  std::int32_t first_at_place_of(std::int32_t vertex) {
+    std::size_t slot = hash(vertex) % slots_.size();
+    while (slots_[slot] >= 0 && vertices_.row(slots_[slot]) != vertices_.row(vertex)) slot = (slot + 1) % slots_.size();
+    if (slots_[slot] < 0) slots_[slot] = vertex;
+    return slots_[slot];
+  }
+
+ private:
+  [[nodiscard]] std::size_t hash(std::int32_t vertex) const {
+    std::uint64_t result = 0;
+    for (int k = 0; k < 3; ++k) {
+      result ^= std::bit_cast<std::uint64_t>(vertices_(vertex, k) + 0.0);  // the same for both zeros
+      result *= 0x9e3779b97f4a7c15ULL;
+      result ^= result >> 32U;
+    }
+    return static_cast<std::size_t>(result);
+  }
+
+  const Points& vertices_;
+  std::vector<std::int32_t> slots_;
+};
+
+}  // namespace
+
+std::vector<std::int32_t> merged_by_place(const Points& vertices) {
+  Places places(vertices);
+  std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
+  for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
+  return merged;
+}
+
+namespace {
+
+/// The uses by (low, high, triangle).
+std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
+  CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+      return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
+    });
+  }
+  return std::move(counted.values);
+}
+
+}  // namespace
+
+std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * static_cast<std::size_t>(triangles.rows()));
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    std::array<std::int32_t, 3> corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = merged[static_cast<std::size_t>(triangles(f, static_cast<Eigen::Index>(k)))];
+    }
+    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::int32_t from = corners[k];
+      const std::int32_t to = corners[(k + 1) % 3];
+      uses.push_back({.low = std::min(from, to),
+                      .high = std::max(from, to),
+                      .triangle = static_cast<std::int32_t>(f),
+                      .corner = static_cast<std::int8_t>(k),
+                      .forward = from < to});
+    }
+  }
+  return sorted(uses, merged.size());
+}
+
+namespace {
+
+/// Whether there are edges, and all of them satisfy a condition.
+template <typename Condition>
+bool all_edges(const Shape& shape, Condition condition) {
+  require_usable(shape);
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
+  bool all = !uses.empty();
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { all = all && condition(edge); });
+  return all;
+}
+
+}  // namespace
+
+bool is_watertight(const Shape& shape) {
+  return all_edges(shape, [](std::span<const EdgeUse> edge) { return edge.size() % 2 == 0; });
+}
+
+bool is_watertight_and_oriented(const Shape& shape) {
+  return all_edges(shape, [](std::span<const EdgeUse> edge) {
+    return 2 * std::ranges::count(edge, true, &EdgeUse::forward) == std::ssize(edge);
+  });
+}
+
+}  // namespace shapegauge

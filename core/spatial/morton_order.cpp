@@ -1,0 +1,40 @@
+#include "shapegauge/core/spatial/morton_order.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace shapegauge {
+
+namespace {
+
+constexpr int bits_per_axis = 21;
+
+/// Spreads the lowest 21 bits so that two zeros follow each.
+std::uint64_t spread(std::uint64_t bits) {
+  std::uint64_t result = 0;
+  for (int i = 0; i < bits_per_axis; ++i) result |= ((bits >> i) & 1U) << (3 * i);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> morton_order(const Points& points) {
+  std::vector<std::int32_t> order(static_cast<std::size_t>(points.rows()));
+  std::iota(order.begin(), order.end(), 0);
+  if (points.rows() < 2) return order;
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const double size = (points.colwise().maxCoeff() - low).maxCoeff();
+  if (!(size > 0)) return order;
+  constexpr double cells = (1U << bits_per_axis) - 1;
+  std::vector<std::uint64_t> codes(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Eigen::RowVector3d place = (points.row(static_cast<Eigen::Index>(i)) - low) / size * cells;
+    for (int k = 0; k < 3; ++k) codes[i] |= spread(static_cast<std::uint64_t>(place[k])) << k;
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
+    return codes[static_cast<std::size_t>(i)] < codes[static_cast<std::size_t>(j)];
+  });
+  return order;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,313 @@
+// The hot loops of the surface tree, compiled once for each instruction set that Highway knows of.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/spatial/triangle_bvh_query.cpp"
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+#include <limits>
+
+#include "shapegauge/core/spatial/triangle_bvh_layout.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Deep enough for 2^31 triangles in nodes of eight, with all siblings waiting at every level.
+constexpr int stack_size = 256;
+
+/// A node or leaf that waits to be visited.
+struct Waiting {
+  float squared_distance;
+  std::int32_t child;
+};
+
+template <typename D>
+using VectorOf = std::array<hn::Vec<D>, 3>;
+
+template <typename D>
+HWY_INLINE hn::Vec<D> dot(const VectorOf<D>& u, const VectorOf<D>& v) {
+  return hn::MulAdd(u[0], v[0], hn::MulAdd(u[1], v[1], hn::Mul(u[2], v[2])));
+}
+
+template <typename D>
+HWY_INLINE VectorOf<D> load(D d, const LeafVector& vectors, std::size_t lane) {
+  return {hn::Load(d, vectors[0].data() + lane), hn::Load(d, vectors[1].data() + lane),
+          hn::Load(d, vectors[2].data() + lane)};
+}
+
+template <typename D>
+HWY_INLINE VectorOf<D> subtract(const VectorOf<D>& u, const VectorOf<D>& v) {
+  return {hn::Sub(u[0], v[0]), hn::Sub(u[1], v[1]), hn::Sub(u[2], v[2])};
+}
+
+/// Squared distance from the point at v, relative to the edge's start, to the edge.
+template <typename D>
+HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge, hn::Vec<D> inverse) {
+  const auto t = hn::Min(hn::Max(hn::Mul(dot<D>(v, edge), inverse), hn::Zero(d)), hn::Set(d, 1.0F));
+  const VectorOf<D> rest = {hn::NegMulAdd(t, edge[0], v[0]), hn::NegMulAdd(t, edge[1], v[1]),
+                            hn::NegMulAdd(t, edge[2], v[2])};
+  return dot<D>(rest, rest);
+}
+
+/// Squared distances from x to the leaf's triangles: the plane's where x projects into the triangle, else the nearest
+/// edge's. Returns the smallest.
+HWY_INLINE float squared_distances(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
+  const hn::CappedTag<float, triangles_per_leaf> d;
+  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
+  const Eigen::Vector3f local = (x - leaf.origin).cast<float>();
+  const VectorOf<decltype(d)> point = {hn::Set(d, local[0]), hn::Set(d, local[1]), hn::Set(d, local[2])};
+  for (std::size_t lane = 0; lane < triangles_per_leaf; lane += hn::Lanes(d)) {
+    const auto ab = load(d, leaf.ab, lane);
+    const auto ac = load(d, leaf.ac, lane);
+    const auto from_a = subtract<decltype(d)>(point, load(d, leaf.a, lane));
+    const auto from_b = subtract<decltype(d)>(from_a, ab);
+    auto nearest = to_edge(d, from_a, ab, hn::Load(d, leaf.inverse_ab.data() + lane));
+    nearest = hn::Min(nearest, to_edge(d, from_a, ac, hn::Load(d, leaf.inverse_ac.data() + lane)));
+    nearest =
+        hn::Min(nearest, to_edge(d, from_b, subtract<decltype(d)>(ac, ab), hn::Load(d, leaf.inverse_bc.data() + lane)));
+    const auto height = dot<decltype(d)>(from_a, load(d, leaf.normal, lane));
+    const auto b = dot<decltype(d)>(from_a, load(d, leaf.dual_b, lane));
+    const auto c = dot<decltype(d)>(from_a, load(d, leaf.dual_c, lane));
+    const auto zero = hn::Zero(d);
+    const auto inside = hn::And(hn::And(hn::Ge(b, zero), hn::Ge(c, zero)), hn::Le(hn::Add(b, c), hn::Set(d, 1.0F)));
+    const auto squared = hn::IfThenElse(inside, hn::Mul(height, height), nearest);
+    hn::Store(squared, d, result.data() + lane);
+    smallest = hn::Min(smallest, squared);
+  }
+  return hn::GetLane(hn::MinOfLanes(d, smallest));
+}
+
+/// The triangle of the leaf closest to x where its squared distance is below the limit, which it becomes; else -1.
+HWY_INLINE std::int32_t closest_in_leaf(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, float& limit) {
+  alignas(64) LeafLane distances;
+  const float smallest = squared_distances(leaf, x, distances);
+  if (!(smallest < limit)) return -1;
+  limit = smallest;
+  for (std::size_t lane = 0;; ++lane) {
+    if (distances[lane] == smallest) return leaf.triangle[lane];
+  }
+}
+
+/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which
+/// are below the limit, a bit each.
+HWY_INLINE std::uint32_t squared_distances(const TriangleBvhNode& node, const Eigen::Vector3f& x, float limit,
+                                           std::array<float, children_per_node>& result) {
+  const hn::CappedTag<float, children_per_node> d;
+  std::uint32_t below_limit = 0;
+  for (std::size_t lane = 0; lane < children_per_node; lane += hn::Lanes(d)) {
+    auto sum = hn::Zero(d);
+    auto height = hn::Zero(d);
+    auto from_centre2 = hn::Zero(d);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+      const auto from_centre = hn::Sub(coordinate, hn::Load(d, node.centre[k].data() + lane));
+      height = hn::MulAdd(from_centre, hn::Load(d, node.normal[k].data() + lane), height);
+      from_centre2 = hn::MulAdd(from_centre, from_centre, from_centre2);
+      const auto below = hn::Sub(hn::Load(d, node.low[k].data() + lane), coordinate);
+      const auto above = hn::Sub(coordinate, hn::Load(d, node.high[k].data() + lane));
+      const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+      sum = hn::MulAdd(outside, outside, sum);
+    }
+    const auto off_axis = hn::Sqrt(hn::Max(hn::NegMulAdd(height, height, from_centre2), hn::Zero(d)));
+    const auto above = hn::Max(hn::Sub(hn::Abs(height), hn::Load(d, node.half_height.data() + lane)), hn::Zero(d));
+    const auto beside = hn::Max(hn::Sub(off_axis, hn::Load(d, node.radius.data() + lane)), hn::Zero(d));
+    sum = hn::Max(sum, hn::MulAdd(above, above, hn::Mul(beside, beside)));
+    hn::Store(sum, d, result.data() + lane);
+    std::array<std::uint8_t, 8> bits{};
+    hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limit)), bits.data());
+    below_limit |= static_cast<std::uint32_t>(bits[0]) << lane;
+  }
+  return below_limit;
+}
+
+/// Puts the children nearer than the limit on the stack, the nearest on top.
+HWY_INLINE int push_children(const TriangleBvhNode& node, const Eigen::Vector3f& x, float squared_limit,
+                             std::array<Waiting, stack_size>& stack, int top) {
+  alignas(64) std::array<float, children_per_node> distances;
+  const int bottom = top;
+  for (std::uint32_t left = squared_distances(node, x, squared_limit, distances); left != 0; left &= left - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(left));
+    int place = top++;
+    for (; place > bottom && stack[static_cast<std::size_t>(place - 1)].squared_distance < distances[i]; --place) {
+      stack[static_cast<std::size_t>(place)] = stack[static_cast<std::size_t>(place - 1)];
+    }
+    stack[static_cast<std::size_t>(place)] = {distances[i], node.child[i]};
+  }
+  return top;
+}
+
+/// Visits leaves from near to far; the visitor gets a leaf and the limit and may lower it. A limit below 0 ends it.
+template <typename Visit>
+HWY_INLINE void visit_leaves(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                             const Eigen::Vector3d& x, float squared_limit, const Visit& visit) {
+  const Eigen::Vector3f x_single = x.cast<float>();
+  std::array<Waiting, stack_size> stack;
+  int top = push_children(nodes.front(), x_single, squared_limit, stack, 0);
+  while (top > 0) {
+    const Waiting next = stack[static_cast<std::size_t>(--top)];
+    if (!(next.squared_distance < squared_limit)) continue;
+    if (next.child >= 0) {
+      top = push_children(nodes[static_cast<std::size_t>(next.child)], x_single, squared_limit, stack, top);
+    } else {
+      visit(leaves[static_cast<std::size_t>(~next.child)], squared_limit);
+    }
+  }
+}
+
+std::int32_t closest(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                     const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
+  std::int32_t best = otherwise;
+  visit_leaves(nodes, leaves, x, squared_limit, [&](const TriangleBvhLeaf& leaf, float& limit) {
+    const std::int32_t found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) best = found;
+  });
+  return best;
+}
+
+/// The leaves that a search for several points found within reach, with their boxes.
+struct Reached {
+  static constexpr std::size_t most = 64;
+  std::size_t count = 0;
+  alignas(64) std::array<std::array<float, most>, 3> low, high;
+  std::array<std::int32_t, most> leaf;
+  float nearest = std::numeric_limits<float>::infinity();
+
+  /// The nearest comes first: what is found in it rules out most of the others.
+  void add(const TriangleBvhNode& node, std::size_t child, float distance) {
+    const bool first = count > 0 && distance < nearest;
+    nearest = std::min(nearest, distance);
+    if (first) move(0, count);
+    put(node, child, first ? 0 : count);
+    ++count;
+  }
+
+ private:
+  void move(std::size_t from, std::size_t to) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][to] = low[k][from];
+      high[k][to] = high[k][from];
+    }
+    leaf[to] = leaf[from];
+  }
+
+  void put(const TriangleBvhNode& node, std::size_t child, std::size_t place) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k][place] = node.low[k][child];
+      high[k][place] = node.high[k][child];
+    }
+    leaf[place] = node.child[child];
+  }
+};
+
+/// Looks into the leaves, for each point into those whose boxes are within its limit.
+HWY_INLINE void look_into(const Reached& reached, const std::vector<TriangleBvhLeaf>& leaves,
+                          std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
+                          std::span<std::int32_t> triangles) {
+  const hn::CappedTag<float, triangles_per_leaf> d;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3f x = points[i].cast<float>();
+    for (std::size_t first = 0; first < reached.count; first += hn::Lanes(d)) {
+      auto sum = hn::Zero(d);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
+        const auto below = hn::Sub(hn::Load(d, reached.low[k].data() + first), coordinate);
+        const auto above = hn::Sub(coordinate, hn::Load(d, reached.high[k].data() + first));
+        const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
+        sum = hn::MulAdd(outside, outside, sum);
+      }
+      alignas(64) std::array<float, triangles_per_leaf> distances;
+      hn::Store(sum, d, distances.data());
+      std::array<std::uint8_t, 8> bits{};
+      hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limits[i])), bits.data());
+      std::uint32_t left = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8U;
+      if (reached.count - first < triangles_per_leaf) left &= (1U << (reached.count - first)) - 1;
+      for (; left != 0 && limits[i] >= enough; left &= left - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+        if (!(distances[lane] < limits[i])) continue;
+        const std::int32_t found =
+            closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
+        if (found >= 0) triangles[i] = found;
+      }
+    }
+  }
+}
+
+void closest_to_each(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                     std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
+                     std::span<std::int32_t> triangles) {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
+  double reach = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    reach = std::max(reach, std::sqrt(static_cast<double>(limits[i])) + (points[i] - centre).norm());
+  }
+  const auto squared_reach = static_cast<float>(reach * reach * (1 + 1e-6));
+  Reached reached;
+  std::array<std::int32_t, stack_size> stack;
+  const Eigen::Vector3f x = centre.cast<float>();
+  int top = 0;
+  stack[static_cast<std::size_t>(top++)] = 0;
+  while (top > 0) {
+    const TriangleBvhNode& node = nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
+    alignas(64) std::array<float, children_per_node> distances;
+    for (std::uint32_t left = squared_distances(node, x, squared_reach, distances); left != 0; left &= left - 1) {
+      const auto i = static_cast<std::size_t>(std::countr_zero(left));
+      if (node.child[i] >= 0) {
+        stack[static_cast<std::size_t>(top++)] = node.child[i];
+        continue;
+      }
+      reached.add(node, i, distances[i]);
+      if (reached.count < Reached::most) continue;
+      look_into(reached, leaves, points, enough, limits, triangles);
+      reached.count = 0;
+    }
+  }
+  look_into(reached, leaves, points, enough, limits, triangles);
+}
+
+std::int32_t any_within(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                        const Eigen::Vector3d& x, float squared_limit) {
+  std::int32_t found = -1;
+  visit_leaves(nodes, leaves, x, squared_limit, [&](const TriangleBvhLeaf& leaf, float& limit) {
+    found = closest_in_leaf(leaf, x, limit);
+    if (found >= 0) limit = -1;
+  });
+  return found;
+}
+
+}  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(closest);
+HWY_EXPORT(closest_to_each);
+HWY_EXPORT(any_within);
+
+std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                              const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
+  return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
+}
+
+void closest_triangles(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
+                       std::span<std::int32_t> triangles) {
+  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, enough, squared_limits, triangles);
+}
+
+std::int32_t any_triangle_within(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                                 const Eigen::Vector3d& x, float squared_limit) {
+  return HWY_DYNAMIC_DISPATCH(any_within)(nodes, leaves, x, squared_limit);
+}
+
+}  // namespace shapegauge
+#endif  // HWY_ONCE

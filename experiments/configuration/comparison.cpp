@@ -1,0 +1,147 @@
+#include "shapegauge/experiments/configuration/comparison.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/generator/generate_dataset.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json to_json(const GeneratedModel& generated) {
+  return {{"class", generated.model_class},
+          {"model", generated.model},
+          {"faces", generated.faces},
+          {"seed", generated.seed}};
+}
+
+Json to_json(const ComparedShape& shape) {
+  Json json{{"name", shape.name}, {"perturbations", to_json(shape.perturbations)}};
+  if (shape.generated) {
+    json["generate"] = to_json(*shape.generated);
+  } else {
+    json["file"] = std::filesystem::absolute(shape.file).lexically_normal().string();
+  }
+  return json;
+}
+
+}  // namespace
+
+Json to_json(const Comparison& comparison) {
+  Json json{{"name", comparison.name},
+            {"seed", comparison.seed},
+            {"preparation", to_json(comparison.preparation)},
+            {"on_error", comparison.on_error == OnError::stop ? "stop" : "skip"},
+            {"signatures", to_json(comparison.signatures)},
+            {"distance", comparison.distance}};
+  for (const ComparedShape& shape : comparison.shapes) json["shapes"].push_back(to_json(shape));
+  if (!comparison.description.empty()) json["description"] = comparison.description;
+  if (comparison.reference) {
+    json["reference"] = comparison.shapes[*comparison.reference].name;
+    json["registered"] = comparison.registered;
+  }
+  return json;
+}
+
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+GeneratedModel generated_of(const Json& settings) {
+  GeneratedModel generated;
+  generated.model_class = settings.at("class");
+  generated.model = settings.value("model", generated.model);
+  generated.faces = settings.value("faces", generated.faces);
+  generated.seed = settings.value("seed", generated.seed);
+  const std::vector<std::string> classes = generated_class_names();
+  if (std::ranges::find(classes, generated.model_class) == classes.end()) {
+    throw ConfigurationError{"class", fmt::format("there is no class \"{}\"{}", generated.model_class,
+                                                  suggestion(generated.model_class, classes))};
+  }
+  return generated;
+}
+
+ComparedShape shape_of(const Json& settings, const fs::path& folder) {
+  ComparedShape shape;
+  shape.name = settings.at("name");
+  if (settings.contains("generate")) {
+    if (settings.contains("file"))
+      throw ConfigurationError{"file", "does not go with \"generate\"; remove one of the two"};
+    shape.generated = at("generate", [&] { return generated_of(settings.at("generate")); });
+  } else {
+    shape.file = path_value(settings, "file", folder);
+  }
+  if (settings.contains("perturbations")) shape.perturbations = make_perturbations(settings.at("perturbations"));
+  return shape;
+}
+
+std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folder) {
+  std::vector<ComparedShape> shapes;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    ComparedShape shape = at(std::to_string(i), [&] { return shape_of(settings[i], folder); });
+    const auto earlier = std::ranges::find(shapes, shape.name, &ComparedShape::name);
+    if (earlier != shapes.end()) {
+      throw ConfigurationError{fmt::format("{}.name", i), fmt::format("\"{}\" is the name of shapes.{} already",
+                                                                      shape.name, earlier - shapes.begin())};
+    }
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+std::size_t reference_of(const std::string& name, const std::vector<ComparedShape>& shapes) {
+  std::vector<std::string> names;
+  names.reserve(shapes.size());
+  for (const ComparedShape& shape : shapes) names.push_back(shape.name);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    throw ConfigurationError{"reference", fmt::format("there is no shape \"{}\"{}", name, suggestion(name, names))};
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Comparison checked_comparison(const Json& document, const fs::path& folder) {
+  Comparison comparison;
+  comparison.name = document.at("name");
+  comparison.description = document.value("description", "");
+  comparison.shapes = at("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
+  if (document.contains("reference")) {
+    comparison.reference = reference_of(document.at("reference"), comparison.shapes);
+  } else if (document.contains("registered")) {
+    throw ConfigurationError{"registered", "needs a \"reference\" that the shapes are compared with"};
+  }
+  comparison.registered = document.value("registered", comparison.reference.has_value());
+  comparison.seed = document.value("seed", comparison.seed);
+  if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
+  comparison.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
+  comparison.distance = document.value("distance", comparison.distance);
+  comparison.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
+  return comparison;
+}
+
+}  // namespace
+
+Comparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
+  check_against_schema(document, source);
+  if (!is_comparison(document)) {
+    throw InputError(fmt::format("{}: has a \"dataset\", not \"shapes\": it is a retrieval experiment", source));
+  }
+  try {
+    return checked_comparison(document, folder);
+  } catch (const ConfigurationError& error) {
+    throw InputError(fmt::format("{}: {}: {}", source, error.path, printable(error.message, 500)));
+  }
+}
+
+}  // namespace shapegauge

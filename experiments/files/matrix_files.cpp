@@ -1,0 +1,330 @@
+#include "shapegauge/experiments/files/matrix_files.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <unordered_set>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/experiments/files/npy.h"
+
+namespace shapegauge {
+
+void NumberRows::add_number(std::string_view word, std::size_t line) {
+  const auto number = parse_number(word);
+  if (!number) {
+    throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row)", *source_, line, quoted_word(word),
+                                 numbers_.size() - row_begin_ + 1));
+  }
+  numbers_.push_back(*number);
+}
+
+void NumberRows::end_row(std::size_t line) {
+  const std::size_t length = numbers_.size() - row_begin_;
+  if (length == 0) throw InputError(fmt::format("{}:{}: the row has no numbers", *source_, line));
+  if (rows_ == 0) {
+    columns_ = length;
+    first_line_ = line;
+  }
+  if (length != columns_) {
+    throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line, length,
+                                 first_line_, columns_));
+  }
+  if (shape_ == TableShape::square && rows_ == columns_) {
+    throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
+                                 *source_, line, rows_ + 1, columns_));
+  }
+  ++rows_;
+  row_begin_ = numbers_.size();
+}
+
+DistanceMatrix NumberRows::matrix() const {
+  if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
+  if (shape_ == TableShape::square && rows_ != columns_) {
+    throw InputError(
+        fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
+                    "cut off",
+                    *source_, rows_, columns_));
+  }
+  return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
+                                          static_cast<Eigen::Index>(columns_));
+}
+
+namespace {
+
+void check_ids(const std::vector<std::string>& ids, const std::string& where) {
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& id : ids) {
+    if (id.empty()) throw InputError(fmt::format("{}: an id is empty", where));
+    if (!seen.insert(id).second) throw InputError(fmt::format("{}: the id {} occurs twice", where, quoted_word(id)));
+  }
+}
+
+// The ids of the columns, behind the first cell of the header row.
+std::vector<std::string> read_ids(const CsvRow& header, const std::string& source) {
+  std::vector<std::string> ids(header.cells.begin() + 1, header.cells.end());
+  check_ids(ids, fmt::format("{}:{}", source, header.line));
+  return ids;
+}
+
+void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::string>& ids,
+                  const std::string& source) {
+  if (index >= ids.size()) {
+    throw InputError(
+        fmt::format("{}:{}: there are more rows than the {} ids of the header row", source, row.line, ids.size()));
+  }
+  if (row.cells.front() == ids[index]) return;
+  throw InputError(
+      fmt::format("{}:{}: the row is of {}, but the column of the same number is of {}; rows and columns "
+                  "must have the same ids in the same order",
+                  source, row.line, quoted_word(row.cells.front()), quoted_word(ids[index])));
+}
+
+}  // namespace
+
+LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source);
+  LabelledDistances result;
+  const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
+  if (has_ids) result.ids = read_ids(table.front(), source);
+  const std::size_t first_row = has_ids ? 1 : 0;
+  NumberRows rows(source, TableShape::square);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (has_ids) check_row_id(row, i - first_row, result.ids, source);
+    for (std::size_t j = first_row; j < row.cells.size(); ++j) rows.add_number(row.cells[j], row.line);
+    rows.end_row(row.line);
+  }
+  result.distances = rows.matrix();
+  if (has_ids && result.ids.size() != static_cast<std::size_t>(result.distances.cols())) {
+    throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
+                                 result.ids.size(), result.distances.rows(), result.distances.cols()));
+  }
+  return result;
+}
+
+namespace {
+
+bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
+
+bool names_ids(const std::string& cell) { return cell.empty() || cell == "id"; }
+
+bool has_header(const std::vector<CsvRow>& table) {
+  if (table.empty()) return false;
+  const std::vector<std::string>& cells = table.front().cells;
+  if (is_number(cells.front())) return false;
+  return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
+}
+
+}  // namespace
+
+LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source);
+  const bool header = has_header(table);
+  const std::size_t first_row = header ? 1 : 0;
+  const bool row_ids = (header && names_ids(table.front().cells.front())) ||
+                       (table.size() > first_row && !is_number(table[first_row].cells.front()));
+  const std::ptrdiff_t first_column = row_ids ? 1 : 0;
+  LabelledTable result;
+  NumberRows rows(source, TableShape::any);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (row_ids) result.row_ids.push_back(row.cells.front());
+    for (auto cell = row.cells.begin() + first_column; cell != row.cells.end(); ++cell)
+      rows.add_number(*cell, row.line);
+    rows.end_row(row.line);
+  }
+  result.numbers = rows.matrix();
+  check_ids(result.row_ids, source);
+  if (!header) return result;
+  result.column_ids.assign(table.front().cells.begin() + first_column, table.front().cells.end());
+  if (result.column_ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
+    throw InputError(fmt::format("{}:{}: the header row has {} names, but the rows have {} numbers", source,
+                                 table.front().line, result.column_ids.size(), result.numbers.cols()));
+  }
+  return result;
+}
+
+LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
+  return parse_csv_matrix(read_file_bytes(path), path.string());
+}
+
+void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
+  const bool has_ids = !matrix.ids.empty();
+  if (has_ids && matrix.ids.size() != static_cast<std::size_t>(matrix.distances.rows())) {
+    throw std::invalid_argument(
+        fmt::format("{} ids for a matrix of {} rows", matrix.ids.size(), matrix.distances.rows()));
+  }
+  check_ids(matrix.ids, "cannot write " + path.string());
+  std::vector<std::string> cells;
+  for (const std::string& id : matrix.ids) {
+    if (id.find_first_of("\r\n") != std::string::npos) {
+      throw InputError(fmt::format("cannot write {}: the id {} contains a line break", path.string(), quoted_word(id)));
+    }
+    cells.push_back(csv_cell(id));
+  }
+  std::string text;
+  if (has_ids) text = fmt::format("id,{}\n", fmt::join(cells, ","));
+  for (Eigen::Index row = 0; row < matrix.distances.rows(); ++row) {
+    if (has_ids) text += cells[static_cast<std::size_t>(row)] + ',';
+    const auto numbers = matrix.distances.row(row);
+    fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(numbers.begin(), numbers.end(), ","));
+  }
+  write_file_atomically(path, text);
+}
+
+namespace {
+
+// N where there are exactly N^2 numbers of that many bytes each, and some.
+std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_per_number) {
+  const std::size_t numbers = bytes / bytes_per_number;
+  const auto size = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(numbers))));
+  if (size == 0 || size * size * bytes_per_number != bytes) return std::nullopt;
+  return static_cast<Eigen::Index>(size);
+}
+
+}  // namespace
+
+DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
+  const auto size = size_of_square(bytes.size(), sizeof(float));
+  if (size) return matrix_of_bytes<float>(bytes, *size, *size, std::endian::little, false);
+  // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
+  if (const auto size_in_doubles = size_of_square(bytes.size(), sizeof(double))) {
+    throw InputError(
+        fmt::format("{}: {} bytes are no square matrix of float32, which the format has; this looks like "
+                    "float64 ({} x {}): convert it, or save it as .npy",
+                    source, bytes.size(), *size_in_doubles, *size_in_doubles));
+  }
+  throw InputError(
+      fmt::format("{}: {} bytes are no square matrix of float32 (4 N^2 bytes); the file is cut off or another format",
+                  source, bytes.size()));
+}
+
+DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
+  return parse_psb_matrix(read_file_bytes(path), path.string());
+}
+
+void write_psb_matrix(const std::filesystem::path& path, const DistanceMatrix& matrix) {
+  std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(float));
+  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
+    const double distance = matrix.data()[i];
+    if (std::isfinite(distance) && std::abs(distance) > static_cast<double>(std::numeric_limits<float>::max())) {
+      throw InputError(
+          fmt::format("cannot write {}: the distance in row {}, column {} (counted from 0) is {}, beyond "
+                      "float32; write .npy instead",
+                      path.string(), i / matrix.cols(), i % matrix.cols(), distance));
+    }
+    append_number(bytes, static_cast<float>(distance));
+  }
+  write_file_atomically(path, bytes);
+}
+
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
+  NumberRows rows(source, shape);
+  std::size_t number = 0;
+  for (std::string_view line : split_lines(text)) {
+    ++number;
+    line = trim(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    while (!line.empty()) {
+      const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+      rows.add_number(word, number);
+      line = trim(line.substr(word.size()));
+    }
+    rows.end_row(number);
+  }
+  return rows.matrix();
+}
+
+DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
+  return parse_text_matrix(read_file_bytes(path), path.string());
+}
+
+namespace {
+
+template <DistanceMatrix (*read)(const std::filesystem::path&)>
+LabelledDistances without_ids(const std::filesystem::path& path) {
+  return {.distances = read(path), .ids = {}};
+}
+
+LabelledTable npy_table(const std::filesystem::path& path) {
+  return {.numbers = parse_npy_table(read_file_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+}
+
+LabelledTable text_table(const std::filesystem::path& path) {
+  return {.numbers = parse_text_matrix(read_file_bytes(path), path.string(), TableShape::any),
+          .row_ids = {},
+          .column_ids = {}};
+}
+
+LabelledTable csv_table(const std::filesystem::path& path) {
+  return parse_csv_table(read_file_bytes(path), path.string());
+}
+
+LabelledTable psb_table(const std::filesystem::path& path) {
+  return {.numbers = read_psb_matrix(path), .row_ids = {}, .column_ids = {}};  // knows square ones only
+}
+
+struct Format {
+  std::string_view extension;
+  LabelledDistances (*read)(const std::filesystem::path&);
+  LabelledTable (*read_table)(const std::filesystem::path&);
+};
+
+constexpr std::array formats = {
+    Format{".matrix", without_ids<read_psb_matrix>, psb_table},
+    Format{".npy", without_ids<read_npy>, npy_table},
+    Format{".csv", read_csv_matrix, csv_table},
+    Format{".txt", without_ids<read_text_matrix>, text_table},
+    Format{".dat", without_ids<read_text_matrix>, text_table},
+};
+
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+const Format& format_of(const std::filesystem::path& path) {
+  const auto* const found = std::ranges::find(formats, lower_case(path.extension().string()), &Format::extension);
+  if (found != formats.end()) return *found;
+  std::string known;
+  for (const Format& format : formats) known.append(known.empty() ? "" : ", ").append(format.extension);
+  throw InputError(fmt::format("{}: the extension does not tell the format of a distance matrix; known are {}",
+                               path.string(), known));
+}
+
+void refuse_nan(const DistanceMatrix& numbers, std::string_view what, const std::filesystem::path& path) {
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) {
+    if (!std::isnan(numbers.data()[i])) continue;
+    throw InputError(fmt::format("{}: the {} in row {}, column {} (counted from 0) is not a number (NaN)",
+                                 path.string(), what, i / numbers.cols(), i % numbers.cols()));
+  }
+}
+
+}  // namespace
+
+LabelledDistances read_distance_matrix(const std::filesystem::path& path) {
+  LabelledDistances result = format_of(path).read(path);
+  refuse_nan(result.distances, "distance", path);
+  return result;
+}
+
+LabelledTable read_number_table(const std::filesystem::path& path) {
+  LabelledTable result = format_of(path).read_table(path);
+  refuse_nan(result.numbers, "number", path);
+  return result;
+}
+
+}  // namespace shapegauge

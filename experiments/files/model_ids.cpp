@@ -1,0 +1,77 @@
+#include "shapegauge/experiments/files/model_ids.h"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+
+namespace shapegauge {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// Takes a run of digits from the front of the text; without its leading zeros, so that its length tells its size.
+std::string_view take_number(std::string_view& text) {
+  const auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+  std::string_view number = text.substr(0, end);
+  text.remove_prefix(end);
+  number.remove_prefix(std::min(number.find_first_not_of('0'), number.size()));
+  return number;
+}
+
+// The order of two texts where numbers count by their value, so that T1 and T01 are equal.
+std::strong_ordering compare_by_value(std::string_view a, std::string_view b) {
+  while (!a.empty() && !b.empty()) {
+    if (is_digit(a.front()) && is_digit(b.front())) {
+      const std::string_view number_a = take_number(a);
+      const std::string_view number_b = take_number(b);
+      if (const auto order = number_a.size() <=> number_b.size(); std::is_neq(order)) return order;
+      if (const auto order = number_a <=> number_b; std::is_neq(order)) return order;
+      continue;
+    }
+    const auto order = static_cast<unsigned char>(a.front()) <=> static_cast<unsigned char>(b.front());
+    if (std::is_neq(order)) return order;
+    a.remove_prefix(1);
+    b.remove_prefix(1);
+  }
+  return a.size() <=> b.size();
+}
+
+}  // namespace
+
+bool natural_less(std::string_view a, std::string_view b) {
+  const auto order = compare_by_value(a, b);
+  return order == std::strong_ordering::equal ? a < b : order == std::strong_ordering::less;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 7> shape_extensions = {".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
+
+char lower_case(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool ends_with_any_case(std::string_view text, std::string_view ending) {
+  return text.size() >= ending.size() &&
+         std::ranges::equal(text.substr(text.size() - ending.size()), ending, {}, lower_case);
+}
+
+bool is_whole_number(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string canonical_model_id(std::string_view id) {
+  for (const std::string_view extension : shape_extensions) {
+    if (id.size() > extension.size() && ends_with_any_case(id, extension)) {
+      id.remove_suffix(extension.size());
+      break;
+    }
+  }
+  if (id.starts_with('T') && is_whole_number(id.substr(1))) id.remove_prefix(1);
+  return std::string(id);
+}
+
+bool same_model(std::string_view a, std::string_view b) { return canonical_model_id(a) == canonical_model_id(b); }
+
+}  // namespace shapegauge

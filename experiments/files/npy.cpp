@@ -1,0 +1,273 @@
+#include "shapegauge/experiments/files/npy.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <fmt/format.h>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/scanner.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::size_t alignment = 64;  // of the data, as NumPy has it
+
+// Reads the dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }: of the Python literals only those
+// that such a header can have, keys in any order.
+class DictionaryReader {
+ public:
+  DictionaryReader(std::string_view text, std::size_t begin, const std::string& source)
+      : text_(text), begin_(begin), source_(source) {}
+
+  NpyHeader read() {
+    NpyHeader header;
+    expect('{');
+    while (!take('}')) {
+      read_entry(header);
+      if (!take(',') && peek() != '}') fail("expected , or } in the header");
+    }
+    if (peek() != '\0') fail("something follows the dictionary in the header");
+    if (!has_type_ || !has_order_ || !has_shape_) {
+      fail("the header must have the keys 'descr', 'fortran_order' and 'shape'");
+    }
+    return header;
+  }
+
+ private:
+  void read_entry(NpyHeader& header) {
+    const std::string_view key = read_string();
+    expect(':');
+    if (key == "descr") {
+      if (peek() == '[') fail("the file holds records; save a plain matrix of float32 or float64");
+      header.type = read_string();
+      has_type_ = true;
+    } else if (key == "fortran_order") {
+      header.column_by_column = read_boolean();
+      has_order_ = true;
+    } else if (key == "shape") {
+      header.shape = read_shape();
+      has_shape_ = true;
+    } else {
+      fail(fmt::format("the header has an unknown key {}", quoted_word(key)));
+    }
+  }
+
+  std::string_view read_string() {
+    const char quote = peek();
+    if (quote != '\'' && quote != '"') fail("expected a string in the header");
+    const std::size_t end = text_.find(quote, position_ + 1);
+    if (end == std::string_view::npos) fail("a string in the header does not end");
+    const std::string_view string = text_.substr(position_ + 1, end - position_ - 1);
+    position_ = end + 1;
+    return string;
+  }
+
+  bool read_boolean() {
+    peek();
+    for (const auto& [word, value] : {std::pair<std::string_view, bool>{"True", true}, {"False", false}}) {
+      if (!text_.substr(position_).starts_with(word)) continue;
+      position_ += word.size();
+      return value;
+    }
+    fail("expected True or False in the header");
+  }
+
+  std::vector<std::uint64_t> read_shape() {
+    std::vector<std::uint64_t> shape;
+    expect('(');
+    while (!take(')')) {
+      shape.push_back(read_whole_number());
+      if (!take(',') && peek() != ')') fail("expected , or ) in the shape");
+    }
+    return shape;
+  }
+
+  std::uint64_t read_whole_number() {
+    peek();
+    std::uint64_t value = 0;
+    const char* const first = text_.data() + position_;
+    const auto [stop, error] = std::from_chars(first, text_.data() + text_.size(), value);
+    if (error != std::errc()) fail("expected a whole number in the shape");
+    position_ += static_cast<std::size_t>(stop - first);
+    take('L');  // written by Python 2
+    return value;
+  }
+
+  // The next character that is not white space, '\0' at the end. It stays.
+  char peek() {
+    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n')) ++position_;
+    return position_ < text_.size() ? text_[position_] : '\0';
+  }
+
+  bool take(char wanted) {
+    if (peek() != wanted) return false;
+    ++position_;
+    return true;
+  }
+
+  void expect(char wanted) {
+    if (!take(wanted)) fail(fmt::format("expected {} in the header", wanted));
+  }
+
+  [[noreturn]] void fail(std::string_view message) const {
+    throw InputError(fmt::format("{}: byte {}: {}", source_, begin_ + position_, message));
+  }
+
+  std::string_view text_;
+  std::size_t begin_;
+  const std::string& source_;
+  std::size_t position_ = 0;
+  bool has_type_ = false;
+  bool has_order_ = false;
+  bool has_shape_ = false;
+};
+
+}  // namespace
+
+NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
+  if (!bytes.starts_with(magic)) {
+    throw InputError(source + ": this is no .npy file, which begins with the byte 147 and \"NUMPY\"");
+  }
+  ByteScanner scanner(bytes.substr(magic.size()), std::endian::little);
+  std::uint8_t major = 0;
+  std::uint8_t minor = 0;
+  std::uint32_t length = 0;
+  std::uint16_t short_length = 0;
+  bool complete = scanner.read(major) && scanner.read(minor);
+  if (complete && (major < 1 || major > 3)) {
+    throw InputError(fmt::format("{}: version {}.{} of .npy is not known, only 1 to 3 are", source, major, minor));
+  }
+  if (complete && major == 1) {
+    complete = scanner.read(short_length);
+    length = short_length;
+  } else if (complete) {
+    complete = scanner.read(length);
+  }
+  if (!complete || scanner.remaining() < length) {
+    throw InputError(fmt::format("{}: the file ends after {} bytes, within its header", source, bytes.size()));
+  }
+  const std::size_t begin = bytes.size() - scanner.remaining();
+  NpyHeader header = DictionaryReader(bytes.substr(begin, length), begin, source).read();
+  header.data_begin = begin + length;
+  return header;
+}
+
+namespace {
+
+std::string header_of_shape(const std::string& shape) {
+  std::string dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
+  const std::size_t fixed = magic.size() + 2 + sizeof(std::uint16_t);
+  while ((fixed + dictionary.size() + 1) % alignment != 0) dictionary += ' ';
+  dictionary += '\n';
+  std::string header(magic);
+  header.append({'\x01', '\x00'});
+  append_number(header, static_cast<std::uint16_t>(dictionary.size()));
+  return header + dictionary;
+}
+
+}  // namespace
+
+std::string npy_header_of_matrix(std::size_t rows, std::size_t columns) {
+  return header_of_shape(fmt::format("{}, {}", rows, columns));
+}
+
+std::string npy_header_of_vector(std::size_t size) { return header_of_shape(fmt::format("{},", size)); }
+
+namespace {
+
+std::string shape_as_text(const NpyHeader& header) {
+  return fmt::format("({})", printable(fmt::format("{}", fmt::join(header.shape, ", ")), 60));
+}
+
+struct Size {
+  Eigen::Index rows = 0;
+  Eigen::Index columns = 0;
+};
+
+// Checks that the data is a matrix of numbers of that many bytes, and gives its size.
+Size checked_size(const NpyHeader& header, std::size_t data_bytes, std::size_t bytes_per_number,
+                  const std::string& source) {
+  const std::uint64_t rows = header.shape.at(0);
+  const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];
+  // Compared by division: the claimed size may be so large that the product does not fit into a number.
+  const bool fits = rows <= data_bytes / bytes_per_number / columns && rows * columns * bytes_per_number == data_bytes;
+  if (!fits) {
+    throw InputError(
+        fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
+                    "type {} has; the file is cut off or damaged",
+                    source, data_bytes, shape_as_text(header), header.type));
+  }
+  return {static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)};
+}
+
+template <typename Number>
+DistanceMatrix decode(std::string_view data, const NpyHeader& header, std::endian order, const std::string& source) {
+  const Size size = checked_size(header, data.size(), sizeof(Number), source);
+  return matrix_of_bytes<Number>(data, size.rows, size.columns, order, header.column_by_column);
+}
+
+DistanceMatrix decode(std::string_view bytes, const NpyHeader& header, const std::string& source) {
+  const std::string_view data = bytes.substr(header.data_begin);
+  if (header.type == "<f8") return decode<double>(data, header, std::endian::little, source);
+  if (header.type == "<f4") return decode<float>(data, header, std::endian::little, source);
+  if (header.type == ">f8") return decode<double>(data, header, std::endian::big, source);
+  if (header.type == ">f4") return decode<float>(data, header, std::endian::big, source);
+  throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
+                               quoted_word(header.type)));
+}
+
+}  // namespace
+
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
+  const NpyHeader header = parse_npy_header(bytes, source);
+  if (header.shape.size() != 2 || header.shape[0] != header.shape[1] || header.shape[0] == 0) {
+    throw InputError(
+        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
+  }
+  return decode(bytes, header, source);
+}
+
+DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source) {
+  const NpyHeader header = parse_npy_header(bytes, source);
+  const bool table = header.shape.size() == 1 || header.shape.size() == 2;
+  if (!table || std::ranges::find(header.shape, std::uint64_t{0}) != header.shape.end()) {
+    throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
+                                 shape_as_text(header)));
+  }
+  return decode(bytes, header, source);
+}
+
+DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_file_bytes(path), path.string()); }
+
+namespace {
+
+void write_numbers(const std::filesystem::path& path, std::string header, std::span<const double> numbers) {
+  header.reserve(header.size() + numbers.size_bytes());
+  for (const double number : numbers) append_number(header, number);
+  write_file_atomically(path, header);
+}
+
+}  // namespace
+
+void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix) {
+  write_numbers(path,
+                npy_header_of_matrix(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())),
+                {matrix.data(), static_cast<std::size_t>(matrix.size())});
+}
+
+void write_npy_vector(const std::filesystem::path& path, const Eigen::VectorXd& values) {
+  const auto size = static_cast<std::size_t>(values.size());
+  write_numbers(path, npy_header_of_vector(size), {values.data(), size});
+}
+
+}  // namespace shapegauge

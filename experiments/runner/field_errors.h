@@ -1,0 +1,67 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
+
+namespace shapegauge {
+
+/// The least of the values such that those up to it have at least this share of the whole weight: 0.5 for a median,
+/// which is then always one of the values. NaN where there are no values or no weight. Throws std::invalid_argument
+/// where values and weights differ in number.
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share);
+
+/// A mesh whose triangles' normals are taken for the truth.
+class TrueNormals {
+ public:
+  /// Throws std::invalid_argument for a point cloud.
+  explicit TrueNormals(const Shape& mesh);
+
+  /// The unit normal, by its corners' order, of the triangle nearest to the point; zero where that has no area.
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const;
+
+ private:
+  UnitFrame frame_;
+  TriangleBVH tree_;
+};
+
+/// Angles between normals and the truth, in degrees, each weighted by the area of its sample.
+struct NormalErrors {
+  double mean = 0;
+  double median = 0;
+  double percentile_90 = 0;
+};
+
+/// The errors of the unit normals at the points. Zero normals do not count, nor do weights of zero; all is NaN where
+/// nothing counts. sided: whether a normal that points the other way is wrong by 180 degrees; otherwise it is right.
+/// Runs in the calling TBB arena.
+NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const Points& normals,
+                           const Eigen::VectorXd& weights, bool sided);
+
+/// Values of a field where they are, in the units of the shape's file.
+struct PlacedValues {
+  Points points;
+  Eigen::VectorXd values;  ///< all of them finite
+};
+
+/// The values at samples that have one and that stand for some area. Lengths, of the samples and of the values,
+/// multiplied by the unit, are those of the result.
+PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit);
+
+/// How far a field is from that of the reference: quantiles of |value - reference's value at its sample nearest by|,
+/// each sample counting once.
+struct ValueErrors {
+  double median = 0;                  ///< as a fraction of the reference's diagonal
+  double percentile_90 = 0;           ///< as such a fraction
+  double relative_median = 0;         ///< of the errors, each divided by the reference's value
+  double relative_percentile_90 = 0;  ///< of those
+};
+
+/// The errors of the values with respect to the reference's, which are in the same units and place. NaN where either
+/// has no values. Runs in the calling TBB arena.
+ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal);
+
+}  // namespace shapegauge

@@ -1,0 +1,67 @@
+#include "shapegauge/experiments/runner/run_control.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <numeric>
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+
+namespace shapegauge {
+
+int available_threads() { return tbb::info::default_concurrency(); }
+
+void with_threads(int threads, const std::function<void()>& work) {
+  const int count = threads > 0 ? threads : available_threads();
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+  tbb::task_arena arena(count);
+  arena.execute(work);
+}
+
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control,
+                                         const std::function<void(std::size_t model)>& job) {
+  std::vector<ModelFailure> failures;
+  std::mutex mutex;
+  std::size_t done = 0;
+  // A flag of our own: cancelling the group would also cancel what the shapes under way do in parallel, down to a tree
+  // that Embree is building, and give them wrong values.
+  std::atomic<bool> stopped = false;
+  const auto attempt = [&](std::size_t model) {
+    if (stopped || control.interrupted()) return;
+    try {
+      // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
+      tbb::this_task_arena::isolate([&] { job(model); });
+    } catch (const std::exception& error) {
+      const std::scoped_lock lock(mutex);
+      failures.push_back({.model = model, .message = error.what()});
+      if (stop_at_failure) stopped = true;
+    }
+    const std::scoped_lock lock(mutex);
+    control.progress(stage, ++done, models.size());
+  };
+  control.progress(stage, 0, models.size());
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, models.size(), 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) attempt(models[i]);
+      },
+      tbb::simple_partitioner());
+  if (control.interrupted()) throw Interrupted();
+  std::ranges::sort(failures, {}, &ModelFailure::model);
+  return failures;
+}
+
+std::vector<ModelFailure> validate_models(const Dataset& dataset, const RunControl& control) {
+  std::vector<std::size_t> all(dataset.models.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return for_each_model(all, "models", false, control,
+                        [&](std::size_t model) { positive_area(read_shape(dataset.models[model].file)); });
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,150 @@
+#include "shapegauge/metrics/bootstrap.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/base/names.h"
+#include "shapegauge/core/base/random_numbers.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array all_blocks = {Named<Blocks>{Blocks::classes, "classes"},
+                                   Named<Blocks>{Blocks::queries, "queries"}};
+constexpr std::array averages = {Named<Average>{Average::micro, "micro"}, Named<Average>{Average::macro, "macro"}};
+
+std::map<int, double> sizes_of(std::span<const int> classes) {
+  std::map<int, double> sizes;
+  for (const int label : classes) sizes[label] += 1;
+  return sizes;
+}
+
+Units query_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
+  const std::map<int, double> sizes = sizes_of(classes);
+  Units units{per_query, Eigen::VectorXd(per_query.rows())};
+  for (Eigen::Index row = 0; row < per_query.rows(); ++row) {
+    const double size = sizes.at(classes[static_cast<std::size_t>(row)]);
+    units.weights[row] = average == Average::micro ? 1.0 : 1.0 / size;
+  }
+  return units;
+}
+
+Units class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
+  const std::map<int, double> sizes = sizes_of(classes);
+  std::map<int, Eigen::Index> unit_of_class;
+  for (const auto& [label, size] : sizes) unit_of_class.emplace(label, static_cast<Eigen::Index>(unit_of_class.size()));
+  const auto count = static_cast<Eigen::Index>(sizes.size());
+  Units units{Eigen::MatrixXd::Zero(count, per_query.cols()), Eigen::VectorXd(count)};
+  for (Eigen::Index row = 0; row < per_query.rows(); ++row) {
+    units.values.row(unit_of_class.at(classes[static_cast<std::size_t>(row)])) += per_query.row(row);
+  }
+  for (const auto& [label, size] : sizes) {
+    const Eigen::Index unit = unit_of_class.at(label);
+    units.values.row(unit) /= size;
+    units.weights[unit] = average == Average::micro ? size : 1.0;
+  }
+  return units;
+}
+
+}  // namespace
+
+std::string name_of(Blocks blocks) { return name_in<Blocks>(all_blocks, blocks); }
+std::optional<Blocks> blocks_of(std::string_view name) { return value_in<Blocks>(all_blocks, name); }
+std::vector<std::string> blocks_names() { return names_in<Blocks>(all_blocks); }
+std::string name_of(Average average) { return name_in<Average>(averages, average); }
+std::optional<Average> average_of(std::string_view name) { return value_in<Average>(averages, name); }
+std::vector<std::string> average_names() { return names_in<Average>(averages); }
+
+Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average) {
+  if (per_query.rows() == 0) throw std::invalid_argument("no queries to make statistics of");
+  if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
+    throw std::invalid_argument("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
+                                std::to_string(classes.size()));
+  }
+  Units units =
+      blocks == Blocks::queries ? query_units(per_query, classes, average) : class_units(per_query, classes, average);
+  units.weights /= units.weights.sum();
+  return units;
+}
+
+Eigen::VectorXd averages_of(const Units& units) { return units.values.transpose() * units.weights; }
+
+Eigen::VectorXd contributions(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights) {
+  return static_cast<double>(differences.size()) * differences.cwiseProduct(weights);
+}
+
+namespace {
+
+// The share of the resampled averages to leave out on each side.
+double tail_of(double confidence, Eigen::Index units) {
+  const auto n = static_cast<double>(units);
+  const boost::math::students_t student(n - 1);
+  const double t = boost::math::quantile(boost::math::complement(student, (1 - confidence) / 2));
+  return boost::math::cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * t);
+}
+
+// Linear between the order statistics, of which the i-th of B is taken as the quantile i / (B + 1).
+double quantile(const Eigen::VectorXd& sorted, double share) {
+  const auto count = static_cast<double>(sorted.size());
+  const double position = std::clamp(share * (count + 1) - 1, 0.0, count - 1);
+  const auto below = static_cast<Eigen::Index>(position);
+  const Eigen::Index above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace
+
+Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& options) {
+  if (options.resamples < 1) {
+    throw std::invalid_argument("a bootstrap needs at least one resample, not " + std::to_string(options.resamples));
+  }
+  const auto count = static_cast<std::uint64_t>(units.values.rows());
+  Eigen::MatrixXd averages(options.resamples, units.values.cols());
+  tbb::parallel_for(0, options.resamples, [&](int resample) {
+    RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(units.values.cols());
+    double weight = 0;
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const auto drawn = static_cast<Eigen::Index>(random.below(count));
+      sum += units.weights[drawn] * units.values.row(drawn);
+      weight += units.weights[drawn];
+    }
+    averages.row(resample) = sum / weight;
+  });
+  return averages;
+}
+
+std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resampled, Eigen::Index units,
+                                                     double confidence) {
+  if (units < 2) {
+    throw std::invalid_argument("a confidence interval needs at least two classes or queries to draw from, there is " +
+                                std::to_string(units));
+  }
+  if (!(confidence > 0 && confidence < 1)) {
+    throw std::invalid_argument("the confidence must be between 0 and 1, not " + std::to_string(confidence));
+  }
+  const double tail = tail_of(confidence, units);
+  std::vector<ConfidenceInterval> intervals;
+  for (Eigen::Index method = 0; method < resampled.cols(); ++method) {
+    Eigen::VectorXd sorted = resampled.col(method);
+    std::ranges::sort(sorted);
+    intervals.push_back({quantile(sorted, tail), quantile(sorted, 1 - tail)});
+  }
+  return intervals;
+}
+
+std::vector<ConfidenceInterval> bootstrap_intervals(const Units& units, double confidence,
+                                                    const ResamplingOptions& options) {
+  return percentile_intervals(bootstrap_averages(units, options), units.values.rows(), confidence);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,101 @@
+#include "shapegauge/metrics/method_comparison.h"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "shapegauge/core/base/names.h"
+#include "shapegauge/metrics/significance_tests.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double rounding = 1e-12;
+
+constexpr std::array tests = {
+    Named<PairTest>{PairTest::randomisation, "randomization"},
+    Named<PairTest>{PairTest::t, "t"},
+    Named<PairTest>{PairTest::bootstrap, "bootstrap"},
+};
+
+void check(const Eigen::MatrixXd& per_query, const Units& units, const ComparisonOptions& options) {
+  if (per_query.cols() < 2) throw std::invalid_argument("a comparison needs at least two methods");
+  if (!per_query.allFinite()) throw std::invalid_argument("a value to compare is not a finite number");
+  if (units.values.rows() < 2) {
+    throw std::invalid_argument("a comparison over " + name_of(options.blocks) + " needs at least two of them");
+  }
+  if (options.reference && *options.reference >= static_cast<std::size_t>(per_query.cols())) {
+    throw std::invalid_argument("the reference is none of the methods");
+  }
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> pairs_of(std::size_t methods, std::optional<std::size_t> reference) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t first = 0; first < methods; ++first) {
+    if (reference) {
+      if (first != *reference) pairs.emplace_back(*reference, first);
+      continue;
+    }
+    for (std::size_t second = first + 1; second < methods; ++second) pairs.emplace_back(first, second);
+  }
+  return pairs;
+}
+
+double bootstrap_p_value(const Eigen::VectorXd& resampled, double observed) {
+  const double distance = std::abs(observed) * (1 - rounding);
+  const Eigen::Index as_far = ((resampled.array() - observed).abs() >= distance).count();
+  return (1.0 + static_cast<double>(as_far)) / (1.0 + static_cast<double>(resampled.size()));
+}
+
+double p_value(const Eigen::VectorXd& differences, const Units& units, const Eigen::VectorXd& resampled,
+               double observed, const ComparisonOptions& options) {
+  switch (options.test) {
+    case PairTest::t:
+      return paired_t_test(contributions(differences, units.weights)).p;
+    case PairTest::bootstrap:
+      return bootstrap_p_value(resampled, observed);
+    case PairTest::randomisation:
+      break;
+  }
+  return randomisation_p_value(differences, units.weights, options.resampling);
+}
+
+}  // namespace
+
+std::string name_of(PairTest test) { return name_in<PairTest>(tests, test); }
+std::optional<PairTest> pair_test_of(std::string_view name) { return value_in<PairTest>(tests, name); }
+std::vector<std::string> pair_test_names() { return names_in<PairTest>(tests); }
+
+MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
+                                 const ComparisonOptions& options) {
+  const Units units = units_of(per_query, classes, options.blocks, options.average);
+  check(per_query, units, options);
+  const Eigen::MatrixXd resampled = bootstrap_averages(units, options.resampling);
+  const Eigen::MatrixXd tukey = tukey_hsd_p_values(units, options.resampling);
+  MethodComparison comparison;
+  comparison.units = units.values.rows();
+  comparison.averages = averages_of(units);
+  comparison.intervals = percentile_intervals(resampled, comparison.units, options.confidence);
+  std::vector<double> p_values;
+  for (const auto& [first, second] : pairs_of(static_cast<std::size_t>(per_query.cols()), options.reference)) {
+    const auto a = static_cast<Eigen::Index>(first);
+    const auto b = static_cast<Eigen::Index>(second);
+    const Eigen::VectorXd differences = units.values.col(a) - units.values.col(b);
+    const Eigen::VectorXd resampled_differences = resampled.col(a) - resampled.col(b);
+    PairDifference pair{.first = first, .second = second, .difference = differences.dot(units.weights)};
+    pair.interval = percentile_intervals(resampled_differences, comparison.units, options.confidence).front();
+    pair.p = p_value(differences, units, resampled_differences, pair.difference, options);
+    pair.p_tukey = tukey(a, b);
+    pair.effect_size = effect_size(contributions(differences, units.weights));
+    pair.queries = win_tie_loss(per_query.col(a) - per_query.col(b));
+    p_values.push_back(pair.p);
+    comparison.pairs.push_back(pair);
+  }
+  const std::vector<double> adjusted = holm_adjusted(p_values);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) comparison.pairs[i].p_holm = adjusted[i];
+  return comparison;
+}
+
+}  // namespace shapegauge

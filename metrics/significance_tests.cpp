@@ -1,0 +1,150 @@
+#include "shapegauge/metrics/significance_tests.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
+#include <vector>
+
+#include "shapegauge/core/base/random_numbers.h"
+
+namespace shapegauge {
+
+namespace {
+
+// Of the magnitudes that are summed: sums in another order or with other signs round otherwise.
+constexpr double rounding = 1e-12;
+
+// The sum of the terms in random signs, 64 of them from each random number.
+double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
+  double sum = 0;
+  std::uint64_t bits = 0;
+  for (Eigen::Index i = 0; i < terms.size(); ++i) {
+    if (i % 64 == 0) bits = random.next();
+    sum += (bits & 1U) != 0 ? terms[i] : -terms[i];
+    bits >>= 1U;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
+                             const ResamplingOptions& options) {
+  if (options.resamples < 1) {
+    throw std::invalid_argument("a randomisation test needs at least one resample, not " +
+                                std::to_string(options.resamples));
+  }
+  if (differences.size() == 0) throw std::invalid_argument("no units for a randomisation test");
+  const Eigen::VectorXd terms = differences.cwiseProduct(weights);
+  const double observed = std::abs(terms.sum()) - rounding * terms.cwiseAbs().sum();
+  const int as_extreme = tbb::parallel_reduce(
+      tbb::blocked_range<int>(0, options.resamples), 0,
+      [&](const tbb::blocked_range<int>& range, int count) {
+        for (int resample = range.begin(); resample < range.end(); ++resample) {
+          const RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
+          if (std::abs(sum_in_random_signs(terms, random)) >= observed) ++count;
+        }
+        return count;
+      },
+      [](int a, int b) { return a + b; });
+  return (1.0 + as_extreme) / (1.0 + options.resamples);
+}
+
+PairedT paired_t_test(const Eigen::VectorXd& differences) {
+  if (differences.size() < 2) throw std::invalid_argument("a paired t-test needs at least two differences");
+  const auto count = static_cast<double>(differences.size());
+  const double mean = differences.mean();
+  const double variance = (differences.array() - mean).square().sum() / (count - 1);
+  PairedT result{.t = 0, .degrees_of_freedom = static_cast<int>(differences.size()) - 1, .p = 1};
+  if (mean == 0) return result;
+  if (variance == 0) {
+    result.t = std::copysign(std::numeric_limits<double>::infinity(), mean);
+    result.p = 0;
+    return result;
+  }
+  result.t = mean / std::sqrt(variance / count);
+  const boost::math::students_t student(count - 1);
+  result.p = 2 * boost::math::cdf(boost::math::complement(student, std::abs(result.t)));
+  return result;
+}
+
+namespace {
+
+// The averages of the methods after a shuffle (Fisher and Yates) of their values within every unit.
+Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
+  Eigen::VectorXd averages = Eigen::VectorXd::Zero(units.values.cols());
+  for (Eigen::Index unit = 0; unit < units.values.rows(); ++unit) {
+    Eigen::RowVectorXd values = units.values.row(unit);
+    for (Eigen::Index last = values.size() - 1; last > 0; --last) {
+      std::swap(values[last], values[static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(last) + 1))]);
+    }
+    averages += units.weights[unit] * values.transpose();
+  }
+  return averages;
+}
+
+}  // namespace
+
+Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& options) {
+  if (options.resamples < 1) {
+    throw std::invalid_argument("a randomised test needs at least one resample, not " +
+                                std::to_string(options.resamples));
+  }
+  if (units.values.size() == 0) throw std::invalid_argument("no units for a randomised Tukey test");
+  std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
+  tbb::parallel_for(0, options.resamples, [&](int resample) {
+    const Eigen::VectorXd averages =
+        shuffled_averages(units, RandomNumbers(options.seed, static_cast<std::uint64_t>(resample)));
+    ranges[static_cast<std::size_t>(resample)] = averages.maxCoeff() - averages.minCoeff();
+  });
+  std::ranges::sort(ranges);
+  const Eigen::VectorXd averages = averages_of(units);
+  const double slack = rounding * averages.cwiseAbs().maxCoeff();
+  const Eigen::Index methods = averages.size();
+  Eigen::MatrixXd p_values = Eigen::MatrixXd::Ones(methods, methods);
+  for (Eigen::Index a = 0; a < methods; ++a) {
+    for (Eigen::Index b = 0; b < methods; ++b) {
+      if (a == b) continue;
+      const auto first = std::ranges::lower_bound(ranges, std::abs(averages[a] - averages[b]) - slack);
+      p_values(a, b) = (1.0 + static_cast<double>(ranges.end() - first)) / (1.0 + options.resamples);
+    }
+  }
+  return p_values;
+}
+
+std::vector<double> holm_adjusted(std::span<const double> p_values) {
+  std::vector<std::size_t> ascending(p_values.size());
+  std::iota(ascending.begin(), ascending.end(), std::size_t{0});
+  std::ranges::stable_sort(ascending, {}, [&](std::size_t i) { return p_values[i]; });
+  std::vector<double> adjusted(p_values.size());
+  double largest = 0;
+  for (std::size_t i = 0; i < ascending.size(); ++i) {
+    const auto tests_left = static_cast<double>(ascending.size() - i);
+    largest = std::max(largest, std::min(1.0, tests_left * p_values[ascending[i]]));
+    adjusted[ascending[i]] = largest;
+  }
+  return adjusted;
+}
+
+double effect_size(const Eigen::VectorXd& differences) {
+  if (differences.size() < 2) throw std::invalid_argument("an effect size needs at least two differences");
+  const double mean = differences.mean();
+  if (mean == 0) return 0;
+  const auto count = static_cast<double>(differences.size());
+  return mean / std::sqrt((differences.array() - mean).square().sum() / (count - 1));
+}
+
+WinTieLoss win_tie_loss(const Eigen::VectorXd& differences) {
+  return {.wins = (differences.array() > 0).count(),
+          .ties = (differences.array() == 0).count(),
+          .losses = (differences.array() < 0).count()};
+}
+
+}  // namespace shapegauge

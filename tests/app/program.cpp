@@ -1,0 +1,112 @@
+#include "tests/app/program.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/small_dataset.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge::test_command_line {
+
+Outcome run_executable(const std::string& arguments) {
+  const test_io::TemporaryFolder folder;
+  const std::string output = (folder.path() / "output").string();
+  const std::string errors = (folder.path() / "errors").string();
+  const std::string command = "SHAPEGAUGE_CACHE='" + (folder.path() / "cache").string() + "' " +
+                              std::string(SHAPEGAUGE_EXECUTABLE) + " " + arguments + " >'" + output + "' 2>'" + errors +
+                              "' </dev/null";
+  const int status = std::system(command.c_str());
+  return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .output = test_experiments::text_of(output),
+          .errors = test_experiments::text_of(errors)};
+}
+
+void expect_error_line(const Outcome& outcome, const std::string& words) {
+  EXPECT_EQ(outcome.status, 2) << words;
+  EXPECT_EQ(outcome.output, "") << words;
+  EXPECT_THAT(outcome.errors, testing::MatchesRegex("shapegauge: error: [^\n]*\n"));
+  EXPECT_THAT(outcome.errors, testing::HasSubstr(words));
+}
+
+void expect_error_lines(const std::vector<UnusableCall>& calls) {
+  for (const auto& [arguments, words] : calls) {
+    SCOPED_TRACE(arguments);
+    expect_error_line(run_executable(arguments), words);
+  }
+}
+
+namespace {
+
+[[noreturn]] void become(std::vector<char*>& arguments, const std::filesystem::path& errors) {
+  const int nothing = ::open("/dev/null", O_RDWR);
+  const int file = ::open(errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(nothing, STDOUT_FILENO);
+  ::dup2(file, STDERR_FILENO);
+  ::execv(arguments.front(), arguments.data());
+  ::_exit(127);
+}
+
+int exit_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status); }
+
+}  // namespace
+
+BackgroundRun::BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors) {
+  std::string executable = SHAPEGAUGE_EXECUTABLE;
+  std::vector<char*> pointers{executable.data()};
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  process_ = ::fork();
+  if (process_ < 0) throw std::runtime_error("cannot start a process");
+  if (process_ == 0) become(pointers, errors);
+}
+
+BackgroundRun::~BackgroundRun() {
+  if (has_ended()) return;
+  ::kill(process_, SIGKILL);
+  wait();
+}
+
+bool BackgroundRun::has_ended() {
+  int status = 0;
+  if (!ended_ && ::waitpid(process_, &status, WNOHANG) == process_) {
+    ended_ = true;
+    status_ = exit_of(status);
+  }
+  return ended_;
+}
+
+bool BackgroundRun::wait_until(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!condition()) {
+    if (has_ended() || std::chrono::steady_clock::now() > end) return condition();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return true;
+}
+
+void BackgroundRun::send(int signal) const { ::kill(process_, signal); }
+
+int BackgroundRun::wait() {
+  int status = 0;
+  if (!ended_ && ::waitpid(process_, &status, 0) == process_) {
+    ended_ = true;
+    status_ = exit_of(status);
+  }
+  return status_;
+}
+
+void SmallRun::SetUp() {
+  test_experiments::write_small_dataset(at("data"));
+  test_experiments::write_text(at("small.json"), test_experiments::small_configuration("data").dump());
+}
+
+}  // namespace shapegauge::test_command_line

@@ -1,0 +1,51 @@
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/cache/cache.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+
+TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
+  const test_io::TemporaryFolder folder;
+  const std::string cache = (folder.path() / "cache").string();
+  Cache(cache).store(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
+  const Outcome outcome = run_executable("cache info --cache '" + cache + "'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output, HasSubstr("Cache in " + cache + "\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("field            1  1.5 MB\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("all              1  1.5 MB\n"));
+}
+
+TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
+  const test_io::TemporaryFolder folder;
+  const std::string cache = (folder.path() / "cache").string();
+  Cache(cache).store(EntryKind::field, std::string(64, '1'), 1);
+  EXPECT_THAT(run_executable("cache clear --cache '" + cache + "'").output, HasSubstr("1 entries, 0.0 MB, removed"));
+  EXPECT_FALSE(std::filesystem::exists(cache));
+  const Outcome again = run_executable("cache clear --cache '" + cache + "'");
+  EXPECT_EQ(again.status, 0);
+  EXPECT_THAT(again.output, HasSubstr("0 entries"));
+}
+
+TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
+  const test_io::TemporaryFolder folder;
+  test_experiments::write_text(folder.path() / "file", "x");
+  expect_error_lines({{"cache", "subcommand is required"},
+                      {"cache empty", "there is no command \"empty\""},
+                      {"cache info --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"},
+                      {"cache clear --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"}});
+}
+
+}  // namespace
+
+}  // namespace shapegauge

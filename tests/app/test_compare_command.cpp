@@ -1,0 +1,151 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "shapegauge/experiments/files/npy.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_line;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Ten classes of six models on a line, seen with little noise (good.npy), and with much (bad.npy, poor.npy).
+class CompareCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string table = "id,class\n";
+    for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 6) + "\n";
+    write_text(at("labels.csv"), table);
+    write_noisy("good.npy", 0.1, 1);
+    write_noisy("bad.npy", 3, 2);
+    write_noisy("poor.npy", 3, 3);
+  }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome compare(const std::string& inputs, const std::string& more = "") const {
+    std::string arguments = "compare";
+    std::istringstream names(inputs);
+    for (std::string name; names >> name;) arguments += " '" + at(name) + "'";
+    return run_executable(arguments + " " + more);
+  }
+  [[nodiscard]] Outcome compare_matrices(const std::string& inputs, const std::string& more = "") const {
+    return compare(inputs, "--labels '" + at("labels.csv") + "' " + more);
+  }
+
+ private:
+  void write_noisy(const std::string& name, double noise, unsigned seed) const {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal(0, noise);
+    Eigen::VectorXd place(60);
+    for (int i = 0; i < 60; ++i) place[i] = i / 6 + normal(random);
+    write_npy(at(name), DistanceMatrix::NullaryExpr(
+                            60, 60, [&](Eigen::Index i, Eigen::Index j) { return std::abs(place[i] - place[j]); }));
+  }
+
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(CompareCommand, TellsWhatIsBetter) {
+  const Outcome outcome = compare_matrices("good.npy bad.npy poor.npy", "--measures FT,NN --format json");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["protocol"], "psb");
+  EXPECT_EQ(json["blocks"], "classes");
+  EXPECT_EQ(json["units"], 10);
+  EXPECT_EQ(json["queries"], 60);
+  const auto& pairs = json["measures"]["FT"]["pairs"];
+  ASSERT_EQ(pairs.size(), 3U);
+  EXPECT_EQ(pairs[0]["first"], "good");
+  EXPECT_GT(pairs[0]["difference"], 0.3);
+  EXPECT_LT(pairs[0]["p_holm"], 0.05);
+  EXPECT_GT(pairs[0]["p"], 2.0 / 1024 / 2);  // ten classes have no smaller one
+  EXPECT_GT(pairs[2]["p"], 0.05);
+  EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
+}
+
+TEST_F(CompareCommand, TablesHaveMarksAndTheBestInBold) {
+  const std::string more = "--measures FT --digits 1";
+  EXPECT_THAT(compare_matrices("bad.npy good.npy", more).output,
+              AllOf(HasSubstr("a  bad"), HasSubstr("] a\n"), HasSubstr("60 queries of 10 classes, protocol psb"),
+                    HasSubstr("p_holm")));
+  EXPECT_THAT(compare_matrices("bad.npy good.npy", more + " --format latex").output,
+              AllOf(StartsWith("\\begin{tabular}"), HasSubstr("]}\\textsuperscript{a} \\\\"), HasSubstr("\\textbf{")));
+  EXPECT_THAT(
+      compare_matrices("bad.npy good.npy", more + " --format csv").output,
+      StartsWith("measure,first,second,difference,low,high,p,p_holm,p_tukey,effect_size,wins,ties,losses\nFT,bad"));
+}
+
+TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
+  for (const std::string name : {"good", "bad"}) {
+    ASSERT_EQ(run_executable("evaluate '" + at(name + ".npy") + "' --labels '" + at("labels.csv") + "' --per-query '" +
+                             at(name + ".csv") + "'")
+                  .status,
+              0);
+  }
+  const Outcome tables = compare("good.csv bad.csv", "--format csv");
+  EXPECT_EQ(tables.status, 0) << tables.errors;
+  EXPECT_EQ(tables.output, compare_matrices("good.npy bad.npy", "--format csv").output);
+}
+
+TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
+  write_text(at("results/per_query.csv"),
+             "method,protocol,id,class,NN\n"
+             "m,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\no,psb,1,x,0\no,psb,2,y,0\n"
+             "m,paper,1,x,100\nm,paper,2,y,0\nn,paper,1,x,0\nn,paper,2,y,100\n");
+  EXPECT_EQ(nlohmann::json::parse(compare("results", "--format json").output)["measures"]["NN"]["pairs"].size(), 3U);
+  const auto with_reference = nlohmann::json::parse(compare("results", "--format json --reference o").output);
+  EXPECT_EQ(with_reference["measures"]["NN"]["pairs"].size(), 2U);
+  EXPECT_EQ(with_reference["measures"]["NN"]["pairs"][0]["first"], "o");
+  EXPECT_EQ(nlohmann::json::parse(compare("results", "--format json --protocol paper").output)["protocol"], "paper");
+}
+
+TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
+  const auto p = [&](const std::string& more) {
+    return nlohmann::json::parse(compare_matrices("bad.npy poor.npy", "--measures FT --format json " + more)
+                                     .output)["measures"]["FT"]["pairs"][0]["p"]
+        .get<double>();
+  };
+  EXPECT_EQ(p(""), p(""));
+  EXPECT_NE(p("--seed 7 --blocks queries"), p("--seed 8 --blocks queries"));
+  EXPECT_NE(p("--test t"), p(""));
+  EXPECT_NE(p("--blocks queries"), p(""));
+}
+
+TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
+  write_text(at("one.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\n");
+  write_text(at("class.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,x,0\nn,psb,1,x,100\nn,psb,2,x,0\n");
+  const std::vector<std::pair<Outcome, std::string>> cases{
+      {compare("one.csv"), "one method only"},
+      {compare("good.npy bad.npy"), "good.npy"},
+      {compare("nowhere"), "nowhere"},
+      {compare("class.csv"), "needs at least two of them"},
+      {compare_matrices("good.npy bad.npy", "--reference god"), "did you mean \"good\"?"},
+      {compare_matrices("good.npy bad.npy", "--measures FT,XX"), "no measure \"XX\""},
+      {compare_matrices("good.npy bad.npy", "--test u"), "--test"}};
+  for (const auto& [outcome, words] : cases) expect_error_line(outcome, words);
+}
+
+TEST(MeasuresCommand, ExplainsEveryMeasure) {
+  const Outcome text = run_executable("measures");
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.output, AllOf(HasSubstr("\nFT, first tier\n    The recall"), HasSubstr("\nP@k, precision at k\n"),
+                                 HasSubstr("    Caveat: ")));
+  const auto json = nlohmann::json::parse(run_executable("measures --format json").output);
+  EXPECT_EQ(json[0]["name"], "NN");
+  EXPECT_EQ(json.size(), 14U);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,64 @@
+#include <gmock/gmock.h>
+
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/small_dataset.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_experiments::write_text;
+using testing::HasSubstr;
+
+class DatasetCommand : public testing::Test {
+ protected:
+  void SetUp() override { test_experiments::write_small_dataset(folder_.path()); }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome dataset(const std::string& command) const {
+    return run_executable("dataset " + command + " '" + folder_.path().string() + "'");
+  }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(DatasetCommand, InfoCountsTheClasses) {
+  const Outcome outcome = dataset("info");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("layout shrec11: 9 models in 3 classes"));
+  EXPECT_THAT(outcome.output, HasSubstr("capsule       3"));
+}
+
+TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
+  EXPECT_EQ(dataset("validate").output, "9 of 9 models can be used\n");
+  write_text(at("T2.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  const Outcome outcome = dataset("validate");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("2: "));
+  EXPECT_THAT(outcome.output, HasSubstr("8 of 9 models can be used\n"));
+}
+
+TEST_F(DatasetCommand, AMissingFolderIsAnError) {
+  for (const std::string command : {"info", "validate"}) {
+    const Outcome outcome = run_executable("dataset " + command + " /nowhere");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("/nowhere: no such folder"));
+  }
+}
+
+TEST_F(DatasetCommand, GenerateMakesWhatInfoReads) {
+  const Outcome generated =
+      run_executable("dataset generate '" + at("made") + "' --classes 2 --models-per-class 2 --faces 1000");
+  ASSERT_EQ(generated.status, 0) << generated.errors;
+  EXPECT_THAT(generated.output, HasSubstr("4 models of 2 classes"));
+  EXPECT_THAT(run_executable("dataset validate '" + at("made") + "'").output, HasSubstr("4 of 4 models"));
+  EXPECT_EQ(run_executable("dataset generate '" + at("made") + "' --classes 2").status, 2);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,236 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/files/matrix_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::UnusableCall;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+/// The design's toy: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
+class EvaluateCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    const Eigen::VectorXd values{{0, 1, 4, 2, 3.5, 7, 9}};
+    DistanceMatrix distances(7, 7);
+    std::string text;
+    for (int i = 0; i < 7; ++i) {
+      for (int j = 0; j < 7; ++j) {
+        distances(i, j) = std::abs(values[i] - values[j]);
+        text += std::to_string(distances(i, j)) + (j < 6 ? " " : "\n");
+      }
+    }
+    write_npy(at("toy.npy"), distances);
+    write_psb_matrix(at("toy.matrix"), distances);
+    write_text(at("toy.txt"), text);
+    write_text(at("toy.cla"), "PSB 1\n2 7\nA 0 3\n0\n1\n2\nB 0 4\n3\n4\n5\n6\n");
+  }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome evaluate_toy(const std::string& more, const std::string& matrix = "toy.npy") const {
+    return run_executable("evaluate '" + at(matrix) + "' --labels '" + at("toy.cla") + "' " + more);
+  }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
+  for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
+    const Outcome outcome = evaluate_toy("--format json", matrix);
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json["protocol"], "psb");
+    EXPECT_EQ(json["ties"], "index");
+    EXPECT_EQ(json["queries"], 7);
+    EXPECT_NEAR(json["micro"]["NN"], .571429, 1e-6);
+    EXPECT_NEAR(json["micro"]["FT"], .428571, 1e-6);
+    EXPECT_NEAR(json["micro"]["ST"], .928571, 1e-6);
+    EXPECT_NEAR(json["micro"]["E"], .595238, 1e-6);
+    EXPECT_NEAR(json["micro"]["DCG"], .718910, 1e-6);
+    EXPECT_TRUE(json["per_class"].contains("B"));
+  }
+}
+
+TEST_F(EvaluateCommand, TablesArePercent) {
+  EXPECT_THAT(evaluate_toy("").output, HasSubstr("toy     psb       micro    57.14  42.86  92.86"));
+  EXPECT_THAT(
+      evaluate_toy("--format csv").output,
+      StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\ntoy,psb,micro,57.1429,42.8571,92.8571,59.5238,71.8910,"));
+  EXPECT_THAT(evaluate_toy("--format markdown --protocol paper").output, HasSubstr("| toy    | paper    | micro   |"));
+  EXPECT_THAT(evaluate_toy("--format latex").output, StartsWith("\\begin{tabular}{lllrrrrrr}\n\\toprule"));
+}
+
+TEST_F(EvaluateCommand, TheCurveGoesToItsFile) {
+  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.csv") + "'").status, 0);
+  EXPECT_THAT(text_of(at("pr.csv")), StartsWith("method,protocol,recall,precision,macro_precision\ntoy,psb,0.05,"));
+}
+
+TEST_F(EvaluateCommand, TheReportIsAPageOfTheMatrix) {
+  const Outcome outcome = evaluate_toy("--report '" + at("report.html") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, evaluate_toy("").output);
+  const std::string page = text_of(at("report.html"));
+  EXPECT_THAT(page, StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, HasSubstr("<title>toy – shapegauge</title>"));
+  EXPECT_THAT(page, HasSubstr(R"("classes":["A","B"],"ids":["0","1","2","3","4","5","6"],"labels":[0,0,0,1,1,1,1])"));
+  const Outcome nowhere = evaluate_toy("--report '" + at("no_folder/report.html") + "'");
+  EXPECT_EQ(nowhere.status, 2);
+  EXPECT_THAT(nowhere.errors, HasSubstr("cannot write"));
+}
+
+TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
+  // The toy's values as features: the same figures and notes, by rows or (for the report) by the whole matrix.
+  write_text(at("toy.csv"), "0\n1\n4\n2\n3.5\n7\n9\n");
+  const Outcome expected = evaluate_toy("--per-query '" + at("matrix.csv") + "'");
+  const Outcome by_rows = evaluate_toy("--distance l1 --per-query '" + at("rows.csv") + "'", "toy.csv");
+  const Outcome whole = evaluate_toy("--distance l1 --report '" + at("report.html") + "'", "toy.csv");
+  ASSERT_EQ(by_rows.status, 0) << by_rows.errors;
+  EXPECT_EQ(by_rows.output, expected.output);
+  EXPECT_EQ(by_rows.errors, expected.errors);
+  EXPECT_EQ(text_of(at("rows.csv")), text_of(at("matrix.csv")));
+  EXPECT_EQ(whole.output, expected.output);
+  EXPECT_THAT(text_of(at("report.html")), HasSubstr("\"heat_map\":{\"side\":7"));
+}
+
+TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
+  // The same matrix with the rows' models exchanged: labels A and B fall on other rows.
+  write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids '" + at("ids.txt") + "'").output);
+  // Now B = 0, 1, 4, 2 and A = 3.5, 7, 9; nearest others: 1, 0, 3.5, 1, 4, 9, 7: right for 5 of 7 (0, 1, 2, 7, 9).
+  EXPECT_NEAR(json["micro"]["NN"], 5.0 / 7, 1e-12);
+}
+
+TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
+  // Princeton's tools take the rows in the classification's order: the first four rows are of class B then.
+  write_text(at("listed.cla"), "PSB 1\n2 7\nB 0 4\n3\n4\n5\n6\nA 0 3\n0\n1\n2\n");
+  const auto nn = [&](const std::string& order) {
+    const std::string arguments = "evaluate '" + at("toy.npy") + "' --labels '" + at("listed.cla") + "' --format json";
+    return nlohmann::json::parse(run_executable(arguments + order).output)["micro"]["NN"].get<double>();
+  };
+  EXPECT_NEAR(nn(" --order classification"), 5.0 / 7, 1e-12);
+  EXPECT_NEAR(nn(""), .571429, 1e-6);
+}
+
+TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
+  const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
+  EXPECT_THAT(outcome.errors, HasSubstr("note: 3 models are never queries"));
+}
+
+TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
+  ASSERT_EQ(evaluate_toy("--pr '" + at("pr.plot") + "' --curve trec --pr-per-class '" + at("classes.csv") +
+                         "' --per-query '" + at("queries.csv") + "' --per-class '" + at("per_class.csv") + "'")
+                .status,
+            0);
+  EXPECT_THAT(text_of(at("pr.plot")), MatchesRegex("0.000000\t[^\n]*\n(.*\n)*1.000000\t[^\n]*\n"));
+  EXPECT_THAT(text_of(at("classes.csv")), StartsWith("method,protocol,class,recall,precision\ntoy,psb,A,0,"));
+  EXPECT_THAT(text_of(at("queries.csv")), StartsWith("method,protocol,id,class,NN,FT,ST,E,DCG,mAP\ntoy,psb,0,A,100"));
+  EXPECT_THAT(text_of(at("per_class.csv")), StartsWith("method,protocol,class,queries,NN"));
+}
+
+TEST_F(EvaluateCommand, MeasuresUnitDigitsAndIntervalsAsAsked) {
+  EXPECT_THAT(evaluate_toy("--measures P@2,FT --unit fraction --digits 3 --format csv").output,
+              StartsWith("method,protocol,average,P@2,FT\ntoy,psb,micro,0."));
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json --confidence 0.9 --measures FT").output);
+  EXPECT_LE(json["intervals"]["micro"]["FT"][0], json["micro"]["FT"]);
+  EXPECT_GE(json["intervals"]["micro"]["FT"][1], json["micro"]["FT"]);
+  EXPECT_THAT(evaluate_toy("--confidence 0.9 --measures FT --blocks queries").output, HasSubstr("42.86 ["));
+}
+
+TEST_F(EvaluateCommand, TheTrecProtocolHasItsMeasures) {
+  EXPECT_THAT(evaluate_toy("--protocol trec --format csv").output,
+              StartsWith("method,protocol,average,mAP,P@10,R@10,MRR,nDCG,R-prec\ntoy,trec,micro,"));
+}
+
+TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
+  write_text(at("tied.txt"), "0 1 1\n1 0 1\n1 1 0\n");
+  write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
+  const auto nn = [&](const std::string& ties) {
+    const Outcome outcome = run_executable("evaluate '" + at("tied.txt") + "' --labels '" + at("three.csv") +
+                                           "' --format json --ties " + ties);
+    EXPECT_THAT(outcome.errors, HasSubstr("3 rows have all distances equal"));
+    const auto json = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(json["ties"], ties);
+    EXPECT_EQ(json["queries_with_ties"], 2);
+    return json["micro"]["NN"].get<double>();
+  };
+  EXPECT_THAT(evaluate_toy("").errors, HasSubstr("note: the answers to 3 of 7 queries have relevant and other models"));
+  EXPECT_EQ(nn("index"), 1);
+  EXPECT_EQ(nn("pessimistic"), 0);
+  EXPECT_EQ(nn("expected"), 0.5);
+}
+
+TEST_F(EvaluateCommand, WhatIsOddIsTold) {
+  write_text(at("odd.txt"), "0 1 2\n1 0 -3\n2 4 0\n");
+  write_text(at("three.csv"), "id,class\n1,a\n2,a\n3,b\n");
+  const Outcome outcome = run_executable("evaluate '" + at("odd.txt") + "' --labels '" + at("three.csv") + "'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors,
+              testing::AllOf(HasSubstr("note: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
+}
+
+TEST_F(EvaluateCommand, OneModelHasNoQueries) {
+  write_text(at("one.txt"), "0\n");
+  write_text(at("one.csv"), "id,class\n1,a\n");
+  const Outcome outcome = run_executable("evaluate '" + at("one.txt") + "' --labels '" + at("one.csv") + "'");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.errors, HasSubstr("no class has 2 models or more, so there are no queries"));
+}
+
+TEST_F(EvaluateCommand, OneClassIsAllHitsAndHasNoIntervalOverClasses) {
+  write_text(at("same.csv"), "id,class\n0,a\n1,a\n2,a\n3,a\n4,a\n5,a\n6,a\n");
+  const Outcome outcome = run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("same.csv") +
+                                         "' --confidence 0.95 --format json");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("fewer than two classes"));
+  const auto json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["micro"]["mAP"], 1);
+  EXPECT_FALSE(json.contains("intervals"));
+}
+
+TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
+  write_text(at("short.txt"), "0 1\n1 0\n");
+  write_text(at("nan.txt"), "0 nan\n1 0\n");
+  write_text(at("absent.txt"), "0\n1\n2\n3\n4\n5\n7\n");
+  write_text(at("empty.cla"), "");
+  const std::string toy = "evaluate '" + at("toy.npy") + "' ";
+  const std::string labels = "--labels '" + at("toy.cla") + "' ";
+  const std::vector<UnusableCall> cases{
+      {toy, "give either --labels"},
+      {toy + "--labels /nowhere.cla", "/nowhere.cla"},
+      {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
+      {"evaluate /nowhere.npy " + labels, "/nowhere.npy"},
+      {"evaluate '" + at("short.txt") + "' " + labels, "has 2 rows, but there are 7 models"},
+      {"evaluate '" + at("nan.txt") + "' " + labels, "nan.txt"},
+      {"evaluate '" + at("toy.cla") + "' " + labels, "toy.cla"},
+      {toy + labels + "--protocol pbs", "--protocol"},
+      {toy + labels + "--format xml", "--format"},
+      {toy + labels + "--min-class-size 5", "class"},
+      {toy + labels + "--measures FT,F", "no measure \"F\""},
+      {toy + labels + "--similarity --distance l1", "--similarity"},
+      {toy + labels + "--level 1", "no level 1 to take"},
+      {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
+      {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
+  expect_error_lines(cases);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,40 @@
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+
+TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
+  const test_io::TemporaryFolder folder;
+  const std::string file = (folder.path() / "box.off").string();
+  Shape box = test_shapes::box({1, 1, 1}, 1);
+  box.triangles = box.triangles.topRows(11).eval();
+  write_off(file, box);
+  const Outcome text = run_executable("info '" + file + "'");
+  EXPECT_EQ(text.status, 0) << text.errors;
+  EXPECT_THAT(text.output, HasSubstr("closed                  no\n"));
+  EXPECT_THAT(text.output, HasSubstr("boundary edges          3\n"));
+  const Outcome json = run_executable("info --format json '" + file + "'");
+  EXPECT_EQ(json.status, 0) << json.errors;
+  const auto found = nlohmann::json::parse(json.output);
+  EXPECT_EQ(found["triangles"], 11);
+  EXPECT_EQ(found["closed"], false);
+  EXPECT_DOUBLE_EQ(found["area"], 5.5);
+  EXPECT_DOUBLE_EQ(found["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
+}
+
+TEST(InfoCommand, AnAbsentFileIsAnError) { EXPECT_EQ(run_executable("info /nowhere/x.off").status, 2); }
+
+}  // namespace
+
+}  // namespace shapegauge

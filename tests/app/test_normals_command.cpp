@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
+#include "shapegauge/core/sdf/offset_normals.h"
+#include "shapegauge/experiments/files/csv.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/random_points.h"
+#include "tests/core/test_shapes.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_experiments::text_of;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class NormalsCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    write_off(folder_.path() / "mesh.off", mesh);
+    write_off(folder_.path() / "cloud.off", cloud);
+  }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome normals(const std::string& input, const std::string& more, const std::string& output) const {
+    return run_executable(fmt::format("normals '{}' {} -o '{}'", at(input), more, at(output)));
+  }
+
+  Shape mesh = test_shapes::flipped(test_shapes::sphere(10, 2));
+  Shape cloud = test_shapes::random_points(test_shapes::sphere(10, 4), 3000, 1);
+
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(NormalsCommand, AreOutwardAtFacesInCsv) {
+  const Outcome outcome = normals("mesh.off", "--at faces --offset 0.02", "x.csv");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
+  const Samples samples = sample_shape(mesh, SampleSite::faces);
+  const Points expected = offset_normals(mesh, samples, {.offset = 0.02}).normals;
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(expected.rows()) + 1);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"index", "nx", "ny", "nz", "weight"}));
+  for (Eigen::Index i = 0; i < expected.rows(); ++i) {
+    const std::vector<std::string>& cells = rows[static_cast<std::size_t>(i) + 1].cells;
+    for (int k = 0; k < 3; ++k) EXPECT_EQ(std::stod(cells[static_cast<std::size_t>(k) + 1]), expected(i, k));
+    EXPECT_EQ(std::stod(cells[4]), samples.weights[i]);
+    EXPECT_GT(expected.row(i).dot(samples.points.row(i)), 0);
+  }
+}
+
+TEST_F(NormalsCommand, OfACloudReadBackInEveryFormat) {
+  const Outcome outcome = normals("cloud.off", "--offset auto", "x.ply");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.errors, StartsWith("shapegauge: offset 0.0"));
+  EXPECT_EQ(std::ranges::count(outcome.errors, '\n'), 1);
+  const Shape read = read_shape(at("x.ply"));
+  const Shape written = read_shape(at("cloud.off"));
+  const Points expected =
+      offset_normals(written, sample_shape(written, SampleSite::vertices), {.offset = automatic_offset(written).offset})
+          .normals;
+  EXPECT_LT((read.normals - expected).cwiseAbs().maxCoeff(), 1e-12);
+  ASSERT_EQ(normals("cloud.off", "--offset auto", "x.xyz").status, 0);
+  EXPECT_LT((read_shape(at("x.xyz")).normals - expected).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_EQ(read_shape(at("x.xyz")).vertices, written.vertices);
+  ASSERT_EQ(normals("cloud.off", "--offset auto", "x.npy").status, 0);
+  EXPECT_THAT(text_of(at("x.npy")), HasSubstr("'shape': (3000, 3)"));
+}
+
+TEST_F(NormalsCommand, WarnsOfAnOffsetBelowTheGaps) {
+  const Outcome outcome = normals("cloud.off", "--offset 0.01", "x.csv");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("the offset is smaller than the gaps of the shape (4."));
+  EXPECT_THAT(outcome.errors, HasSubstr(" or auto\n"));
+}
+
+TEST_F(NormalsCommand, DenoisesBeforeWhereThereIsNoise) {
+  const Shape fine = test_shapes::sphere(10, 4);
+  RandomNumbers random(1);
+  write_off(folder_.path() / "clean.off", fine);
+  write_off(folder_.path() / "noisy.off", vertex_noise(fine, {.amplitude = 0.01}, random));
+  EXPECT_THAT(normals("clean.off", "--denoise", "clean.xyz").errors, HasSubstr("no noise beyond doubt"));
+  EXPECT_THAT(normals("noisy.off", "--denoise", "denoised.xyz").errors, HasSubstr("smoothed with a pass band"));
+  EXPECT_EQ(normals("noisy.off", "", "noisy.xyz").status, 0);
+  const auto mean_cosine = [&](const std::string& name) {
+    const Shape result = read_shape(at(name));
+    double sum = 0;
+    for (Eigen::Index i = 0; i < fine.vertices.rows(); ++i) sum += result.normals.row(i).dot(fine.vertices.row(i)) / 10;
+    return sum / static_cast<double>(fine.vertices.rows());
+  };
+  EXPECT_GT(mean_cosine("clean.xyz"), 0.9998);
+  EXPECT_GT(mean_cosine("denoised.xyz"), 0.99);
+  EXPECT_LT(mean_cosine("noisy.xyz"), 0.99);
+}
+
+TEST_F(NormalsCommand, RefusesWhatItCannotUse) {
+  for (const char* offset : {"0", "-1", "nan", "1.5", "automatic"}) {
+    const Outcome outcome = normals("mesh.off", std::string("--offset ") + offset, "x.csv");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.errors, HasSubstr("--offset is \"")) << offset;
+  }
+  EXPECT_EQ(normals("mesh.off", "", "x.png").status, 2);
+  EXPECT_EQ(normals("absent.off", "", "x.csv").status, 2);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,71 @@
+#include <gmock/gmock.h>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/test_shapes.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_experiments::text_of;
+using testing::HasSubstr;
+
+class PerturbCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_off(folder_.path() / "sphere.off", shape); }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome perturb(const std::string& output, const std::string& more) const {
+    return run_executable("perturb '" + at("sphere.off") + "' -o '" + at(output) + "' " + more);
+  }
+
+  Shape shape = test_shapes::sphere(10, 3);  // 1280 faces
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {
+  const Outcome outcome = perturb("x.off", "--remove-faces 0.5 --noise 0.01 --decimate 400 --flip 1 --motion 2");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output + outcome.errors, "");
+  EXPECT_NEAR(static_cast<double>(read_shape(at("x.off")).triangles.rows()), 200, 1);
+}
+
+TEST_F(PerturbCommand, NoiseStaysInABallOfItsRadius) {
+  ASSERT_EQ(perturb("x.off", "--noise 0.01").status, 0);
+  const double longest = (read_shape(at("x.off")).vertices - shape.vertices).rowwise().norm().maxCoeff();
+  const double radius = 0.01 * bounding_box_diagonal(shape);
+  EXPECT_LE(longest, radius * (1 + 1e-12));
+  EXPECT_GT(longest, 0.95 * radius);  // of 642 vertices
+}
+
+TEST_F(PerturbCommand, TheSeedDecides) {
+  ASSERT_EQ(perturb("a.off", "--noise 0.01 --seed 4").status, 0);
+  ASSERT_EQ(perturb("b.off", "--noise 0.01 --seed 4").status, 0);
+  ASSERT_EQ(perturb("c.off", "--noise 0.01 --seed 5").status, 0);
+  EXPECT_EQ(text_of(at("a.off")), text_of(at("b.off")));
+  EXPECT_NE(text_of(at("a.off")), text_of(at("c.off")));
+}
+
+TEST_F(PerturbCommand, WritesPointClouds) {
+  ASSERT_EQ(perturb("x.ply", "--points 50 --holes 1 --hole-radius 0.02").status, 0);
+  EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));
+}
+
+TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
+  EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("nothing to do"));
+  EXPECT_THAT(perturb("x.stl", "--noise 0.1").errors, HasSubstr("the name must end in .off or .ply"));
+  EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("the amplitude of noise"));
+  EXPECT_EQ(perturb("x.off", "--remove-faces 1").status, 2);
+  EXPECT_EQ(perturb("x.off", "--hole-radius 0.1").status, 2) << "without --holes";
+}
+
+}  // namespace
+
+}  // namespace shapegauge

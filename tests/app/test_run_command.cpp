@@ -1,0 +1,234 @@
+#include <gmock/gmock.h>
+
+#include "tests/app/program.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::SmallRun;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+
+/// A run over the small data set, recorded in out/manifest.json.
+class ReplayReport : public SmallRun {
+ protected:
+  void SetUp() override {
+    SmallRun::SetUp();
+    ASSERT_EQ(run_executable("run " + quoted("small.json") + " --output " + quoted("out")).status, 0);
+  }
+  [[nodiscard]] Outcome replay(const std::string& more = "") const {
+    return run_executable("run --replay " + quoted("out/manifest.json") + " --output " + quoted("again") + " " + more);
+  }
+};
+
+TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
+  const Outcome outcome = replay("--threads 3");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("same          distances/fixed.npy\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("not compared  shape_seconds.csv\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are the same bytes as recorded.\n"));
+  EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
+}
+
+TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
+  fs::rename(at("data"), at("moved"));
+  EXPECT_EQ(replay().status, 2);
+  const Outcome outcome = replay("--dataset-root " + quoted("moved"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are the same bytes"));
+}
+
+TEST_F(ReplayReport, NothingComesFromTheCache) {
+  const std::string cache = " --cache " + quoted("cache");
+  EXPECT_THAT(replay(cache).output, HasSubstr("All 14"));
+  EXPECT_THAT(replay(cache).output, Not(HasSubstr("From the cache")));
+}
+
+TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
+  fs::copy_file(at("data/T3.off"), at("data/T4.off"), fs::copy_options::overwrite_existing);
+  const Outcome outcome = replay();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.errors,
+            "shapegauge: warning: input: model 4 is not the recorded one: its file holds other bytes\n");
+  EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("input         model 4 is not the recorded one"));
+  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 14 outputs are not the same bytes as recorded; 1 of its "
+                                           "inputs are not those recorded\\.\n"));
+}
+
+TEST_F(ReplayReport, AnotherSettingGivesOtherOutputs) {
+  const Outcome outcome = replay("--set signatures.0.histogram.bins=7");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("same          distances/per_shape.npy\n"));
+}
+
+TEST_F(ReplayReport, AComparisonIsRepeatedToo) {
+  write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
+    {"name": "a", "file": "data/T0.off"}, {"name": "b", "file": "data/T1.off"}], "signatures": [
+    {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
+  ASSERT_EQ(run_executable("run " + quoted("comparison.json") + " --output " + quoted("two")).status, 0);
+  fs::rename(at("data"), at("moved"));
+  const std::string replay =
+      "run --replay " + quoted("two/manifest.json") + " --output " + quoted("again") + " --dataset-root ";
+  const Outcome outcome = run_executable(replay + quoted("moved"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("same          distances.csv\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("not compared  timings.csv\n"));
+  fs::copy_file(at("moved/T2.off"), at("moved/T1.off"), fs::copy_options::overwrite_existing);
+  const Outcome changed = run_executable(replay + quoted("moved"));
+  EXPECT_EQ(changed.status, 1);
+  EXPECT_THAT(changed.output, HasSubstr("input         shape b is not the recorded one"));
+}
+
+TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
+  const std::string manifest = "run --replay " + quoted("out/manifest.json");
+  write_text(at("text.json"), "{}");
+  expect_error_lines(
+      {{manifest + " " + quoted("small.json"), "excludes --replay"},
+       {"run " + quoted("small.json") + " --dataset-root x", "--dataset-root goes with --replay"},
+       {"run --replay " + quoted("text.json"), "has no \"configuration\""},
+       {"run --replay /nowhere/manifest.json", "no such file"},
+       {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},
+       {manifest + " --cache x --no-cache", "--cache excludes --no-cache"}});
+}
+
+}  // namespace
+
+namespace {
+
+namespace fs = std::filesystem;
+using test_command_line::expect_error_line;
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::SmallRun;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+class RunCommand : public SmallRun {
+ protected:
+  [[nodiscard]] Outcome run(const std::string& more = "") const {
+    return run_executable("run " + quoted("small.json") + " --output " + quoted("out") + " " + more);
+  }
+};
+
+TEST_F(RunCommand, PrintsTheSummaryAndWritesTheFiles) {
+  const Outcome outcome = run();
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_THAT(outcome.output, HasSubstr("fixed      psb       micro    100.00"));
+  EXPECT_THAT(outcome.output, HasSubstr("Results in " + at("out").string()));
+  EXPECT_THAT(outcome.output, HasSubstr("Report: " + (at("out") / "report.html").string()));
+  EXPECT_THAT(text_of(at("out") / "summary.csv"),
+              StartsWith("method,protocol,average,NN,FT,ST,E,DCG,mAP\nfixed,psb,micro,100.0000,"));
+  for (const auto& entry : fs::recursive_directory_iterator(at("out"))) {
+    EXPECT_THAT(entry.path().extension().string(), MatchesRegex("|.csv|.html|.json|.md|.tex|.npy")) << entry.path();
+  }
+}
+
+TEST_F(RunCommand, NoReportWhereNoneIsWanted) {
+  ASSERT_EQ(run().status, 0);
+  EXPECT_TRUE(fs::exists(at("out") / "report.html"));
+  const Outcome outcome = run("--force --set report=false");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, Not(HasSubstr("report.html")));
+  EXPECT_FALSE(fs::exists(at("out") / "report.html")) << "that of the earlier run";
+}
+
+TEST_F(RunCommand, ASecondRunReplacesTheResultsAndAnotherConfigurationDoesNot) {
+  ASSERT_EQ(run().status, 0);
+  EXPECT_EQ(run().status, 0);
+  const Outcome other = run("--set signatures.0.histogram.bins=10");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.errors, HasSubstr("--replace"));
+  EXPECT_EQ(run("--replace --set signatures.0.histogram.bins=10").status, 0);
+  EXPECT_EQ(run("--force --set signatures.0.histogram.bins=10").status, 0);
+}
+
+TEST_F(RunCommand, ABadModelStopsIt) {
+  write_text(at("data/T3.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
+  expect_error_line(run(), "model 3: ");
+  EXPECT_TRUE(fs::is_empty(at("out")));
+}
+
+TEST_F(RunCommand, ABadModelIsLeftOutAndNamedWhereAskedFor) {
+  write_text(at("data/T3.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
+  const Outcome outcome = run("--set on_error=skip");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("left out model 3: "));
+  EXPECT_THAT(outcome.errors, HasSubstr("1 of 9 models could not be used"));
+  EXPECT_THAT(outcome.output, HasSubstr("fixed"));
+  EXPECT_TRUE(fs::exists(at("out/manifest.json")));
+}
+
+TEST_F(RunCommand, UnusableInputIsOneClearLine) {
+  const std::string file = "run " + quoted("small.json") + " ";
+  const std::string out = " --output " + quoted("out") + " ";
+  expect_error_lines(
+      {{"run /nowhere/x.json", "/nowhere/x.json: no such file"},
+       {file + out + "--set signature=1", "unknown key \"signature\"; did you mean \"signatures\"?"},
+       {file + out + "--set signatures.0.histogram.bins=many", "signatures.0.histogram.bins: must be of type integer"},
+       {file + out + "--set signatures.3.concatenate.0=fixd", "did you mean \"fixed\"?"},
+       {file + out + "--set dataset.root=nowhere", "nowhere: no such folder"},
+       {file + out + "--set dataset.classification=nowhere.cla", "nowhere.cla"},
+       {file + out + "--set 'dataset.root=${SHAPEGAUGE_TEST_UNSET}'", "SHAPEGAUGE_TEST_UNSET is not set; set it"},
+       {file + "--output /proc/out", "/proc/out"},
+       {file + out + "--frobnicate", "--frobnicate"},
+       {file + out + "--threads 0", "--threads"},
+       {file + out + "--threads many", "--threads"},
+       {"run", "configuration is required"},
+       {"", "subcommand is required"},
+       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
+       {"dataset list x", "there is no command \"list\"; known here: \"info\""}});
+}
+
+TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
+  for (const std::string text : {"", "PSB 1\n0 0\n", "PSB 1\n1 3\na 0 2\n0\n1\n", "PSB 1\n2 2\na 0 1\n0\nb 0 1\n0\n"}) {
+    write_text(at("data/test.cla"), text);
+    SCOPED_TRACE(text);
+    expect_error_line(run(), "test.cla");
+  }
+}
+
+TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
+  // `timeout` sends the signal while the models are worked on: a field of very many rays takes long enough.
+  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 1 " +
+                           std::string(SHAPEGAUGE_EXECUTABLE) + " run '" + at("small.json").string() +
+                           "' --threads 1 --output '" + at("out").string() +
+                           "' --set signatures.0.field.rays=10000 2>'" + at("errors").string() + "'";
+  const int status = std::system(call.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
+  EXPECT_TRUE(fs::is_empty(at("out")));
+}
+
+TEST(Program, HelpAndVersionGoToStandardOutput) {
+  for (const std::string arguments : {"--help", "run --help", "sdf --help", "evaluate --help", "dataset --help",
+                                      "dataset info --help", "dataset validate --help", "dataset generate --help"}) {
+    const Outcome outcome = run_executable(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("Example: shapegauge ")) << arguments;
+    EXPECT_EQ(outcome.errors, "") << arguments;
+  }
+  EXPECT_THAT(run_executable("--version").output, MatchesRegex("shapegauge [0-9.]+ \\([0-9a-z-]+\\)\n"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

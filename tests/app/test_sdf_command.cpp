@@ -1,0 +1,157 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/experiments/files/csv.h"
+#include "tests/app/program.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/core/random_points.h"
+#include "tests/core/test_shapes.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::UnusableCall;
+using test_experiments::text_of;
+using test_experiments::write_text;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SdfCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_off(folder_.path() / "sphere.off", shape); }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome sdf(const std::string& more) const {
+    return run_executable("sdf '" + at("sphere.off") + "' " + more);
+  }
+
+  Shape shape = test_shapes::sphere(10, 3);
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
+  const Outcome outcome = sdf("--method cone --at vertices -o '" + at("x.csv") + "'");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_EQ(outcome.errors, "");
+  const Samples samples = sample_shape(shape, SampleSite::vertices);
+  const ConeSdfResult expected = cone_sdf(shape, samples, {});
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(expected.values.size()) + 1);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"index", "sdf", "weight"}));
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto sample = static_cast<Eigen::Index>(i - 1);
+    EXPECT_EQ(rows[i].cells[0], std::to_string(sample));
+    EXPECT_EQ(std::stod(rows[i].cells[1]), expected.values[sample]);
+    EXPECT_EQ(std::stod(rows[i].cells[2]), samples.weights[sample]);
+  }
+}
+
+TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
+  ASSERT_EQ(sdf("--method offset --offset 0.02 -o '" + at("x.csv") + "'").status, 0);
+  // The icosphere is a little thinner than the sphere, and its flat faces are nearer to the centre than its corners.
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(shape.triangles.rows()) + 1);
+  for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
+}
+
+TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
+  const Shape cloud = test_shapes::random_points(shape, 500, 1);
+  std::string lines = "500\n";
+  for (const auto& point : cloud.vertices.rowwise()) {
+    lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);
+  }
+  write_text(at("cloud.pts"), lines);
+  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset --offset 0.2 -o '";
+  for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
+    const Outcome outcome = run_executable(command + at(file) + "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+  }
+  const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
+  ASSERT_EQ(rows.size(), 501U);
+  const Samples samples = sample_shape(cloud, SampleSite::vertices);
+  const Eigen::VectorXd expected = offset_sdf(cloud, samples, {.offset = 0.2}).values;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const auto sample = static_cast<Eigen::Index>(i - 1);
+    EXPECT_EQ(std::stod(rows[i].cells[1]), expected[sample]);
+    EXPECT_EQ(std::stod(rows[i].cells[2]), samples.weights[sample]);
+  }
+  EXPECT_EQ(read_shape(at("x.ply")).vertices, cloud.vertices);
+  ASSERT_EQ(run_executable(command + at("v.csv") + "' --at vertices").status, 0);
+  EXPECT_EQ(text_of(at("v.csv")), text_of(at("x.csv")));
+}
+
+TEST_F(SdfCommand, TimingsCountTheSamples) {
+  ASSERT_EQ(sdf("--method offset -o '" + at("x.ply") + "' --timings '" + at("t.json") + "'").status, 0);
+  const auto timings = nlohmann::json::parse(text_of(at("t.json")));
+  for (const char* key : {"read_seconds", "build_seconds", "query_seconds"}) EXPECT_GE(timings.at(key), 0) << key;
+  EXPECT_EQ(timings["samples"]["total"], shape.triangles.rows());
+  EXPECT_EQ(timings["samples"]["direct"].get<int>() + timings["samples"]["searched"].get<int>(),
+            shape.triangles.rows());
+  EXPECT_EQ(timings["shape"]["closed"], true);
+  EXPECT_EQ(timings["shape"]["triangles"], shape.triangles.rows());
+}
+
+TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {
+  for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
+    ASSERT_EQ(sdf("--method offset --threads 1 -o '" + at(std::string("1") + file) + "'").status, 0);
+    ASSERT_EQ(sdf("--method offset --threads 3 -o '" + at(std::string("3") + file) + "'").status, 0);
+    const std::string bytes = text_of(at(std::string("1") + file));
+    EXPECT_FALSE(bytes.empty()) << file;
+    EXPECT_TRUE(bytes == text_of(at(std::string("3") + file))) << file;
+  }
+}
+
+TEST_F(SdfCommand, MissingValuesAreTold) {
+  write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const Outcome outcome = sdf("--method cone -o '" + at("x.csv") + "'");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.errors, "shapegauge: warning: 1 of 1 samples missing\n");
+  EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
+}
+
+TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
+  write_text(at("cloud.off"), "OFF\n2 0 0\n0 0 0\n1 0 0\n");
+  write_text(at("point.xyz"), "1 2 3\n1 2 3\n");
+  write_text(at("nan.xyz"), "1 2 3\n1 2 nan\n");
+  write_text(at("nan.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
+  const std::string good = "sdf '" + at("sphere.off") + "' ";
+  const std::string out = " -o '" + at("x.csv") + "' ";
+  const std::vector<UnusableCall> cases{
+      {"sdf /nowhere.off --method cone" + out, "/nowhere.off"},
+      {"sdf '" + at("cloud.off") + "' --method cone" + out, "cloud.off: the conventional SDF needs triangles"},
+      {"sdf '" + at("cloud.off") + "' --method cone --engine cgal" + out,
+       "cloud.off: the conventional SDF needs triangles"},
+      {"sdf '" + at("point.xyz") + "' --method offset" + out, "point.xyz: the shape has no usable extent"},
+      {"sdf '" + at("nan.xyz") + "' --method offset" + out, "nan.xyz:2"},
+      {"sdf '" + at("nan.off") + "' --method cone" + out, "nan.off:5"},
+      {good + "--method cone", "--output is required"},
+      {good + out, "--method is required"},
+      {good + "--method heat" + out, "--method"},
+      {good + "--method cone -o x.xlsx", "must end in .csv"},
+      {good + "--method cone -o /nowhere/x.csv", "/nowhere/x.csv"},
+      {good + "--method offset --offset 0" + out, "offset"},
+      {good + "--method offset --offset nan" + out, "offset"},
+      {good + "--method cone --rays 0" + out, "rays"},
+      {good + "--method cone --opening-angle 400" + out, "angle"},
+      {good + "--method cone --engine cgal --at vertices" + out, "faces only"},
+      {good + "--method cone --offset 0.1" + out, "--offset goes with --method offset only"},
+      {good + "--method offset --rays 3" + out, "--rays goes with --method cone only"}};
+  expect_error_lines(cases);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

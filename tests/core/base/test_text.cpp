@@ -1,0 +1,88 @@
+#include <cmath>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <rapidcheck/gtest.h>
+#include <string>
+
+#include "shapegauge/core/base/text.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+
+TEST(Lines, EndInLfOrCrLf) {
+  EXPECT_THAT(split_lines("a\nb\r\n\nc"), ElementsAre("a", "b", "", "c"));
+  EXPECT_THAT(split_lines("a\n"), ElementsAre("a"));
+  EXPECT_THAT(split_lines("\n"), ElementsAre(""));
+  EXPECT_THAT(split_lines(""), ElementsAre());
+}
+
+TEST(Lines, AByteOrderMarkIsNoPartOfTheFirstLine) {
+  EXPECT_THAT(split_lines("\xEF\xBB\xBFx\ny"), ElementsAre("x", "y"));
+  EXPECT_THAT(split_lines("\xEF\xBB\xBF"), ElementsAre());
+}
+
+TEST(Lines, OuterBlanksGo) {
+  EXPECT_EQ(trim(" \ta b\t "), "a b");
+  EXPECT_EQ(trim(" \t"), "");
+  EXPECT_EQ(trim(""), "");
+}
+
+}  // namespace
+
+namespace {
+
+TEST(LowerCase, ChangesTheCapitalsOfAsciiAlone) {
+  EXPECT_EQ(lower_case(".OFF"), ".off");
+  EXPECT_EQ(lower_case("AZaz09@[`{ -"), "azaz09@[`{ -");
+  EXPECT_EQ(lower_case("\xC3\x89"), "\xC3\x89");
+  EXPECT_EQ(lower_case(""), "");
+}
+
+}  // namespace
+
+namespace {
+
+TEST(ParseNumber, TakesTheUsualSpellings) {
+  EXPECT_EQ(parse_number("1"), 1.0);
+  EXPECT_EQ(parse_number("+.5"), 0.5);
+  EXPECT_EQ(parse_number("-2e-3"), -2e-3);
+  EXPECT_EQ(parse_number("1.5E+02"), 150.0);
+  EXPECT_EQ(parse_number("inf"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(parse_number("-Infinity"), -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(parse_number("nan").value()));
+}
+
+TEST(ParseNumber, RefusesAllElse) {
+  for (const char* const word : {"", "+", "+-1", "++1", "1,5", "1 ", " 1", "0x10", "one", "1e", "1e999", "T1"}) {
+    EXPECT_FALSE(parse_number(word)) << word;
+  }
+}
+
+RC_GTEST_PROP(ParseNumber, ReadsBackWhatIsWrittenShortest, (double value)) {
+  RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
+}
+
+}  // namespace
+
+namespace {
+
+TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
+  EXPECT_EQ(quoted_word("T12"), "\"T12\"");
+  EXPECT_EQ(quoted_word(""), "\"\"");
+  EXPECT_EQ(quoted_word(std::string_view("a\nb\0c\x7f", 6)), "\"a?b?c?\"");
+  EXPECT_EQ(quoted_word("\xC3\xA9"), "\"\xC3\xA9\"");
+}
+
+TEST(QuotedWord, IsCutAfterFortyBytes) {
+  EXPECT_EQ(quoted_word(std::string(40, 'x')), '"' + std::string(40, 'x') + '"');
+  EXPECT_EQ(quoted_word(std::string(41, 'x')), '"' + std::string(40, 'x') + "...\"");
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,147 @@
+#include <csignal>
+#include <gmock/gmock.h>
+#include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "tests/core/io/ordinary_user.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_io::bytes_of;
+using test_io::TemporaryFolder;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+auto throws_cannot_write(const std::filesystem::path& path, const std::string& reason) {
+  return ThrowsMessage<InputError>(AllOf(StartsWith("cannot write " + path.string()), EndsWith(reason)));
+}
+
+TEST(AtomicFile, WritesTheBytesAndNothingElse) {
+  const TemporaryFolder folder;
+  const std::string bytes("a\0b\r\n", 5);
+  write_file_atomically(folder.path() / "out", bytes);
+  EXPECT_EQ(bytes_of(folder.path() / "out"), bytes);
+  EXPECT_EQ(folder.size(), 1U);
+}
+
+TEST(AtomicFile, ReplacesAnEarlierFile) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("out", "a longer text that was there before");
+  write_file_atomically(path, "new");
+  EXPECT_EQ(bytes_of(path), "new");
+  EXPECT_EQ(folder.size(), 1U);
+}
+
+TEST(AtomicFile, IsReadableAsTheUmaskSays) {
+  const TemporaryFolder folder;
+  const mode_t before = ::umask(027);
+  write_file_atomically(folder.path() / "out", "x");
+  ::umask(before);
+  struct stat status = {};
+  ASSERT_EQ(::stat((folder.path() / "out").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777U, 0640U);
+}
+
+TEST(AtomicFile, FollowsASymbolicLink) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("target", "old");
+  std::filesystem::create_symlink(path, folder.path() / "link");
+  write_file_atomically(folder.path() / "link", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link"));
+  EXPECT_EQ(bytes_of(path), "new");
+}
+
+TEST(AtomicFile, WritesToADeviceAndLeavesItOne) {
+  write_file_atomically("/dev/null", "x");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(AtomicFile, MissingFolderIsAnError) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "absent" / "out";
+  EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, "No such file or directory"));
+}
+
+TEST(AtomicFile, FolderInItsPlaceIsAnError) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { write_file_atomically(folder.path(), "x"); }, throws_cannot_write(folder.path(), "Is a directory"));
+}
+
+TEST(AtomicFile, FullDiskIsAnError) {
+  EXPECT_THAT([] { write_file_atomically("/dev/full", "x"); },
+              throws_cannot_write("/dev/full", "No space left on device"));
+}
+
+TEST(AtomicFile, FolderWithoutPermissionIsAnError) {
+  const TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
+  const auto path = folder.path() / "out";
+  {
+    const test_io::OrdinaryUser ordinary_user;
+    EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, "Permission denied"));
+  }
+  EXPECT_EQ(folder.size(), 0U);
+}
+
+/// While it lives, no file can grow beyond so many bytes, which stands for a disk that fills up.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit = {bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+  FileSizeLimit(FileSizeLimit&&) = delete;
+  FileSizeLimit& operator=(FileSizeLimit&&) = delete;
+  ~FileSizeLimit() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_ = {};
+  void (*handler_)(int);
+};
+
+TEST(AtomicFile, FailureHalfwayLeavesTheEarlierFileAndNoOther) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("out", "old");
+  {
+    const FileSizeLimit limit(1000);
+    EXPECT_THAT([&] { write_file_atomically(path, std::string(5000, 'x')); },
+                throws_cannot_write(path, "File too large"));
+  }
+  EXPECT_EQ(bytes_of(path), "old");
+  EXPECT_EQ(folder.size(), 1U);
+}
+
+TEST(AtomicFile, WritersOfTheSameFileDoNotMix) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "out";
+  std::vector<std::jthread> threads;
+  for (const char letter : {'a', 'b', 'c', 'd'}) {
+    threads.emplace_back([&path, letter] {
+      for (int i = 0; i < 50; ++i) write_file_atomically(path, std::string(100'000, letter));
+    });
+  }
+  threads.clear();
+  const std::string bytes = bytes_of(path);
+  EXPECT_EQ(bytes, std::string(100'000, bytes.front()));
+  EXPECT_EQ(folder.size(), 1U);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

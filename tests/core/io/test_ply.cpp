@@ -1,0 +1,309 @@
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <gmock/gmock.h>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/ply.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "tests/core/io/encoded_shapes.h"
+#include "tests/core/io/temporary_folder.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_io::as_ascii_ply;
+using test_io::as_binary_ply;
+using test_io::expect_same;
+using test_io::tetrahedron;
+using ::testing::StrEq;
+using ::testing::ThrowsMessage;
+
+constexpr std::array both_orders = {std::endian::little, std::endian::big};
+
+const std::string vertex_header = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+const std::string face_header = "element face 4\nproperty list uchar int vertex_index\n";
+const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+std::string ascii(const std::string& header, const std::string& body) {
+  return "ply\nformat ascii 1.0\n" + header + "end_header\n" + body;
+}
+
+void expect_error(const std::string& bytes, const std::string& message) {
+  EXPECT_THAT([&] { read_ply(bytes, "t.ply"); }, ThrowsMessage<InputError>(StrEq(message))) << bytes;
+}
+
+std::string replaced_once(std::string text, const std::string& what, const std::string& with) {
+  return text.replace(text.find(what), what.size(), with);
+}
+
+TEST(ReadPly, Ascii) {
+  expect_same(read_ply(ascii(vertex_header + face_header, vertices + faces), "t.ply"), tetrahedron());
+}
+
+TEST(ReadPly, OtherPropertiesAndElementsArePassedOver) {
+  expect_same(read_ply(as_ascii_ply(tetrahedron()), "t.ply"), tetrahedron());
+}
+
+TEST(ReadPly, BinaryOfEitherByteOrderAndPrecision) {
+  Shape shape = tetrahedron();
+  shape.vertices(1, 0) = 1.0 + 1e-15;
+  for (const std::endian order : both_orders) {
+    expect_same(read_ply(as_binary_ply(shape, order, true), "t.ply"), shape);
+    expect_same(read_ply(as_binary_ply(tetrahedron(), order, false), "t.ply"), tetrahedron());
+  }
+}
+
+TEST(ReadPly, BinaryBodyThatBeginsLikeALineEnd) {
+  // 2.0f with a last byte of 0x0A or 0x0D is the body's first byte in little-endian order.
+  for (const std::string line_end : {"\n", "\r", "\r\n"}) {
+    for (const char first : {'\n', '\r'}) {
+      const std::vector<std::string> lines = {"ply",
+                                              "format binary_little_endian 1.0",
+                                              "element vertex 1",
+                                              "property float x",
+                                              "property float y",
+                                              "property float z",
+                                              "end_header"};
+      std::string bytes;
+      for (const std::string& line : lines) bytes += line + line_end;
+      bytes += first + std::string("\0\0\x40", 3) + std::string(8, '\0');
+      const Shape shape = read_ply(bytes, "t.ply");
+      EXPECT_EQ(shape.vertices(0, 0), 2 + 0x1p-22 * first);
+    }
+  }
+}
+
+TEST(ReadPly, OtherPropertiesMayBeNoNumber) {
+  const Shape shape =
+      read_ply(ascii("element vertex 1\nproperty float quality\nproperty float x\nproperty float y\nproperty "
+                     "float z\n",
+                     "nan 1 2 3\n"),
+               "t.ply");
+  EXPECT_EQ(shape.vertices, (Points(1, 3) << 1, 2, 3).finished());
+}
+
+TEST(ReadPly, FacesBeforeVertices) {
+  expect_same(read_ply(ascii(face_header + vertex_header, faces + vertices), "t.ply"), tetrahedron());
+}
+
+TEST(ReadPly, CoordinatesInAnotherOrderAndIntegers) {
+  const Shape shape =
+      read_ply(ascii("element vertex 1\nproperty int z\nproperty short x\nproperty uchar y\n", "3 1 2\n"), "t");
+  EXPECT_EQ(shape.vertices, (Points(1, 3) << 1, 2, 3).finished());
+}
+
+TEST(ReadPly, PolygonsBecomeFansAndSmallerFacesLeaveNone) {
+  const Shape shape = read_ply(ascii(vertex_header + face_header, vertices + "4 3 2 1 0\n2 0 1\n1 3\n0\n"), "t.ply");
+  EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
+}
+
+TEST(ReadPly, WithoutFacesItIsAPointCloud) {
+  for (const std::string header : {"", "element face 0\n"}) {
+    const Shape shape = read_ply(ascii(vertex_header + header, vertices), "t.ply");
+    EXPECT_EQ(shape.vertices, tetrahedron().vertices);
+    EXPECT_EQ(shape.triangles.rows(), 0);
+  }
+}
+
+TEST(ReadPly, NormalsOfACloud) {
+  const std::string header = replaced_once(vertex_header, "4\n", "2\nproperty float nz\nproperty float nx\n");
+  const std::string body = "2 0 0 0 0 0\n0 0 1 0 0 0\n";
+  EXPECT_EQ(read_ply(ascii(header + "property float ny\n", body), "t.ply").normals,
+            (Points(2, 3) << 0, 0, 1, 0, 0, 0).finished());
+  EXPECT_EQ(read_ply(ascii(header + "property float n\n", body), "t.ply").normals.rows(), 0);  // no ny
+  expect_error(ascii(header + "property float ny\nelement face 0\n", "2 0 0 0 0 nan\n0 0 1 0 0 0\n"),
+               "t.ply:12: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+}
+
+TEST(ReadPly, BinaryNormalThatIsNotFinite) {
+  Shape cloud = test_io::small_cloud();
+  cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
+  const auto files = test_io::cloud_in_every_format(cloud);
+  const auto binary = std::ranges::find(files, "binary.ply", &test_io::Encoded::file_name);
+  expect_error(binary->bytes, "t.ply: vertex 1 has a normal that is not a finite number; repair or remove the file");
+}
+
+TEST(ReadPly, NormalsOfAMeshMayBeNoNumber) {
+  const std::string header = vertex_header + "property float nx\nproperty float ny\nproperty float nz\n";
+  const std::string lines = "0 0 0 nan 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n";
+  expect_same(read_ply(ascii(header + face_header, lines + faces), "t.ply"), tetrahedron());
+}
+
+TEST(ReadPly, UnusableHeaders) {
+  expect_error("OFF\n", "t.ply:1: not a PLY file: it does not begin with \"ply\"");
+  expect_error("ply\nformat ascii 1.0\nelement vertex 4\n", "t.ply: ends within its header");
+  expect_error("ply\nformat binary 1.0\n", "t.ply:2: \"binary\" is not a PLY format");
+  expect_error("ply\n" + vertex_header + "end_header\n", "t.ply:6: the header names no format");
+  expect_error(ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\" is not a type that PLY knows");
+  expect_error(ascii("property float x\n", ""), "t.ply:3: a property before the first element");
+  expect_error(ascii("element vertex -4\n", ""), "t.ply:3: the number of elements cannot be -4");
+  expect_error(ascii("hello\n", ""), "t.ply:3: \"hello\" does not belong in a PLY header");
+  expect_error(ascii(face_header, faces), "t.ply: its header has no element \"vertex\"");
+  expect_error(ascii(vertex_header + vertex_header, ""), "t.ply: its header has two elements \"vertex\"");
+  expect_error(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"),
+               "t.ply: its element \"vertex\" needs one property \"z\"");
+  expect_error(ascii(vertex_header + face_header + face_header, ""), "t.ply: its header has two elements \"face\"");
+  expect_error(ascii("element vertex 3000000000\nproperty float x\n", ""),
+               "t.ply: 3000000000 vertices: at most 2147483647 can be read");
+}
+
+TEST(ReadPly, UnusableFaces) {
+  expect_error(ascii(vertex_header + "element face 1\nproperty int a\n", vertices + "1\n"),
+               "t.ply: its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
+  expect_error(ascii(vertex_header + "element face 1\nproperty list uchar float vertex_indices\n", vertices),
+               "t.ply: the indices of its faces are not of an integer type");
+  expect_error(ascii(vertex_header + face_header + "property list uchar float vertex_indices\n", vertices),
+               "t.ply: its element \"face\" has two lists of vertices");
+  expect_error(ascii(vertex_header + "element face 1\nproperty list float int vertex_indices\n", vertices),
+               "t.ply:8: the length of a list must be of an integer type");
+  expect_error(ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", vertices + "1 0\n"),
+               "t.ply: it holds triangle strips, which are not read; convert them to faces");
+  expect_error(ascii(vertex_header + "element face 1\nproperty list uchar int vertex_indices\n", vertices + "2 0 1\n"),
+               "t.ply:14: none of its 1 faces has three vertices");
+  expect_error(ascii(vertex_header + "element face 1\nproperty list char int vertex_indices\n", vertices + "-2 0 1\n"),
+               "t.ply:14: face 0 cannot have -2 vertices");
+}
+
+TEST(ReadPly, Truncated) {
+  const std::string text = ascii(vertex_header + face_header, vertices + faces);
+  expect_error(text.substr(0, text.find("0 0 1\n") + 3),
+               "t.ply:13: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
+  expect_error(text.substr(0, text.find("3 1 2 3") + 5),
+               "t.ply:17: ends after 3 of 4 faces; the file is truncated or its header is wrong");
+  for (const std::endian order : both_orders) {
+    const std::string bytes = as_binary_ply(tetrahedron(), order, false);
+    expect_error(bytes.substr(0, bytes.size() - 1),
+                 "t.ply: ends after 3 of 4 faces; the file is truncated or its header is wrong");
+    expect_error(bytes.substr(0, bytes.find("end_header\n") + 11 + 20),
+                 "t.ply: ends after 1 of 4 vertices; the file is truncated or its header is wrong");
+    expect_error(
+        bytes.substr(0, bytes.find("end_header\n") + 11 + std::size_t{4} * 18 + 5),
+        "t.ply: ends after 0 of 1 items of its element \"camera\"; the file is truncated or its header is wrong");
+  }
+}
+
+TEST(ReadPly, IndexOutOfRange) {
+  expect_error(ascii(vertex_header + face_header, vertices + replaced_once(faces, "0 1 3", "0 1 4")),
+               "t.ply:15: face 1 refers to vertex 4, but the vertices are numbered 0 to 3");
+  for (const std::endian order : both_orders) {
+    Shape shape = tetrahedron();
+    shape.triangles(2, 0) = 4;
+    expect_error(as_binary_ply(shape, order, true),
+                 "t.ply: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
+  }
+}
+
+TEST(ReadPly, CoordinateThatIsNotFinite) {
+  expect_error(ascii(vertex_header + face_header, replaced_once(vertices, "1 0 0", "1 nan 0") + faces),
+               "t.ply:11: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+  for (const std::endian order : both_orders) {
+    Shape shape = tetrahedron();
+    shape.vertices(2, 0) = std::numeric_limits<double>::quiet_NaN();
+    expect_error(as_binary_ply(shape, order, false),
+                 "t.ply: vertex 2 has a coordinate that is not a finite number; repair or remove the file");
+  }
+}
+
+}  // namespace
+
+namespace {
+
+using test_io::tetrahedron;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::ThrowsMessage;
+
+const std::vector<Colour> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
+
+Eigen::VectorXd values() { return Eigen::Vector4d(0.1, -2.5, std::numeric_limits<double>::quiet_NaN(), 1e300); }
+
+double double_at(const std::string& bytes, std::size_t offset) {
+  double value = 0;
+  std::memcpy(&value, bytes.substr(offset, sizeof(value)).data(), sizeof(value));
+  return value;
+}
+
+/// Checks colours and values of the records that begin at `offset`, of `stride` bytes, after `skip` bytes in each.
+void expect_samples(const std::string& bytes, std::size_t offset, std::size_t stride, std::size_t skip) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t record = offset + i * stride + skip;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      EXPECT_EQ(static_cast<std::uint8_t>(bytes.at(record + channel)), colours[i][channel]);
+    }
+    const double value = double_at(bytes, record + 3);
+    const double expected = values()[static_cast<Eigen::Index>(i)];
+    EXPECT_TRUE(value == expected || (std::isnan(value) && std::isnan(expected))) << value;
+  }
+}
+
+TEST(WritePly, ColoursAndValuesAtFaces) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, tetrahedron(), SampleSite::faces, values(), colours);
+  test_io::expect_same(read_shape(path), tetrahedron());
+  const std::string bytes = test_io::bytes_of(path);
+  EXPECT_THAT(bytes,
+              HasSubstr("element face 4\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar "
+                        "green\nproperty uchar blue\nproperty double sdf\nend_header\n"));
+  const std::size_t body = bytes.find("end_header\n") + 11;
+  constexpr std::size_t vertex = 3 * 8;
+  constexpr std::size_t face = 1 + 3 * 4 + 3 + 8;
+  ASSERT_EQ(bytes.size(), body + 4 * (vertex + face));
+  expect_samples(bytes, body + 4 * vertex, face, 13);
+}
+
+TEST(WritePly, ColoursAndValuesAtVertices) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, tetrahedron(), SampleSite::vertices, values(), colours);
+  test_io::expect_same(read_shape(path), tetrahedron());
+  const std::string bytes = test_io::bytes_of(path);
+  const std::size_t body = bytes.find("end_header\n") + 11;
+  constexpr std::size_t vertex = 3 * 8 + 3 + 8;
+  ASSERT_EQ(bytes.size(), body + 4 * (vertex + 13));
+  expect_samples(bytes, body, vertex, 24);
+}
+
+TEST(WritePly, CloudsWithAndWithoutValues) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, test_io::small_cloud(), SampleSite::vertices, values(), colours);
+  test_io::expect_same(read_shape(path), test_io::small_cloud());
+  const std::string bytes = test_io::bytes_of(path);
+  EXPECT_THAT(bytes, Not(HasSubstr("element face")));
+  const std::size_t body = bytes.find("end_header\n") + 11;
+  constexpr std::size_t point = 6 * 8 + 3 + 8;
+  ASSERT_EQ(bytes.size(), body + 4 * point);
+  expect_samples(bytes, body, point, 48);
+  write_ply(path, test_io::small_cloud());
+  test_io::expect_same(read_shape(path), test_io::small_cloud());
+}
+
+TEST(WritePly, MeshWithoutValues) {
+  const test_io::TemporaryFolder folder;
+  const auto path = folder.path() / "t.ply";
+  write_ply(path, tetrahedron());
+  test_io::expect_same(read_shape(path), tetrahedron());
+  EXPECT_THAT(test_io::bytes_of(path), Not(HasSubstr("sdf")));
+}
+
+TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
+  const test_io::TemporaryFolder folder;
+  Shape shape = tetrahedron();
+  shape.triangles.conservativeResize(3, 3);
+  EXPECT_THAT([&] { write_ply(folder.path() / "t.ply", shape, SampleSite::faces, values(), colours); },
+              ThrowsMessage<InputError>(EndsWith("4 values and 4 colours for 3 samples")));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <limits>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/stl.h"
+#include "tests/core/io/encoded_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_io::as_ascii_stl;
+using test_io::as_binary_stl;
+using test_io::expect_same;
+using ::testing::StrEq;
+using ::testing::ThrowsMessage;
+
+/// The tetrahedron with its vertices in the order in which its triangles meet them.
+Shape renumbered_tetrahedron() {
+  Shape shape;
+  shape.vertices.resize(4, 3);
+  shape.vertices << 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1;
+  shape.triangles.resize(4, 3);
+  shape.triangles << 0, 1, 2, 0, 2, 3, 0, 3, 1, 2, 1, 3;
+  return shape;
+}
+
+void expect_error(const std::string& bytes, const std::string& message) {
+  EXPECT_THAT([&] { read_stl(bytes, "t.stl"); }, ThrowsMessage<InputError>(StrEq(message))) << bytes;
+}
+
+std::string replaced_once(std::string text, const std::string& what, const std::string& with) {
+  return text.replace(text.find(what), what.size(), with);
+}
+
+TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test_io::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
+
+TEST(ReadStl, Binary) {
+  expect_same(read_stl(as_binary_stl(test_io::tetrahedron()), "t.stl"), renumbered_tetrahedron());
+}
+
+TEST(ReadStl, BinaryThatBeginsWithSolid) {
+  const std::string bytes = as_binary_stl(test_io::tetrahedron(), "solid by an exporter\nfacet normal");
+  expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
+  expect_same(read_stl(bytes + "data behind", "t.stl"), renumbered_tetrahedron());
+}
+
+TEST(ReadStl, AsciiOnOneLineInCapitalsAndOfTwoSolids) {
+  const std::string facet =
+      "FACET NORMAL nan nan nan OUTER LOOP VERTEX 0 0 0 VERTEX 1 0 0 VERTEX 0 1 0 ENDLOOP ENDFACET ";
+  const Shape shape = read_stl("solid\n" + facet + facet + "ENDSOLID\nsolid b\n" + facet + "endsolid b", "t.stl");
+  EXPECT_EQ(shape.vertices.rows(), 3);
+  EXPECT_EQ(shape.triangles, (Triangles(3, 3) << 0, 1, 2, 0, 1, 2, 0, 1, 2).finished());
+}
+
+TEST(ReadStl, ZeroAndMinusZeroAreOneVertex) {
+  Shape shape = renumbered_tetrahedron();
+  shape.vertices.row(3).setConstant(-0.0);
+  const Shape read = read_stl(as_binary_stl(shape), "t.stl");
+  EXPECT_EQ(read.vertices.rows(), 3);
+  EXPECT_EQ(read.triangles, (Triangles(4, 3) << 0, 1, 2, 0, 2, 0, 0, 0, 1, 2, 1, 0).finished());
+}
+
+TEST(ReadStl, BinaryTruncated) {
+  for (const std::string header : {"binary", "solid"}) {
+    const std::string bytes = as_binary_stl(test_io::tetrahedron(), header);
+    expect_error(bytes.substr(0, bytes.size() - 1),
+                 "t.stl: ends after 3 of 4 facets; the file is truncated or its header is wrong");
+  }
+  expect_error("binary", "t.stl: ends within its header of 84 bytes, or is not an STL file");
+}
+
+TEST(ReadStl, AsciiTruncated) {
+  const std::string text = as_ascii_stl(test_io::tetrahedron());
+  expect_error(text.substr(0, text.find("endsolid")), "t.stl: ends after 4 facets, before \"endsolid\"");
+  expect_error(text.substr(0, text.rfind("endloop")), "t.stl: ends within facet 3");
+  expect_error("solid x\n", "t.stl: ends after 0 facets, before \"endsolid\"");
+}
+
+TEST(ReadStl, AsciiWithSomethingElse) {
+  const std::string text = as_ascii_stl(test_io::tetrahedron());
+  expect_error(replaced_once(text, "facet", "hello"), "t.stl:2: expected \"facet\" or \"endsolid\", found \"hello\"");
+  expect_error(replaced_once(text, "outer", "inner"), "t.stl:3: expected \"outer\" in facet 0, found \"inner\"");
+  expect_error(replaced_once(text, "vertex 0 0 0", "vertex 0 0 x"), "t.stl:4: expected a coordinate, found \"x\"");
+  expect_error(replaced_once(text, "endloop", "vertex"), "t.stl:7: expected \"endloop\" in facet 0, found \"vertex\"");
+}
+
+TEST(ReadStl, CoordinateThatIsNotFinite) {
+  expect_error(replaced_once(as_ascii_stl(test_io::tetrahedron()), "vertex 0 1 0", "vertex 0 inf 0"),
+               "t.stl:5: a coordinate is not a finite number: \"inf\"; repair or remove the file");
+  Shape shape = test_io::tetrahedron();
+  shape.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
+  expect_error(as_binary_stl(shape),
+               "t.stl: facet 1 has a coordinate that is not a finite number; repair or remove the file");
+}
+
+TEST(ReadStl, HeaderAloneCanBeChecked) {
+  EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
+  EXPECT_NO_THROW(check_stl_header(as_binary_stl(test_io::tetrahedron()).substr(0, 84), "t.stl"));
+  EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

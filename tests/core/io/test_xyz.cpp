@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/xyz.h"
+
+namespace shapegauge {
+
+namespace {
+
+using ::testing::StrEq;
+using ::testing::ThrowsMessage;
+
+void expect_error(const std::string& text, const std::string& message) {
+  EXPECT_THAT([&] { read_xyz(text, "c.xyz"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
+}
+
+Points three_points() { return (Points(3, 3) << 0, 0, 0.5, 1, 0, -2, 0, 1e3, 0).finished(); }
+
+Shape expect_three_points(const std::string& text) {
+  Shape shape = read_xyz(text, "c.xyz");
+  EXPECT_EQ(shape.vertices, three_points()) << text;
+  EXPECT_TRUE(is_cloud(shape));
+  return shape;
+}
+
+TEST(ReadXyz, ThreeColumns) { EXPECT_EQ(expect_three_points("0 0 .5\n1 0 -2\n+0 1e3 0\n").normals.rows(), 0); }
+
+TEST(ReadXyz, SeparatorsCommentsAndLineEnds) {
+  for (const char* text : {"0,0,.5\n1,0,-2\n0,1000,0\n", "0, 0, .5\n1, 0, -2\n0, 1000, 0", "0;0;.5\n1;0;-2\n0;1e3;0\n",
+                           "0\t0  .5\r\n\r\n1 0 -2\r\n 0 1e3 0\r\n", "0 0 .5\r1 0 -2\r0 1e3 0\r",
+                           "\xEF\xBB\xBF# by hand\n//x y z\n0 0 .5 // one\n1 0 -2# two\n\n  \n0 1e3 0\n#\n",
+                           "3\n0 0 .5\n1 0 -2\n0 1e3 0\n", " 3 # points\n0 0 .5\n1 0 -2\n0 1e3 0\n"}) {
+    EXPECT_EQ(expect_three_points(text).normals.rows(), 0);
+  }
+}
+
+TEST(ReadXyz, ColumnsFourToSixAreNormalsWhereTheyHaveALengthOfAboutOne) {
+  const Shape shape = expect_three_points("0 0 .5 0 0 1.02\n1 0 -2 0.6 0 0.8\n0 1e3 0 0 0 0\n");
+  EXPECT_TRUE(shape.normals.isApprox((Points(3, 3) << 0, 0, 1, 0.6, 0, 0.8, 0, 0, 0).finished(), 1e-15));
+}
+
+TEST(ReadXyz, FurtherColumnsArePassedOver) {
+  const Shape shape = expect_three_points("0 0 .5 0 0 1 255 x 0\n1 0 -2 0 0 1 0 y nan\n0 1e3 0 1 0 0 0 z 0\n");
+  EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, 0, 1, 1, 0, 0).finished());
+}
+
+TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
+  for (const char* text : {"0 0 .5 255 0 0\n1 0 -2 0 0 255\n0 1e3 0 255 255 0\n",      // 8-bit colours
+                           "0 0 .5 .2 .2 .2\n1 0 -2 1 1 1\n0 1e3 0 .5 .5 .5\n",        // grey levels
+                           "3\n0 0 .5 -12 1 0 0\n1 0 -2 99 1 0 0\n0 1e3 0 7 0 0 1\n",  // intensity and colour
+                           "0 0 .5 0 0 0\n1 0 -2 0 0 0\n0 1e3 0 0 0 0\n",              // nothing but zeros
+                           "0 0 .5 9\n1 0 -2 nan\n0 1e3 0 7\n", "0 0 .5 0 1\n1 0 -2 0 1\n0 1e3 0 1 0\n",
+                           "0 0 .5 a b c\n1 0 -2 d e f\n0 1e3 0 g h i\n"}) {
+    EXPECT_EQ(expect_three_points(text).normals.rows(), 0) << text;
+  }
+}
+
+TEST(ReadXyz, OneVectorInTenMayHaveAnotherLength) {
+  std::string text = "9 9 9 0 3 4\n";
+  for (int i = 0; i < 8; ++i) text += "0 0 0 0 0 1\n";
+  EXPECT_EQ(read_xyz(text, "c.xyz").normals.rows(), 0);
+  const Shape shape = read_xyz(text + "0 0 0 0 0 1\n", "c.xyz");
+  ASSERT_EQ(shape.normals.rows(), 10);
+  EXPECT_TRUE(shape.normals.row(0).isApprox(Eigen::RowVector3d(0, 0.6, 0.8), 1e-15));
+}
+
+TEST(ReadXyz, PwnHasItsNormalsAfterItsPoints) {
+  const Shape shape = expect_three_points("3\n0 0 .5\n1 0 -2\n0 1e3 0\n0 0 1\n0 -5 0\n0 0 0\n");
+  EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
+}
+
+TEST(ReadXyz, OrOnTheSameLines) {
+  const Shape shape = expect_three_points("3\n0 0 .5 0 0 1\n1 0 -2 0 -1 0\n0 1e3 0 0 0 0\n");
+  EXPECT_EQ(shape.normals, (Points(3, 3) << 0, 0, 1, 0, -1, 0, 0, 0, 0).finished());
+}
+
+TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
+  for (const char* size : {"1e-310", "1e-200", "1e200", "1e308"}) {
+    const std::string text = std::string("1\n0 0 0\n") + size + " 0 -" + size + "\n";
+    const Shape shape = read_xyz(text, "c.xyz");
+    ASSERT_EQ(shape.normals.rows(), 1) << text;
+    EXPECT_TRUE(shape.normals.isApprox(Points(Eigen::RowVector3d(1, 0, -1).normalized()), 1e-14)) << text;
+  }
+}
+
+TEST(ReadXyz, UnusableLinesAreNamed) {
+  expect_error("0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three coordinates");
+  expect_error("0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three coordinates");
+  expect_error("x,y,z\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
+  expect_error("0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate, found \"zero\"");
+  for (const std::string word : {"nan", "inf", "-inf", "1e999"}) {
+    expect_error("0 0 0\n0 0 " + word + "\n",
+                 "c.xyz:2: a coordinate is not a finite number: \"" + word + "\"; repair or remove the file");
+  }
+  expect_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: 4 columns, where the first point has 5");
+  for (const std::string normal : {"0 0 nan", "inf 0 0", "0 x 0"}) {
+    expect_error("0 0 0 0 0 1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
+                 "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
+  }
+}
+
+TEST(ReadXyz, DecimalCommasAreToldFromSeparators) {
+  const std::string message = "c.xyz:2: commas and other separators are mixed; write decimal points, not commas";
+  for (const std::string line : {"0,5 1,5 -2,5", "0,5;1,5;-2,5", "0,5\t1\t2"})
+    expect_error("#\n" + line + "\n", message);
+}
+
+TEST(ReadXyz, NumberOfPointsMustBeRight) {
+  expect_error("3\n0 0 0\n1 0 0\n", "c.xyz: ends after 2 of 3 points; the file is truncated or its header is wrong");
+  expect_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: 3 points follow its first line, which says 1");
+  expect_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: 2 points follow its first line, which says 1");
+  expect_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
+  expect_error("1.5\n0 0 0\n",
+               "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
+               "\"1.5\"");
+}
+
+TEST(ReadXyz, NothingUsableIsAnError) {
+  expect_error("# nothing\n\n", "c.xyz: holds nothing but white space and comments");
+  EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // what read_shape() refuses
+}
+
+TEST(ReadXyz, HeaderAloneCanBeChecked) {
+  EXPECT_NO_THROW(check_xyz_header("# x\n 12\n0 0", "c.xyz"));
+  EXPECT_NO_THROW(check_xyz_header("0 0 0\n0 0", "c.xyz"));
+  EXPECT_THROW(check_xyz_header("hello\n", "c.xyz"), InputError);
+  EXPECT_THROW(check_xyz_header("# hello\n", "c.xyz"), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/cone_sdf_engines.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+/// The definition, word by word; sums from the smallest to the largest.
+double defined_mean(std::vector<double> values) {
+  std::ranges::sort(values);
+  const double centre = median(values);
+  std::vector<double> deviations;
+  for (const double value : values) deviations.push_back(std::abs(value - centre));
+  const double limit = 1.5 * median(deviations);
+  double sum = 0;
+  int count = 0;
+  for (const double value : values) {
+    if (std::abs(value - centre) > limit) continue;
+    sum += value;
+    ++count;
+  }
+  return sum / count;
+}
+
+double mean_of(std::vector<double> values) { return mean_without_outliers(values); }
+
+TEST(MeanWithoutOutliers, LeavesOutWhatIsFarFromTheMedian) {
+  EXPECT_EQ(mean_of({4}), 4);
+  EXPECT_EQ(mean_of({1, 3}), 2);
+  EXPECT_EQ(mean_of({5, 2, 2, 2}), 2);
+  EXPECT_EQ(mean_of({1, 9, 3, 2, 100}), 2);       // median 3, deviations 0 1 2 6 97, limit 3
+  EXPECT_EQ(mean_of({10, 2, 3, 5, 90, 4}), 3.5);  // median 4.5, deviations .5 .5 1.5 2.5 5.5 85.5, limit 3
+}
+
+/// Values of a few kinds, so that many are equal, or any at all.
+RC_GTEST_PROP(MeanWithoutOutliers, IsTheDefinition, (bool many_equal)) {
+  const int count = *rc::gen::inRange(1, 200);
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) {
+    values.push_back(*rc::gen::inRange(0, many_equal ? 6 : 1'000'000) / 7.0);
+  }
+  const double expected = defined_mean(values);
+  RC_ASSERT(mean_without_outliers(values) == expected);
+  RC_ASSERT(std::ranges::is_sorted(values));
+}
+
+}  // namespace
+
+namespace {
+
+ConeSdfResult cone_sdf_by(ConeSdfEngine engine, const Shape& shape, bool postprocess = false) {
+  ConeSdfOptions options;
+  options.engine = engine;
+  options.postprocess = postprocess;
+  return cone_sdf(shape, sample_shape(shape, SampleSite::faces), options);
+}
+
+/// Without symmetry to the axes: no ray meets an edge, and no normal is on an axis, where the two engines, which round
+/// normals differently, might begin their spirals at different angles.
+Shape generic(const Shape& shape) { return test_shapes::transformed(shape, 1, test_shapes::rotation(2), {3, -1, 2}); }
+
+void expect_agreement(const Shape& shape) {
+  const ConeSdfResult ours = cone_sdf_by(ConeSdfEngine::embree, shape);
+  const ConeSdfResult reference = cone_sdf_by(ConeSdfEngine::cgal, shape);
+  EXPECT_EQ(ours.missing, reference.missing);
+  const double diagonal = bounding_box_diagonal(shape);
+  for (Eigen::Index f = 0; f < ours.values.size(); ++f) {
+    ASSERT_EQ(std::isnan(ours.values[f]), std::isnan(reference.values[f])) << f;
+    if (std::isnan(ours.values[f])) continue;
+    EXPECT_NEAR(ours.values[f] / diagonal, reference.values[f] / diagonal, 1e-6) << f;
+  }
+}
+
+TEST(ConeSdfCgal, BothEnginesAgree) {
+  expect_agreement(generic(test_shapes::torus(3, 1, 20, 40)));
+  expect_agreement(generic(test_shapes::capsule(0.5, 3, 20, 5)));
+  expect_agreement(generic(test_shapes::joined({test_shapes::sphere(1, 2), test_shapes::sphere(0.3, 1)})));
+}
+
+TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
+  const char* const data = std::getenv("SHAPEGAUGE_DATA");
+  if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA names no folder with real meshes";
+  for (const char* const name : {"T0.off", "T350.off", "T550.off"}) {
+    expect_agreement(read_shape(std::filesystem::path(data) / "shrec11_nonrigid" / name));
+  }
+}
+
+TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
+  const Shape torus = generic(test_shapes::flipped(test_shapes::torus(3, 1, 20, 40)));
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus);
+  EXPECT_GT(result.missing, 0U);
+  EXPECT_LT(result.missing, static_cast<std::size_t>(result.values.size()));
+  expect_agreement(torus);
+}
+
+TEST(ConeSdfCgal, PostprocessingScalesToTheUnitInterval) {
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, generic(test_shapes::capsule(0.5, 3, 20, 5)), true);
+  EXPECT_EQ(result.missing, 0U);
+  EXPECT_EQ(result.values.minCoeff(), 0);
+  EXPECT_EQ(result.values.maxCoeff(), 1);
+}
+
+TEST(ConeSdfCgal, PostprocessingFillsWhatIsMissing) {
+  const Shape torus = generic(test_shapes::flipped(test_shapes::torus(3, 1, 20, 40)));
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus, true);
+  EXPECT_EQ(result.missing, 0U);
+  EXPECT_EQ(result.values.minCoeff(), 0);
+  EXPECT_EQ(result.values.maxCoeff(), 1);
+}
+
+TEST(ConeSdfCgal, PostprocessingWithoutAnyValueLeavesAllMissing) {
+  const Shape box = test_shapes::flipped(test_shapes::box({1, 2, 3}, 2));
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, box, true);
+  EXPECT_EQ(result.missing, static_cast<std::size_t>(box.triangles.rows()));
+}
+
+TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
+  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  EXPECT_NO_THROW(cone_sdf_by(ConeSdfEngine::cgal, box));
+  Shape one_turned = box;
+  one_turned.triangles.row(5).reverseInPlace();
+  Shape tripled = box;
+  tripled.triangles.conservativeResize(box.triangles.rows() + 1, 3);
+  tripled.triangles.bottomRows<1>() << 0, 1, 7;
+  Shape degenerate = box;
+  degenerate.triangles.conservativeResize(box.triangles.rows() + 1, 3);
+  degenerate.triangles.bottomRows<1>() << 0, 0, 1;
+  for (const Shape& shape : {one_turned, tripled, degenerate}) {
+    try {
+      cone_sdf_by(ConeSdfEngine::cgal, shape);
+      ADD_FAILURE() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("embree engine"), std::string::npos) << error.what();
+    }
+    EXPECT_NO_THROW(cone_sdf_by(ConeSdfEngine::embree, shape));
+  }
+}
+
+TEST(ConeSdfCgal, AnswersAtFacesOnly) {
+  const Shape sphere = test_shapes::sphere(1, 1);
+  ConeSdfOptions options;
+  options.engine = ConeSdfEngine::cgal;
+  EXPECT_THROW(cone_sdf(sphere, sample_shape(sphere, SampleSite::vertices), options), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

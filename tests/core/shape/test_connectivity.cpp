@@ -1,0 +1,137 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/shape/connectivity.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
+  constexpr int keys = 12;
+  const auto drawn = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, keys));
+  std::vector<std::pair<int, std::size_t>> values;
+  for (std::size_t i = 0; i < drawn.size(); ++i) values.emplace_back(drawn[i], i);
+  const auto counted = counted_by_key(values, keys, [](const auto& value) { return value.first; });
+  std::ranges::sort(values);  // by key, then by place
+  RC_ASSERT(counted.values == values);
+  RC_ASSERT(counted.first.size() == keys + 1U);
+  RC_ASSERT(counted.first.back() == values.size());
+  for (std::size_t key = 0; key < keys; ++key) {
+    for (std::size_t i = counted.first[key]; i < counted.first[key + 1]; ++i) {
+      RC_ASSERT(counted.values[i].first == static_cast<int>(key));
+    }
+  }
+}
+
+}  // namespace
+
+namespace {
+
+TEST(DisjointSets, AreNamedByTheirLeastNumber) {
+  DisjointSets sets;
+  sets.grow_to(6);
+  for (std::int32_t i = 0; i < 6; ++i) EXPECT_EQ(sets.find(i), i);
+  sets.join(5, 3);
+  sets.join(3, 4);
+  sets.join(2, 2);
+  EXPECT_EQ(sets.find(5), 3);
+  EXPECT_EQ(sets.find(4), 3);
+  EXPECT_EQ(sets.find(2), 2);
+  sets.join(0, 4);
+  EXPECT_EQ(sets.find(5), 0);
+  EXPECT_EQ(sets.find(1), 1);
+}
+
+TEST(DisjointSets, GrowWithoutForgetting) {
+  DisjointSets sets;
+  sets.grow_to(2);
+  sets.join(0, 1);
+  sets.grow_to(4);
+  EXPECT_EQ(sets.size(), 4U);
+  EXPECT_EQ(sets.find(1), 0);
+  EXPECT_EQ(sets.find(3), 3);
+}
+
+}  // namespace
+
+namespace {
+
+TEST(MergedByPlace, NamesTheFirstVertexAtEachPlace) {
+  const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
+  EXPECT_EQ(merged_by_place(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
+  EXPECT_TRUE(merged_by_place(Points(0, 3)).empty());
+}
+
+}  // namespace
+
+namespace {
+
+TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
+  const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
+  const std::vector<std::int32_t> merged{0, 1, 2, 3};
+  const std::vector<EdgeUse> uses = edge_uses(triangles, merged);
+  ASSERT_EQ(uses.size(), 6U) << "the last triangle has corners at two places";
+  std::vector<std::size_t> sizes;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    sizes.push_back(edge.size());
+    if (edge.size() < 2) return;
+    EXPECT_EQ(edge[0].low, 1);
+    EXPECT_EQ(edge[0].high, 2);
+    EXPECT_EQ(edge[0].triangle, 0);
+    EXPECT_EQ(edge[0].corner, 1);
+    EXPECT_TRUE(edge[0].forward);
+    EXPECT_EQ(edge[1].triangle, 1);
+    EXPECT_EQ(edge[1].corner, 0);
+    EXPECT_FALSE(edge[1].forward);
+  });
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
+}
+
+TEST(EdgeUses, NamesVerticesByTheirPlace) {
+  const std::vector<EdgeUse> uses =
+      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
+  std::size_t edges = 0;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    ++edges;
+    EXPECT_EQ(edge.size(), 2U);
+  });
+  EXPECT_EQ(edges, 3U);
+}
+
+}  // namespace
+
+namespace {
+
+TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
+  const Shape sphere = test_shapes::sphere(1, 2);
+  EXPECT_TRUE(is_watertight(sphere));
+  EXPECT_TRUE(is_watertight(test_shapes::flipped(sphere)));
+  EXPECT_TRUE(is_watertight(test_shapes::joined({sphere, test_shapes::torus(3, 1, 12, 8)})));
+}
+
+TEST(Closedness, EndsWithOneTriangle) {
+  Shape sphere = test_shapes::sphere(1, 2);
+  sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
+  EXPECT_FALSE(is_watertight(sphere));
+  EXPECT_FALSE(is_watertight(Shape{}));
+}
+
+TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) {
+  EXPECT_TRUE(is_watertight(test_shapes::soup(test_shapes::sphere(1, 1))));
+}
+
+TEST(Closedness, LeavesOutTrianglesWithoutArea) {
+  Shape sphere = test_shapes::sphere(1, 1);
+  sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
+  sphere.triangles.bottomRows(1) << 0, 0, 1;
+  EXPECT_TRUE(is_watertight(sphere));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,251 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "tests/core/random_points.h"
+#include "tests/core/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+TEST(PointNeighbours, AreThoseThatAllDistancesGive) {
+  RandomNumbers random(5);
+  Points points(200, 3);
+  for (Eigen::Index i = 0; i < points.size(); ++i) points.data()[i] = random.uniform(-1, 1);
+  constexpr Eigen::Index k = 7;
+  const PointNeighbours found = nearest_neighbours(points, k);
+  ASSERT_EQ(found.indices.rows(), 200);
+  ASSERT_EQ(found.indices.cols(), k);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    std::vector<std::pair<double, std::int32_t>> all;
+    for (Eigen::Index j = 0; j < points.rows(); ++j) {
+      if (j != i) all.emplace_back((points.row(j) - points.row(i)).norm(), static_cast<std::int32_t>(j));
+    }
+    std::ranges::sort(all);
+    for (Eigen::Index m = 0; m < k; ++m) {
+      EXPECT_EQ(found.indices(i, m), all[static_cast<std::size_t>(m)].second);
+      EXPECT_DOUBLE_EQ(found.distances(i, m), all[static_cast<std::size_t>(m)].first);
+    }
+  }
+}
+
+TEST(PointNeighbours, PointsAtTheSamePlaceAreNeighbours) {
+  Points points = Points::Zero(100, 3);
+  points.row(99) << 3, 4, 0;
+  const PointNeighbours found = nearest_neighbours(points, 4);
+  for (Eigen::Index i = 0; i < 100; ++i) {
+    EXPECT_EQ(found.distances.row(i), Eigen::RowVector4d::Constant(i == 99 ? 5 : 0));
+    for (const std::int32_t j : found.indices.row(i)) EXPECT_NE(j, i);
+  }
+}
+
+TEST(PointNeighbours, NoMoreThanThereAre) {
+  Points points(3, 3);
+  points << 0, 0, 0, 1, 0, 0, 5, 0, 0;
+  const PointNeighbours found = nearest_neighbours(points, 8);
+  EXPECT_EQ(found.indices.cols(), 2);
+  EXPECT_EQ(found.distances, (Eigen::Matrix<double, 3, 2>() << 1, 5, 1, 4, 4, 5).finished());
+  EXPECT_EQ(nearest_neighbours(points.topRows(1), 8).indices.cols(), 0);
+  EXPECT_EQ(nearest_neighbours(Points(0, 3), 8).indices.rows(), 0);
+}
+
+}  // namespace
+
+namespace {
+
+Points random_points_of_sphere() { return test_shapes::random_points(test_shapes::sphere(1, 5), 5000, 1).vertices; }
+
+TEST(PointNormals, OfAPlaneAreItsNormalAtAnyScale) {
+  const Eigen::Matrix3d turn = test_shapes::rotation(4);
+  for (const double scale : {1e-30, 1.0, 1e30}) {
+    Points points = Points::Random(500, 3);
+    points.col(2).setZero();
+    points = (scale * points * turn.transpose()).eval();
+    const Points normals = unsigned_point_normals(points);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      EXPECT_NEAR(std::abs(normals.row(i).dot(turn.col(2))), 1, 1e-6) << i;
+      EXPECT_NEAR(normals.row(i).norm(), 1, 1e-12);
+    }
+  }
+}
+
+TEST(PointNormals, OfASphereAreRadial) {
+  const Points points = random_points_of_sphere();
+  const Points normals = unsigned_point_normals(points);
+  double sum = 0;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const double cosine = std::abs(normals.row(i).dot(points.row(i).normalized()));
+    EXPECT_GT(cosine, std::cos(0.5)) << i;
+    sum += cosine;
+  }
+  EXPECT_GT(sum / static_cast<double>(points.rows()), std::cos(0.05));  // 3 degrees; the neighbours are within 0.1
+}
+
+TEST(PointNormals, OfPointsAtOnePlaceAreZero) {
+  EXPECT_TRUE(unsigned_point_normals(Points::Constant(20, 3, 5)).isZero(0));
+  EXPECT_TRUE(unsigned_point_normals(Points::Zero(1, 3)).isZero(0));
+  // Thirteen at one place amid others: none of the twelve nearest is elsewhere.
+  Points points = random_points_of_sphere();
+  points.topRows(13).rowwise() = points.row(0).eval();
+  const Points normals = unsigned_point_normals(points);
+  EXPECT_TRUE(normals.topRows(13).isZero(0));
+  for (Eigen::Index i = 13; i < points.rows(); ++i) EXPECT_NEAR(normals.row(i).norm(), 1, 1e-12);
+}
+
+}  // namespace
+
+namespace {
+
+using test_shapes::random_points;
+
+/// Relative error of the weights' sum as an estimate of the mesh's area.
+double bias(const Shape& mesh, Eigen::Index points) {
+  return point_weights(random_points(mesh, points, 1).vertices).sum() / surface_area(mesh) - 1;
+}
+
+/// Points far apart, so that each has a weight of its own.
+Points scattered(unsigned seed, Eigen::Index count) {
+  return random_points(test_shapes::torus(2, 0.5, 30, 60), count, seed).vertices;
+}
+
+TEST(PointWeights, SumToTheAreaOfTheSurface) {
+  // The relative standard deviation of a weight is about 1/sqrt(8), that of the sum of 10,000, which overlap, 1 %.
+  EXPECT_NEAR(bias(test_shapes::sphere(3, 5), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test_shapes::torus(2, 0.4, 40, 120), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test_shapes::capsule(0.3, 5, 40, 10), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test_shapes::box({1, 2, 3}, 1), 10'000), 0, 0.03);
+}
+
+TEST(PointWeights, FollowTheDensity) {
+  // As many points on the small sphere as on the large one.
+  Shape small = random_points(test_shapes::sphere(1, 4), 4000, 1);
+  small.vertices.col(0).array() += 20;
+  const Shape large = random_points(test_shapes::sphere(10, 4), 4000, 2);
+  Points both(8000, 3);
+  both << small.vertices, large.vertices;
+  const Eigen::VectorXd weights = point_weights(both);
+  EXPECT_NEAR(weights.head(4000).sum() / (4 * std::numbers::pi), 1, 0.04);
+  EXPECT_NEAR(weights.tail(4000).sum() / (400 * std::numbers::pi), 1, 0.04);
+}
+
+TEST(PointWeights, OfAGridAreAboutATenthTooLarge) {
+  // The disc to the k-th neighbour holds k + 1/2 points of a grid on the average, instead of k.
+  const Shape mesh = test_shapes::sphere(1, 5);
+  const double ratio = point_weights(mesh.vertices).sum() / surface_area(mesh);
+  EXPECT_GT(ratio, 1);
+  EXPECT_LT(ratio, 1.13);
+}
+
+RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
+  Points points = scattered(seed, 60);
+  points.bottomRows(5) = points.topRows(5);  // at the same places
+  const Shape cloud{points, {}, {}};
+  const test_shapes::Permuted permuted = test_shapes::permuted(cloud, seed);
+  const Eigen::VectorXd before = point_weights(points);
+  const Eigen::VectorXd after = point_weights(permuted.shape.vertices);
+  for (std::size_t i = 0; i < permuted.vertices.size(); ++i) {
+    RC_ASSERT(after[static_cast<Eigen::Index>(i)] == before[permuted.vertices[i]]);
+  }
+}
+
+RC_GTEST_PROP(PointWeights, FollowScaleAndMotion, (unsigned seed)) {
+  const Shape cloud{scattered(seed, 60), {}, {}};
+  const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
+  const Shape moved =
+      test_shapes::transformed(cloud, scale, test_shapes::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
+  const Eigen::VectorXd before = point_weights(cloud.vertices);
+  RC_ASSERT(before.minCoeff() > 0);
+  RC_ASSERT((point_weights(moved.vertices) / scale / scale).isApprox(before, 1e-9));
+}
+
+TEST(PointWeights, DuplicatesShareTheWeightOfOnePoint) {
+  const Points single = scattered(1, 300);
+  Points all(300 + 20 + 1, 3);
+  all << single, single.row(7).replicate(20, 1), single.row(9);
+  const Eigen::VectorXd expected = point_weights(single);
+  const Eigen::VectorXd weights = point_weights(all);
+  EXPECT_NEAR(weights.sum(), expected.sum(), 1e-12 * expected.sum());
+  EXPECT_DOUBLE_EQ(weights[7], expected[7] / 21);
+  EXPECT_DOUBLE_EQ(weights[310], expected[7] / 21);
+  EXPECT_DOUBLE_EQ(weights[320], expected[9] / 2);
+  EXPECT_DOUBLE_EQ(weights[8], expected[8]);
+}
+
+TEST(PointWeights, AnOutlierWeighsNoMoreThanAFewPoints) {
+  const Points cluster = scattered(1, 2000);
+  const Eigen::VectorXd alone = point_weights(cluster);
+  for (const double distance : {10.0, 1e3, 1e9}) {
+    Points points(2002, 3);
+    points << cluster, distance, 0, 0, -distance, distance, 0;
+    const Eigen::VectorXd weights = point_weights(points);
+    // Nothing but 4 times the median of its neighbours' weights, of which none is above 4 times the mean.
+    EXPECT_LT(weights.tail(2).maxCoeff(), 16 * alone.mean()) << distance;
+    EXPECT_GT(weights.tail(2).minCoeff(), 0);
+    if (distance < 1e6) {
+      EXPECT_TRUE(weights.head(2000).isApprox(alone, 1e-6)) << distance;
+    }
+  }
+}
+
+TEST(PointWeights, CapTouchesAlmostNoneOfASurfacesPoints) {
+  const Points points = scattered(1, 5000);
+  const Eigen::VectorXd weights = point_weights(points);
+  // Without the cap, a weight is distributed much as Gamma(8)/8 in units of the mean: above 3.5 once in 100,000 points.
+  EXPECT_LT(weights.maxCoeff() / weights.mean(), 4);
+  EXPECT_GT(weights.maxCoeff() / weights.mean(), 2);
+}
+
+TEST(PointWeights, OfFewPoints) {
+  EXPECT_EQ(point_weights(Points(0, 3)).size(), 0);
+  EXPECT_EQ(point_weights(Points::Ones(1, 3)), Eigen::VectorXd::Zero(1));
+  EXPECT_EQ(point_weights(Points::Ones(50, 3)), Eigen::VectorXd::Zero(50));
+  Points two(2, 3);
+  two << 0, 0, 0, 2, 0, 0;
+  EXPECT_TRUE(point_weights(two).isApprox(Eigen::Vector2d::Constant(4 * std::numbers::pi), 1e-14));
+}
+
+TEST(PointWeights, OnALineAndInAPlane) {
+  Points line = Points::Zero(100, 3);
+  line.col(1).setLinSpaced(100, 0, 99);
+  // Away from the ends the neighbours 5 to 12 are 3, 3, 4, 4, 5, 5, 6 and 6 away.
+  const double mean = (9. / 5 + 9. / 6 + 16. / 7 + 16. / 8 + 25. / 9 + 25. / 10 + 36. / 11 + 36. / 12) / 8;
+  EXPECT_NEAR(point_weights(line)[50], std::numbers::pi * mean, 1e-11);
+  Points plane = scattered(1, 100);
+  plane.col(2).setConstant(7);
+  EXPECT_GT(point_weights(plane).minCoeff(), 0);
+}
+
+TEST(PointWeights, TheSameBytesOnAnyNumberOfThreads) {
+  const Points points = scattered(1, 2000);
+  const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 4);
+  const auto on = [&](int threads) { return tbb::task_arena(threads).execute([&] { return point_weights(points); }); };
+  EXPECT_EQ(on(1), on(3));
+}
+
+TEST(PointWeights, RefuseWhatIsNotFinite) {
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Points points = scattered(1, 20);
+    points(3, 1) = bad;
+    EXPECT_THROW(point_weights(points), InputError);
+  }
+  Points too_large = scattered(1, 20);
+  too_large(0, 0) = -1.7e308;
+  too_large(1, 0) = 1.7e308;
+  EXPECT_THROW(point_weights(too_large), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,111 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "tests/experiments/input_error.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+Json document() {
+  return Json::parse(R"({
+    "name": "x",
+    "shapes": [
+      {"name": "clean", "file": "a.off"},
+      {"name": "noisy", "file": "/b.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]},
+      {"name": "horse", "generate": {"class": "horse"}}
+    ],
+    "reference": "clean",
+    "signatures": [{"name": "s", "field": {"type": "offset_sdf", "offset": 0.03}, "histogram": {"range": "per-shape"}}]
+  })");
+}
+
+std::string message_with(const std::string& pointer, const Json& value) {
+  Json changed = document();
+  changed[Json::json_pointer(pointer)] = value;
+  return input_error_of([&] { comparison_from_json(changed, "x.json", "/configs"); });
+}
+
+TEST(ReadComparison, FillsInDefaults) {
+  const Comparison comparison = comparison_from_json(document(), "x.json", "/configs");
+  ASSERT_EQ(comparison.shapes.size(), 3U);
+  EXPECT_EQ(comparison.shapes[0].file, "/configs/a.off");
+  EXPECT_EQ(comparison.shapes[1].file, "/b.off");
+  EXPECT_EQ(comparison.shapes[1].perturbations.size(), 1U);
+  EXPECT_EQ(comparison.shapes[2].generated->faces, 4000);
+  EXPECT_EQ(comparison.reference, 0U);
+  EXPECT_TRUE(comparison.registered);
+  EXPECT_EQ(comparison.seed, 1U);
+  EXPECT_EQ(comparison.on_error, OnError::stop);
+}
+
+TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
+  Json full = document();
+  full["registered"] = false;
+  full["description"] = "why";
+  full["preparation"]["scale"] = "tube_area";
+  full["on_error"] = "skip";
+  const Json filled = to_json(comparison_from_json(full, "x.json", "/configs"));
+  EXPECT_EQ(to_json(comparison_from_json(filled, "again.json", "/elsewhere")), filled);
+  EXPECT_EQ(filled["preparation"]["scale"], "tube_area");
+  EXPECT_EQ(filled["registered"], false);
+}
+
+TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
+  EXPECT_THAT(message_with("/reference", "claen"),
+              HasSubstr("reference: there is no shape \"claen\"; did you mean \"clean\"?"));
+  EXPECT_THAT(message_with("/shapes/1/name", "clean"),
+              HasSubstr("shapes.1.name: \"clean\" is the name of shapes.0 already"));
+  EXPECT_THAT(message_with("/shapes/2/generate/class", "hose"),
+              HasSubstr("shapes.2.generate.class: there is no class \"hose\"; did you mean \"horse\"?"));
+  EXPECT_THAT(message_with("/shapes/2/file", "c.off"), HasSubstr("shapes.2.file: does not go with \"generate\""));
+  EXPECT_THAT(message_with("/shapes/0/fiel", "c.off"),
+              HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));
+  EXPECT_THAT(message_with("/shapes/0", {{"name", "none"}}), HasSubstr("shapes.0: the key \"file\" is missing"));
+  EXPECT_THAT(message_with("/regstered", true), HasSubstr("unknown key \"regstered\"; did you mean \"registered\"?"));
+  EXPECT_THAT(message_with("/dataset", Json::object()), HasSubstr("unknown key \"dataset\""));
+  EXPECT_THAT(message_with("/signatures/0/concatenate", {"s"}), HasSubstr("signatures.0: unknown key \"concatenate\""));
+  EXPECT_THAT(message_with("/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off"),
+              HasSubstr("shapes.0.file: the environment variable SHAPEGAUGE_NOT_SET is not set"));
+  Json without = document();
+  without.erase("reference");
+  without["registered"] = true;
+  EXPECT_THAT(input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
+              HasSubstr("registered: needs a \"reference\""));
+}
+
+TEST(ReadComparison, TheKindsOfExperimentsAreNotMistakenForEachOther) {
+  EXPECT_TRUE(is_comparison(document()));
+  EXPECT_THAT(input_error_of([] { configuration_from_json(document(), "x.json", ""); }),
+              HasSubstr("it is not a retrieval experiment"));
+  Json retrieval = document();
+  retrieval.erase("shapes");
+  retrieval.erase("reference");
+  retrieval["dataset"] = {{"layout", "shrec11"}, {"root", "data"}};
+  EXPECT_FALSE(is_comparison(retrieval));
+  EXPECT_THAT(input_error_of([&] { comparison_from_json(retrieval, "x.json", ""); }),
+              HasSubstr("it is a retrieval experiment"));
+}
+
+TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
+  setenv("SHAPEGAUGE_DATA", "/data", 0);
+  setenv("SHREC11_ROOT", "/data/shrec11", 0);
+  int comparisons = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
+    if (entry.path().filename() == "experiment.schema.json") continue;
+    const Json read = read_configuration_document(entry.path());
+    if (!is_comparison(read)) continue;
+    ++comparisons;
+    EXPECT_EQ(input_error_of([&] { comparison_from_json(read, entry.path().string(), "/"); }), "no error");
+  }
+  EXPECT_GE(comparisons, 8);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,97 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/datasets/labels.h"
+#include "tests/core/io/temporary_folder.h"
+#include "tests/experiments/input_error.h"
+#include "tests/experiments/text_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_experiments::write_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ModelLabelsTest : public testing::Test {
+ protected:
+  std::filesystem::path file(const std::string& name, const std::string& text) {
+    write_text(folder_.path() / name, text);
+    return folder_.path() / name;
+  }
+  std::string error_of(const std::string& text, std::size_t level = 0) {
+    return input_error_of([&] { read_labels(file("labels.csv", text), level); });
+  }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+
+ private:
+  test_io::TemporaryFolder folder_;
+};
+
+const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";
+
+TEST_F(ModelLabelsTest, OfAClassificationAreOfItsClasses) {
+  const ModelLabels labels = read_labels(file("a.cla", hierarchy));
+  EXPECT_THAT(labels.classification.classes[2].models, ElementsAre("1", "2"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "2", "3"));
+  EXPECT_FALSE(labels.separate_sets);
+}
+
+TEST_F(ModelLabelsTest, ALevelTakesTheAncestorsOfThatGeneration) {
+  const auto path = file("a.cla", hierarchy);
+  const auto names = [&](std::size_t level) {
+    std::vector<std::string> found;
+    for (const ModelClass& known : read_labels(path, level).classification.classes) found.push_back(known.name);
+    return found;
+  };
+  EXPECT_THAT(names(1), ElementsAre("animal", "lamp"));
+  EXPECT_THAT(names(2), ElementsAre("biped", "lamp"));
+  EXPECT_THAT(names(3), ElementsAre("human", "lamp"));
+  EXPECT_THAT(names(9), ElementsAre("human", "lamp"));
+}
+
+TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
+  const ModelLabels labels =
+      read_labels(file("a.csv", "class,id,split\nant,1,query\nant,2,target\nbee,3,both\nbee,4,\nbee,5,train\n"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "3", "4"));
+  EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4", "5"));
+  EXPECT_TRUE(labels.separate_sets);
+  EXPECT_FALSE(read_labels(file("b.csv", "id,class\n1,ant\n2,ant\n")).separate_sets);
+}
+
+TEST_F(ModelLabelsTest, OfFoldersAreTheirNames) {
+  file("models/ant/T1.off", "OFF\n");
+  file("models/bee/T2.off", "OFF\n");
+  const ModelLabels labels = read_labels(folder() / "models");
+  EXPECT_EQ(labels.classification.classes[1].name, "bee");
+  EXPECT_THAT(labels.queries, ElementsAre("ant/T1", "bee/T2"));
+}
+
+TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
+  const auto queries = file("q.cla", "PSB 1\n2 2\nant 0 1\n1\nbee 0 1\n2\n");
+  const ModelLabels labels =
+      read_query_and_target_labels(queries, file("t.cla", "PSB 1\n2 3\nbee 0 2\n2 3\ncow 0 1\n4\n"));
+  ASSERT_EQ(labels.classification.classes.size(), 3U);
+  EXPECT_THAT(labels.classification.classes[1].models, ElementsAre("2", "3"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "2"));
+  EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4"));
+  const auto other = file("u.cla", "PSB 1\n1 1\nant 0 1\n2\n");
+  EXPECT_THAT(input_error_of([&] { read_query_and_target_labels(queries, other); }),
+              HasSubstr("model \"2\" is of class \"ant\" here and of \"bee\""));
+}
+
+TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
+  EXPECT_THAT(error_of("id,name\n1,a\n"), HasSubstr("must name the columns id and class"));
+  EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: the model \"T1.off\" occurs twice"));
+  EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells where the first row has 2"));
+  EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
+  EXPECT_THAT(error_of("id,class\n1,\n"), HasSubstr("labels.csv:2: the class is empty"));
+  EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));
+  EXPECT_THAT(error_of("id,class\n"), HasSubstr("there are no models"));
+  EXPECT_THAT(error_of("id,class\n1,a\n", 2), HasSubstr("no class has a parent, so there is no level 2"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

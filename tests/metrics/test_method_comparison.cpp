@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <tbb/global_control.h>
+
+#include "shapegauge/metrics/method_comparison.h"
+#include "tests/metrics/simulated_methods.h"
+
+namespace shapegauge {
+
+namespace {
+
+// The third method is the first with 0.05 more on every query.
+struct Example {
+  Example() {
+    const SimulatedMethods two = simulated_methods(30, 5, 8);
+    classes = two.classes;
+    per_query.resize(two.per_query.rows(), 3);
+    per_query << two.per_query, two.per_query.col(0).array() + 0.05;
+  }
+  Eigen::MatrixXd per_query;
+  std::vector<int> classes;
+};
+
+TEST(MethodComparison, AllPairs) {
+  const Example data;
+  const MethodComparison result = compare_methods(data.per_query, data.classes);
+  EXPECT_EQ(result.units, 30);
+  ASSERT_EQ(result.pairs.size(), 3U);
+  const PairDifference& constant = result.pairs[1];
+  EXPECT_EQ(constant.first, 0U);
+  EXPECT_EQ(constant.second, 2U);
+  EXPECT_NEAR(constant.difference, -0.05, 1e-12);
+  EXPECT_NEAR(constant.interval.low, -0.05, 1e-12);
+  EXPECT_NEAR(constant.interval.high, -0.05, 1e-12);
+  EXPECT_EQ(constant.p, 1.0 / 10001);
+  EXPECT_EQ(constant.p_holm, 3.0 / 10001);
+  EXPECT_EQ(constant.queries.losses, 150);
+  EXPECT_LT(constant.effect_size, -1e6);
+  EXPECT_GE(constant.p_tukey, constant.p);
+  EXPECT_NEAR(result.averages[2] - result.averages[0], 0.05, 1e-12);
+}
+
+TEST(MethodComparison, TheReferenceWithEachOther) {
+  const Example data;
+  const MethodComparison result = compare_methods(data.per_query, data.classes, {.reference = 1});
+  ASSERT_EQ(result.pairs.size(), 2U);
+  EXPECT_EQ(result.pairs[0].first, 1U);
+  EXPECT_EQ(result.pairs[0].second, 0U);
+  EXPECT_EQ(result.pairs[1].second, 2U);
+}
+
+TEST(MethodComparison, TheTestsAgreeOnWhatIsPlain) {
+  const Example data;
+  for (const std::string& name : pair_test_names()) {
+    const PairTest test = pair_test_of(name).value();
+    EXPECT_EQ(name_of(test), name);
+    const MethodComparison result = compare_methods(data.per_query, data.classes, {.test = test});
+    EXPECT_LT(result.pairs[1].p, 0.001) << name;
+    EXPECT_GT(result.pairs[0].p, 0.01) << name;
+  }
+}
+
+TEST(MethodComparison, EqualMethodsAreTied) {
+  Example data;
+  data.per_query.col(2) = data.per_query.col(0);
+  for (const std::string& name : pair_test_names()) {
+    const PairDifference pair =
+        compare_methods(data.per_query, data.classes, {.test = pair_test_of(name).value()}).pairs[1];
+    EXPECT_EQ(pair.p, 1) << name;
+    EXPECT_EQ(pair.p_tukey, 1);
+    EXPECT_EQ(pair.effect_size, 0);
+    EXPECT_EQ(pair.queries.ties, 150);
+  }
+}
+
+TEST(MethodComparison, RefusesWhatCannotBeCompared) {
+  const Example data;
+  EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), std::invalid_argument);
+  EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4)), std::invalid_argument);
+  EXPECT_THROW(compare_methods(data.per_query, data.classes, {.reference = 3}), std::invalid_argument);
+  Eigen::MatrixXd infinite = data.per_query;
+  infinite(3, 1) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(compare_methods(infinite, data.classes), std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,101 @@
+#include <cmath>
+#include <gmock/gmock.h>
+#include <iterator>
+#include <rapidcheck/gtest.h>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/retrieval_failures.h"
+#include "tests/metrics/random_cases.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Distances between numbers on a line.
+Matrix on_a_line(const std::vector<double>& places) {
+  const auto count = static_cast<Eigen::Index>(places.size());
+  const Eigen::VectorXd column = Eigen::Map<const Eigen::VectorXd>(places.data(), count);
+  return (column.replicate(1, count) - column.transpose().replicate(count, 1)).cwiseAbs();
+}
+
+TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
+  // The design's toy. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5 -> 4, 7 -> 9,
+  // 9 -> 7.
+  const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
+  const std::vector<Eigen::Index> queries = {0, 1, 2, 3, 4, 5, 6};
+  const Eigen::MatrixXi expected{{2, 1}, {2, 2}};
+  EXPECT_EQ(confusion_matrix(on_a_line({0, 1, 4, 2, 3.5, 7, 9}), labels, queries, 2), expected);
+}
+
+TEST(ConfusionMatrix, OnlyQueriesCountAndEveryModelAnswers) {
+  const std::vector<int> labels = {2, 0, 2};
+  const std::vector<Eigen::Index> queries = {0, 2};
+  const Eigen::MatrixXi expected{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
+  EXPECT_EQ(confusion_matrix(on_a_line({0, 1, 2}), labels, queries, 3), expected);
+}
+
+RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, ()) {
+  const EvaluationCase random = *cases_with_ties();
+  const std::set<int> names(random.labels.begin(), random.labels.end());
+  std::vector<int> labels;
+  for (const int name : random.labels) {
+    labels.push_back(static_cast<int>(std::distance(names.begin(), names.find(name))));
+  }
+  const Evaluation evaluation =
+      evaluate(random.distances, labels, {.protocol = random.protocol, .measures = {measure_of("NN")}});
+  const Eigen::MatrixXi confusion =
+      confusion_matrix(random.distances, labels, evaluation.queries, static_cast<int>(names.size()));
+  RC_ASSERT(confusion.sum() == static_cast<int>(evaluation.queries.size()));
+  for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
+    const int label = evaluation.classes[i];
+    const double right = evaluation.per_class(static_cast<Eigen::Index>(i), 0) * confusion.row(label).sum();
+    RC_ASSERT(std::abs(right - confusion(label, label)) < 1e-9);
+  }
+}
+
+TEST(ConfusionMatrix, RefusesWhatDoesNotFit) {
+  const std::vector<int> labels = {0, 1, 0};
+  const std::vector<Eigen::Index> queries = {0};
+  const Matrix distances = on_a_line({0, 1, 2});
+  EXPECT_THROW(confusion_matrix(distances, labels, queries, 1), std::invalid_argument) << "label 1 of 1 class";
+  EXPECT_THROW(confusion_matrix(distances, labels, std::vector<Eigen::Index>{3}, 2), std::invalid_argument);
+  EXPECT_THROW(confusion_matrix(on_a_line({0, 1}), labels, queries, 2), std::invalid_argument);
+  EXPECT_THROW(confusion_matrix(on_a_line({0}), std::vector<int>{0}, queries, 1), std::invalid_argument);
+}
+
+}  // namespace
+
+namespace {
+
+using testing::ElementsAre;
+
+Evaluation evaluation() {
+  Evaluation evaluation;
+  evaluation.measures = {"NN", "FT"};
+  evaluation.queries = {3, 5, 7, 9};
+  evaluation.per_query = Eigen::MatrixXd{{1, 0.5}, {0, 0.25}, {1, 0.5}, {0, 0.75}};
+  return evaluation;
+}
+
+TEST(WorstQueries, LowestFirstAndEqualsInTheirOrder) {
+  EXPECT_THAT(worst_queries(evaluation(), "FT", 3), ElementsAre(1, 0, 2));
+  EXPECT_THAT(worst_queries(evaluation(), "NN", 4), ElementsAre(1, 3, 0, 2));
+}
+
+TEST(WorstQueries, NoMoreThanThereAre) {
+  EXPECT_THAT(worst_queries(evaluation(), "FT", 10), ElementsAre(1, 0, 2, 3));
+  EXPECT_THAT(worst_queries(evaluation(), "FT", 0), ElementsAre());
+}
+
+TEST(WorstQueries, AnUnknownMeasureIsRefused) {
+  EXPECT_THROW(worst_queries(evaluation(), "mAP", 1), std::invalid_argument);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,120 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "shapegauge/retrieval/distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(Chi2, WeighsDifferencesByTheirSum) {
+  // (0.25^2 / 0.75 + 0.25^2 / 0.75) / 2, and 0 for the bin that is empty in both.
+  EXPECT_NEAR(chi2_distance(Vector{0.5F, 0.25F, 0, 0.25F}, Vector{0.25F, 0.5F, 0, 0.25F}), 1.0 / 12, 1e-15);
+  EXPECT_EQ(chi2_distance(Vector{1, 0}, Vector{0, 1}), 1);
+}
+
+}  // namespace
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(Cosine, MeasuresTheAngleOnly) {
+  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{5, 5}), 1 - std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{0, 3}), 1, 1e-15);
+  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{-2, 0}), 2, 1e-15);
+  EXPECT_EQ(cosine_distance(Vector{1, 2, 3}, Vector{2, 4, 6}), 0);
+}
+
+}  // namespace
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(Emd, IsTheWorkInBins) {
+  EXPECT_EQ(earth_movers_distance(Vector{1, 0, 0, 0}, Vector{0, 0, 0, 1}), 3);
+  EXPECT_EQ(earth_movers_distance(Vector{1, 0, 0, 0}, Vector{0, 2, 0, 0}), 1);
+  EXPECT_EQ(earth_movers_distance(Vector{0.5F, 0, 0.5F}, Vector{0, 1, 0}), 1);
+  EXPECT_EQ(earth_movers_distance(Vector{2}, Vector{5}), 0);
+}
+
+}  // namespace
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(Hellinger, ComparesSquareRoots) {
+  // The square root of 1 - sum of sqrt(p q), with p = (1/2, 1/2) and q = (1/8, 7/8).
+  EXPECT_NEAR(hellinger_distance(Vector{0.5F, 0.5F}, Vector{0.125F, 0.875F}),
+              std::sqrt(1 - std::sqrt(0.5 * 0.125) - std::sqrt(0.5 * 0.875)), 1e-15);
+  EXPECT_EQ(hellinger_distance(Vector{3, 0}, Vector{0, 2}), 1);
+  EXPECT_EQ(hellinger_distance(Vector{1, 2, 1}, Vector{2, 4, 2}), 0);
+}
+
+}  // namespace
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(JensenShannon, IsTheRootOfTheMeanDivergence) {
+  // p = (1, 0), q = (1/2, 1/2), mean (3/4, 1/4): 1 log2(4/3) and 1/2 log2(2/3) + 1/2 log2(2).
+  const double divergence = (std::log2(4.0 / 3) + 0.5 * std::log2(2.0 / 3) + 0.5) / 2;
+  EXPECT_NEAR(jensen_shannon_distance(Vector{1, 0}, Vector{2, 2}), std::sqrt(divergence), 1e-15);
+  EXPECT_EQ(jensen_shannon_distance(Vector{3, 0}, Vector{0, 2}), 1);
+  EXPECT_EQ(jensen_shannon_distance(Vector{0.1F, 0.7F}, Vector{0.1F, 0.7F}), 0);
+}
+
+}  // namespace
+
+namespace {
+
+using Vector = std::vector<float>;
+
+TEST(L2, IsEuclidean) {
+  EXPECT_EQ(l2_distance(Vector{1, 2, 5}, Vector{4, 6, 5}), 5);
+  EXPECT_EQ(l2_distance({}, {}), 0);
+}
+
+}  // namespace
+
+namespace {
+
+std::vector<float> random_histogram(std::mt19937& random) {
+  std::uniform_real_distribution<float> uniform(0, 1);
+  std::vector<float> histogram(12);
+  for (float& bin : histogram) bin = std::max(0.0F, uniform(random) - 0.3F);
+  histogram[0] += 0.01F;
+  return histogram;
+}
+
+TEST(DistanceRegistry, NamesAreDifferent) {
+  std::set<std::string_view> names;
+  for (const NamedDistance& distance : distances()) names.insert(distance.name);
+  EXPECT_EQ(names.size(), distances().size());
+}
+
+// What a distance matrix relies on.
+TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatures) {
+  std::mt19937 random(4);
+  for (int i = 0; i < 50; ++i) {
+    const std::vector<float> a = random_histogram(random);
+    const std::vector<float> b = random_histogram(random);
+    for (const NamedDistance& distance : distances()) {
+      EXPECT_EQ(distance.function(a, a), 0) << distance.name;
+      EXPECT_GT(distance.function(a, b), 0) << distance.name;
+      EXPECT_NEAR(distance.function(a, b), distance.function(b, a), 1e-15) << distance.name;
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace shapegauge
