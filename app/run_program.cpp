@@ -19,6 +19,8 @@
 #include "app/perturb_command.h"
 #include "app/run_command.h"
 #include "app/sdf_command.h"
+#include "app/segment_command.h"
+#include "app/segmentation_evaluation_command.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -97,10 +99,12 @@ int run_program(std::span<const std::string> arguments) {
   add_run_command(app, status);
   add_sdf_command(app, status);
   add_normals_command(app, status);
+  add_segment_command(app, status);
   add_info_command(app, status);
   add_perturb_command(app, status);
   add_evaluate_command(app, status);
   add_compare_command(app, status);
+  add_segmentation_evaluation_command(app, status);
   add_measures_command(app, status);
   add_dataset_command(app, status);
   add_cache_command(app, status);

@@ -11,7 +11,7 @@ namespace shapegauge {
 /// How far borders between parts may move. Lengths are in square roots of the surface's area.
 struct BoundarySmoothingOptions {
   double width = 0.03;     ///< how far from its border a part may grow; at least 0 (nothing moves)
-  double strength = 0.01;  ///< what a border costs by its length; at least 0
+  double strength = 0.03;  ///< what a border costs by its length; at least 0
   double concavity = 10;   ///< curvature of a concavity, in 1 / length, in which a border costs half; above 0
 };
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "shapegauge/core/sdf/scalar_field.h"
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/segmentation/gaussian_mixture.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/surface_graph.h"

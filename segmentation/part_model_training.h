@@ -31,7 +31,7 @@ std::vector<PartExample> part_examples(Regions regions, const Eigen::MatrixXd& t
 struct TrainingOptions {
   int hidden_units = 8;  ///< of each network
   int networks = 3;      ///< trained from different starts; the model is their mean (of log odds)
-  int epochs = 5;        ///< passes over the examples
+  int epochs = 4;        ///< passes over the examples
   double decay = 3e-4;   ///< weight of half of the sum of squared weights
   double rate = 0.01;    ///< of learning at the start; it falls to 0 as a cosine
   std::uint64_t seed = 1;

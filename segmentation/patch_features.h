@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "shapegauge/core/sdf/scalar_field.h"
+#include "shapegauge/core/shape/samples.h"
 
 namespace shapegauge {
 
