@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <map>
 #include <queue>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -58,6 +59,7 @@ WaysToParts ways_to_parts(const ThickSurface& surface, std::span<const std::int3
 struct Band {
   std::vector<std::int32_t> nodes;
   std::vector<std::int32_t> places;  ///< of each node of the surface among `nodes`; -1: it stays
+  std::vector<std::int32_t> labels;  ///< that nodes of the band may have, ascending; costs and start are by place here
   Eigen::MatrixXd costs;
   std::vector<LabelEdge> edges;
   std::vector<std::int32_t> start;
@@ -71,27 +73,39 @@ double border_cost(const ThickSurface& surface, std::int32_t node, const Surface
   return options.strength * length / (1 + curvature / options.concavity);
 }
 
-Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, const WaysToParts& ways,
-             const BoundarySmoothingOptions& options) {
+/// The nodes of the band and the labels that they may have.
+Band empty_band(std::span<const std::int32_t> labels, const WaysToParts& ways) {
   Band band;
   band.places.assign(labels.size(), -1);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (ways[i].empty()) continue;
     band.places[i] = static_cast<std::int32_t>(band.nodes.size());
     band.nodes.push_back(static_cast<std::int32_t>(i));
-    band.start.push_back(labels[i]);
+    band.labels.push_back(labels[i]);
+    for (const auto& [label, way] : ways[i]) band.labels.push_back(label);
   }
+  std::ranges::sort(band.labels);
+  band.labels.erase(std::unique(band.labels.begin(), band.labels.end()), band.labels.end());
+  return band;
+}
+
+Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, const WaysToParts& ways,
+             const BoundarySmoothingOptions& options) {
+  Band band = empty_band(labels, ways);
+  const auto column_of = [&](std::int32_t label) {
+    return static_cast<std::int32_t>(std::ranges::lower_bound(band.labels, label) - band.labels.begin());
+  };
   // A label out of reach costs more than all borders together.
   const double out_of_reach = 10;
-  const std::int32_t count = *std::ranges::max_element(labels) + 1;
-  band.costs = Eigen::MatrixXd::Constant(std::ssize(band.nodes), count, out_of_reach);
+  band.costs = Eigen::MatrixXd::Constant(std::ssize(band.nodes), std::ssize(band.labels), out_of_reach);
   const double whole = surface.unit * surface.unit;
   for (std::size_t k = 0; k < band.nodes.size(); ++k) {
     const std::int32_t node = band.nodes[k];
     const auto row = static_cast<Eigen::Index>(k);
-    band.costs(row, band.start[k]) = 0;
+    band.start.push_back(column_of(labels[static_cast<std::size_t>(node)]));
+    band.costs(row, band.start.back()) = 0;
     for (const auto& [label, way] : ways[static_cast<std::size_t>(node)]) {
-      band.costs(row, label) = surface.graph.samples.weights[node] / whole * way / options.width;
+      band.costs(row, column_of(label)) = surface.graph.samples.weights[node] / whole * way / options.width;
     }
     for (const SurfaceLink& link : surface.graph.links_of(node)) {
       const std::int32_t other = band.places[static_cast<std::size_t>(link.to)];
@@ -99,9 +113,9 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
       if (other > static_cast<std::int32_t>(k)) band.edges.push_back({static_cast<std::int32_t>(k), other, cost});
       if (other >= 0) continue;
       // The neighbour keeps its label: every other label costs the border.
-      for (std::int32_t label = 0; label < count; ++label) {
-        if (label != labels[static_cast<std::size_t>(link.to)]) band.costs(row, label) += cost;
-      }
+      band.costs.row(row).array() += cost;
+      const std::int32_t kept = labels[static_cast<std::size_t>(link.to)];
+      if (std::ranges::binary_search(band.labels, kept)) band.costs(row, column_of(kept)) -= cost;
     }
   }
   return band;
@@ -126,12 +140,13 @@ std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::
   if (std::ranges::all_of(ways, [](const auto& way) { return way.empty(); })) return result;
   const Band band = band_of(surface, labels, ways, options);
   const std::vector<std::int32_t> smooth = alpha_expansion(band.costs, band.edges, band.start);
-  for (std::size_t k = 0; k < smooth.size(); ++k) result[static_cast<std::size_t>(band.nodes[k])] = smooth[k];
+  for (std::size_t k = 0; k < smooth.size(); ++k) {
+    result[static_cast<std::size_t>(band.nodes[k])] = band.labels[static_cast<std::size_t>(smooth[k])];
+  }
   // A part that would disappear keeps its nodes.
-  std::vector<bool> left(static_cast<std::size_t>(band.costs.cols()), false);
-  for (const std::int32_t label : result) left[static_cast<std::size_t>(label)] = true;
+  const std::set<std::int32_t> left(result.begin(), result.end());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    if (!left[static_cast<std::size_t>(labels[i])]) result[i] = labels[i];
+    if (!left.contains(labels[i])) result[i] = labels[i];
   }
   return result;
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
+#include <numeric>
+#include <span>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/patches.h"
@@ -16,6 +19,9 @@ namespace {
 
 constexpr int patches_per_part = 3;
 
+/// Regions at most, unless more patches were asked for: what is known of pairs of them takes room by their square.
+constexpr std::int32_t most_regions = 600;
+
 void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   if (options.parts < 0 || options.parts > nodes) {
     throw InputError(
@@ -27,6 +33,29 @@ void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   }
 }
 
+/// The patches' numbers in order of area, largest first, or -1 for those beyond so many. Only components make more
+/// patches than were asked for, so that these have no neighbours to be merged with.
+std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<const std::int32_t> patch,
+                                          std::int32_t most) {
+  std::vector<double> areas(static_cast<std::size_t>(*std::ranges::max_element(patch) + 1), 0);
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    areas[static_cast<std::size_t>(patch[i])] += graph.samples.weights[static_cast<Eigen::Index>(i)];
+  }
+  std::vector<std::int32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (std::ssize(order) > most) {
+    std::ranges::stable_sort(order, std::greater<>{},
+                             [&](std::int32_t p) { return areas[static_cast<std::size_t>(p)]; });
+  }
+  std::vector<std::int32_t> numbers(order.size(), -1);
+  for (std::int32_t k = 0; k < most && k < std::ssize(order); ++k) {
+    numbers[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])] = k;
+  }
+  std::vector<std::int32_t> result;
+  for (const std::int32_t p : patch) result.push_back(numbers[static_cast<std::size_t>(p)]);
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const PartSegmentationOptions& options,
@@ -34,13 +63,18 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   check(options, surface.graph.size());
   const PatchOptions patch_options{.count = std::max(options.patches, patches_per_part * options.parts),
                                    .seed = options.seed};
-  std::vector<std::int32_t> labels = patches(surface.graph, patch_options, patch_costs(surface));
-  Regions regions = surface_regions(surface, labels, options.samples);
+  const std::vector<std::int32_t> patch = patches(surface.graph, patch_options, patch_costs(surface));
+  const std::int32_t most = std::max(most_regions, patch_options.count);
+  const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
+  Regions regions = surface_regions(surface, initial, options.samples);
   const auto probability = [&](const Regions& now, std::int32_t a, std::int32_t b) {
     return model.probability(features_of(now, a, b));
   };
   merge_regions(regions, probability, {.least_affinity = options.least_probability, .parts = options.parts});
-  for (std::int32_t& label : labels) label = regions.region_of(label);
+  std::vector<std::int32_t> labels;
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    labels.push_back(initial[i] >= 0 ? regions.region_of(initial[i]) : most + patch[i]);
+  }
   return renumbered(smoothed_boundaries(surface, renumbered(labels), options.smoothing));
 }
 

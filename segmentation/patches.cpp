@@ -68,18 +68,16 @@ std::vector<std::int32_t> farthest_centres(const SurfaceGraph& graph, const Patc
     growth.spread();
     centres.push_back(centre);
   };
-  const auto farthest = [&] {
-    return static_cast<std::int32_t>(std::max_element(growth.cost.begin(), growth.cost.end()) - growth.cost.begin());
-  };
-  // The farthest node from a random one lies at an end, so that the first patch does not depend on chance much.
   RandomNumbers random(options.seed);
   add(static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(graph.size()))));
-  while (std::ssize(centres) < graph.size()) {
-    const std::int32_t next = farthest();
-    const double way = growth.cost[static_cast<std::size_t>(next)];
-    if (std::ssize(centres) >= options.count && way < unreached) break;
-    if (!(way > 0)) break;
-    add(next);
+  // Every component has a centre before any has two.
+  for (std::int32_t node = 0; node < graph.size(); ++node) {
+    if (growth.cost[static_cast<std::size_t>(node)] == unreached) add(node);
+  }
+  while (std::ssize(centres) < options.count) {
+    const auto farthest = std::ranges::max_element(growth.cost);
+    if (!(*farthest > 0)) break;
+    add(static_cast<std::int32_t>(farthest - growth.cost.begin()));
   }
   return centres;
 }

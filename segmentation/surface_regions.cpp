@@ -39,8 +39,10 @@ struct PatchSample {
 /// Nodes of each patch at equal steps of area, in the order of the nodes.
 std::vector<PatchSample> sampled(const ThickSurface& surface, std::span<const std::int32_t> patch,
                                  const Regions& regions, int samples) {
-  std::vector<std::int32_t> nodes(patch.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = static_cast<std::int32_t>(i);
+  std::vector<std::int32_t> nodes;
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    if (patch[i] >= 0) nodes.push_back(static_cast<std::int32_t>(i));
+  }
   const auto by_patch = counted_by_key(nodes, static_cast<std::size_t>(regions.initial_size()),
                                        [&](std::int32_t node) { return patch[static_cast<std::size_t>(node)]; });
   std::vector<PatchSample> result;
@@ -68,6 +70,7 @@ void add_nodes(Regions& regions, const ThickSurface& surface, std::span<const st
   const Eigen::RowVector3d centre = samples.weights.transpose() * samples.points / whole;
   const double bin_width = -std::log(lowest_thickness) / thickness_bins;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
+    if (patch[static_cast<std::size_t>(i)] < 0) continue;
     const double area = samples.weights[i] / whole;
     const double thickness = surface.log_thickness[i];
     const Eigen::Vector3d place = (samples.points.row(i) - centre).transpose() / surface.unit;
@@ -91,7 +94,7 @@ void add_borders(Regions& regions, const ThickSurface& surface, std::span<const 
     for (const SurfaceLink& link : surface.graph.links_of(i)) {
       const std::int32_t a = patch[static_cast<std::size_t>(i)];
       const std::int32_t b = patch[static_cast<std::size_t>(link.to)];
-      if (a >= b) continue;
+      if (a < 0 || a >= b) continue;
       regions.make_neighbours(a, b);
       const double length = link.length / surface.unit;
       const double turn = surface.turn(i, link);
@@ -119,9 +122,9 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
   });
   const double whole = samples.weights.sum();
   for (std::size_t i = 0; i < opposite.size(); ++i) {
-    if (opposite[i] < 0) continue;
-    regions.add(patch[i], patch[static_cast<std::size_t>(opposite[i])], PairSum::opposite,
-                samples.weights[static_cast<Eigen::Index>(i)] / whole / 2);
+    const std::int32_t other = opposite[i] < 0 ? -1 : patch[static_cast<std::size_t>(opposite[i])];
+    if (patch[i] < 0 || other < 0) continue;
+    regions.add(patch[i], other, PairSum::opposite, samples.weights[static_cast<Eigen::Index>(i)] / whole / 2);
   }
 }
 

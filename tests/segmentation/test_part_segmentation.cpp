@@ -78,6 +78,16 @@ TEST(PartSegmentation, ComponentsAreDifferentParts) {
   EXPECT_EQ(count_of(part_segmentation(balls, {.parts = 1, .samples = 300})), 2U);
 }
 
+TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
+  // Every triangle a little smaller than its place: none touches another.
+  Shape scales = test_shapes::soup(test_shapes::sphere(1, 4));
+  for (Eigen::Index v = 0; v < scales.vertices.rows(); v += 3) {
+    const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(v).colwise().mean();
+    for (Eigen::Index k = v; k < v + 3; ++k) scales.vertices.row(k) = 0.1 * middle + 0.9 * scales.vertices.row(k);
+  }
+  EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
+}
+
 TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
   Shape shape = test_shapes::dumbbell(3);
   const Eigen::Index count = shape.triangles.rows();
