@@ -1,13 +1,11 @@
-#include "app/cache_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <fmt/format.h>
 #include <memory>
 #include <string>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/files/table.h"

@@ -1,19 +1,20 @@
-#include "app/compare_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
-#include "app/evaluation_options.h"
-#include "app/run_program.h"
+#include "app/commands.h"
+#include "app/evaluation_arguments.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
-#include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
+#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 
@@ -28,36 +29,41 @@ struct CompareArguments {
   std::string test = "randomization";
   std::string average = "micro";
   std::string reference;
+  std::vector<std::string> names;
   std::string format = "table";
   std::string unit = "percent";
   int digits = 2;
 };
 
-/// The methods of a table, under one protocol: the only one that there is, else the one asked for.
-std::vector<MethodValues> methods_of_table(const fs::path& path, const std::string& wanted_protocol) {
-  std::vector<MethodValues> methods = read_method_values(path);
+// The methods of a table, under one protocol: the only one that there is, else the one asked for.
+std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareArguments& arguments) {
+  const std::string wanted_protocol = name_of(chosen_protocol(arguments.evaluation));
+  std::vector<MethodScores> methods = read_method_scores(path);
   const bool one =
-      std::ranges::all_of(methods, [&](const MethodValues& method) { return method.protocol == methods[0].protocol; });
+      std::ranges::all_of(methods, [&](const MethodScores& method) { return method.protocol == methods[0].protocol; });
   if (one) return methods;
-  std::erase_if(methods, [&](const MethodValues& method) { return method.protocol != wanted_protocol; });
+  std::erase_if(methods, [&](const MethodScores& method) { return method.protocol != wanted_protocol; });
   if (methods.empty()) {
-    throw InputError(fmt::format("{}: no figures under the protocol {}; choose another with --protocol", path.string(),
+    throw InputError(fmt::format("{}: no scores under the protocol {}; choose another with --protocol", path.string(),
                                  wanted_protocol));
   }
   return methods;
 }
 
-// The methods of one input; what a user should know of it is added to the notes.
-std::vector<MethodValues> methods_of(const fs::path& path, const CompareArguments& arguments,
-                                     std::vector<std::string>& notes) {
-  if (fs::is_directory(path)) return methods_of_table(path / "per_query.csv", arguments.evaluation.protocol);
+// The methods of one input; what a user should know of it is added to the warnings.
+std::vector<MethodScores> methods_of(const fs::path& path, const CompareArguments& arguments,
+                                     std::vector<std::string>& warnings) {
+  if (fs::is_directory(path)) return methods_of_table(path / "per_query.csv", arguments);
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
-  if (!matrix) return methods_of_table(path, arguments.evaluation.protocol);
-  const EvaluatedMatrix evaluated = evaluate_file(path, arguments.evaluation);
-  for (const auto& more : {evaluated.notes, notes_of_ties(evaluated.evaluation)}) {
-    for (const std::string& note : more) notes.push_back(fmt::format("{}: {}", path.string(), note));
+  if (!matrix) return methods_of_table(path, arguments);
+  const EvaluatedFiles evaluated = evaluate_with_progress(path, arguments.evaluation);
+  for (const std::string& warning : evaluated.warnings) {
+    warnings.push_back(fmt::format("{}: {}", path.string(), warning));
   }
-  return {method_values(path.stem().string(), path.string(), evaluated.input, evaluated.evaluation)};
+  if (const auto tied = ties_warning(evaluated.evaluation)) {
+    warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
+  }
+  return {method_scores(method_name(path, evaluated.data), path.string(), evaluated.data.task, evaluated.evaluation)};
 }
 
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
@@ -81,7 +87,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
                         const ComparisonOptions& options) {
   return fmt::format(
       "{} queries of {}, protocol {}, {} averages, {:g} % intervals and tests over {}.\n"
-      "A letter behind a figure: significantly better than that method ({} test, Holm's correction, p <= {:g}).\n",
+      "A letter behind a score: significantly better than that method ({} test, Holm's correction, p <= {:g}).\n",
       methods.classes.size(), fmt::format("{} {}", comparisons[0].units, name_of(options.blocks)), methods.protocol,
       name_of(options.average), 100 * options.confidence, name_of(options.blocks), name_of(options.test),
       1 - options.confidence);
@@ -89,7 +95,7 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
 
 std::string formatted(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                       const ComparisonOptions& options, const CompareArguments& arguments) {
-  const FigureStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
+  const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
   if (arguments.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
   const bool csv = arguments.format == "csv";
   const Table pairs = pairs_table(methods, comparisons, style, csv);
@@ -101,14 +107,46 @@ std::string formatted(const AlignedMethods& methods, std::span<const MethodCompa
   return to_plain_text(summary) + "\n" + words + "\n" + to_plain_text(pairs);
 }
 
+void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      std::error_code unknown;
+      if (!fs::equivalent(inputs[j], inputs[i], unknown)) continue;
+      warnings.push_back(fmt::format("{} and {} are the same file", inputs[j].string(), inputs[i].string()));
+    }
+  }
+}
+
+// Says where no pair can be significant, whatever the methods are worth.
+void warn_of_few_units(const MethodComparison& comparison, const ComparisonOptions& options,
+                       std::vector<std::string>& warnings) {
+  const double smallest = smallest_p_value(options, comparison.units);
+  const auto pairs = static_cast<double>(comparison.pairs.size());
+  const double alpha = 1 - options.confidence;
+  if (pairs * smallest <= alpha) return;
+  const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
+  const std::string advice =
+      few_resamples
+          ? fmt::format("more --resamples than {} can", options.resampling.resamples)
+          : fmt::format(
+                "more {} can, --test t (which takes their differences for normally distributed){}",
+                name_of(options.blocks),
+                options.blocks == Blocks::classes ? " or --blocks queries (which calls too much significant)" : "");
+  warnings.push_back(fmt::format(
+      "over {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}), so no "
+      "difference can be significant at {:.4g}; {}",
+      comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
+      comparison.pairs.size(), comparison.pairs.size() == 1 ? "pair" : "pairs", alpha, advice));
+}
+
 int run(const CompareArguments& arguments) {
-  std::vector<MethodValues> methods;
-  std::vector<std::string> notes;
+  std::vector<MethodScores> methods;
+  std::vector<std::string> warnings;
   for (const fs::path& input : arguments.inputs) {
-    std::vector<MethodValues> more = methods_of(input, arguments, notes);
+    std::vector<MethodScores> more = methods_of(input, arguments, warnings);
     std::ranges::move(more, std::back_inserter(methods));
   }
-  const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures);
+  const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures, arguments.names);
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;
   try {
@@ -118,8 +156,10 @@ int run(const CompareArguments& arguments) {
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }
+  warn_of_same_files(arguments.inputs, warnings);
+  warn_of_few_units(comparisons.front(), options, warnings);
   fmt::print("{}", formatted(aligned, comparisons, options, arguments));
-  tell(notes);
+  print_warnings(warnings);
   return exit_success;
 }
 
@@ -132,6 +172,8 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
       ->capture_default_str();
   command.add_option("--reference", arguments.reference,
                      "Compare this method with each other one (default: all pairs)");
+  command.add_option("--names", arguments.names, "Names of the methods, in their order, as in ours,theirs")
+      ->delimiter(',');
   command.add_option("--format", arguments.format, "Format of the result; csv has the pairs, latex the methods")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
@@ -157,7 +199,8 @@ void add_compare_command(CLI::App& app, int& status) {
   add_evaluation_options(*command, arguments->evaluation);
   add_comparison_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback(
+      [arguments, &status] { with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); }); });
 }
 
 }  // namespace shapegauge

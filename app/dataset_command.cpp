@@ -1,14 +1,10 @@
-#include "app/dataset_command.h"
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cstdio>
 #include <fmt/format.h>
 #include <memory>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/progress_line.h"
-#include "app/run_program.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/table.h"
@@ -46,17 +42,27 @@ DatasetLocation location_of(const LookArguments& arguments) {
 int info(const LookArguments& arguments) {
   const DatasetLocation location = location_of(arguments);
   const Dataset dataset = find_dataset(location);
-  Table table{.header = {"class", "models"}, .rows = {}, .text_columns = 1};
-  for (std::size_t label = 0; label < dataset.classes.size(); ++label) {
-    const auto size = std::ranges::count(dataset.models, static_cast<int>(label), &Model::label);
-    if (size > 0) table.rows.push_back({dataset.classes[label], fmt::format("{}", size)});
-  }
-  fmt::print("layout {}: {} models in {} classes\n\n{}", location.layout, dataset.models.size(), table.rows.size(),
-             to_plain_text(table));
   const std::vector<ModelFailure> failures = check_models(dataset);
+  std::vector<std::size_t> models(dataset.classes.size());
+  std::vector<std::size_t> unusable(dataset.classes.size());
+  for (const Model& model : dataset.models) ++models[static_cast<std::size_t>(model.label)];
   for (const ModelFailure& failure : failures) {
-    fmt::print(stderr, "shapegauge: warning: model {}: {}\n", dataset.models[failure.model].id, failure.message);
+    ++unusable[static_cast<std::size_t>(dataset.models[failure.model].label)];
   }
+  Table table{.header = {"class", "models"}, .rows = {}, .text_columns = 1};
+  if (!failures.empty()) table.header.emplace_back("unusable");
+  for (std::size_t label = 0; label < dataset.classes.size(); ++label) {
+    if (models[label] == 0) continue;
+    table.rows.push_back({dataset.classes[label], fmt::format("{}", models[label])});
+    if (!failures.empty()) table.rows.back().push_back(fmt::format("{}", unusable[label]));
+  }
+  const std::string flaw = failures.empty() ? "" : fmt::format(", {} of them unusable", failures.size());
+  fmt::print("layout {}: {} models in {} classes{}\n\n{}", location.layout, dataset.models.size(), table.rows.size(),
+             flaw, to_plain_text(table));
+  for (const ModelFailure& failure : failures) {
+    warn(fmt::format("model {}: {}", dataset.models[failure.model].id, failure.message));
+  }
+  if (failures.empty()) note("only the beginnings of the files were looked at; 'dataset validate' reads them whole");
   return failures.empty() ? exit_success : exit_with_failures;
 }
 
@@ -118,7 +124,7 @@ void add_generate(CLI::App* dataset, int& status) {
   command->add_option("--classes", options.classes, "Number of classes")->capture_default_str();
   command->add_option("--models-per-class", options.models_per_class, "Models of each class")->capture_default_str();
   command->add_option("--faces", options.faces, "Approximate number of triangles of a model")->capture_default_str();
-  command->add_option("--seed", options.seed, "The same seed gives the same data set")->capture_default_str();
+  add_seed_option(*command, options.seed);
   command->add_flag("--force", options.force, "Replace a data set in the folder");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });

@@ -1,18 +1,21 @@
-#include "app/evaluate_command.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/evaluation_options.h"
-#include "app/run_program.h"
+#include "app/commands.h"
+#include "app/evaluation_arguments.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/report/report_page.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 
@@ -32,57 +35,86 @@ struct EvaluateArguments {
   fs::path class_curves;
   fs::path per_query;
   fs::path per_class;
+  bool each_query = false;
 };
 
 constexpr int csv_digits = 4;
 constexpr int table_digits = 2;
 
-FigureStyle style_of(const EvaluateArguments& arguments) {
+ScoreStyle style_of(const EvaluateArguments& arguments) {
   const bool percent = arguments.unit == "percent";
   const int usual = (arguments.format == "csv" ? csv_digits : table_digits) + (percent ? 0 : 2);
   return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
 }
 
-std::string formatted(const NamedEvaluation& named, const std::vector<std::string>& class_names,
-                      const EvaluateArguments& arguments) {
-  if (arguments.format == "json") {
-    return evaluation_json(*named.evaluation, class_names, named.intervals).dump(2) + "\n";
-  }
-  const std::vector<NamedEvaluation> one{named};
-  const FigureStyle style = style_of(arguments);
-  if (arguments.format == "csv") return to_csv(summary_table(one, style, IntervalCells::columns));
-  const Table table =
-      summary_table(one, style, named.intervals.micro.empty() ? IntervalCells::none : IntervalCells::beside);
-  if (arguments.format == "markdown") return to_markdown(table);
-  return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
+// What a result is of, as JSON, in front of the scores.
+nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
+  const EvaluationFiles& files = arguments.evaluation.files;
+  nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
+  if (!files.labels.empty()) json["labels"] = files.labels.string();
+  if (!files.targets.empty()) json["targets"] = files.targets.string();
+  if (!files.qrels.empty()) json["qrels"] = files.qrels.string();
+  if (!files.ids.empty()) json["ids"] = files.ids.string();
+  if (!files.distance.empty()) json["distance"] = files.distance;
+  if (files.similarity) json["similarity"] = true;
+  return json;
 }
 
-void write_report(const NamedEvaluation& named, const EvaluationInput& input, const fs::path& path) {
+std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& task,
+                           const EvaluateArguments& arguments) {
+  nlohmann::ordered_json json = inputs_json(arguments);
+  json["method"] = named.method;
+  json.update(evaluation_json(*named.evaluation, task.class_names, named.intervals));
+  if (arguments.each_query) json["per_query"] = per_query_json(*named.evaluation, task.query_ids);
+  return json.dump(2) + "\n";
+}
+
+std::string formatted(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
+  if (arguments.format == "json") return formatted_json(named, task, arguments);
+  const std::vector<NamedEvaluation> one{named};
+  const ScoreStyle style = style_of(arguments);
+  const IntervalCells intervals = arguments.format == "csv"       ? IntervalCells::columns
+                                  : named.intervals.micro.empty() ? IntervalCells::none
+                                                                  : IntervalCells::beside;
+  const auto text_of = [&](const Table& table) {
+    if (arguments.format == "csv") return to_csv(table);
+    if (arguments.format == "markdown") return to_markdown(table);
+    return arguments.format == "latex" ? to_latex(table) : to_plain_text(table);
+  };
+  std::string text;
+  if (arguments.each_query) text = text_of(per_query_table(one, task.query_ids, task.class_names, style)) + "\n";
+  return text + text_of(summary_table(one, style, intervals));
+}
+
+void write_report(const NamedEvaluation& named, const EvaluationData& data, const fs::path& path) {
+  const DistanceMatrix distances = whole_matrix(data.distances);
   Report report;
   report.title = named.method;
-  report.classes = input.class_names;
-  report.ids = input.query_ids;
-  report.labels = input.task.query_classes;
+  report.classes = data.task.class_names;
+  report.ids = data.task.query_ids;
+  report.labels = data.task.retrieval.query_classes;
   report.methods.push_back({.name = named.method,
                             .description = {},
-                            .distances = &input.distances,
+                            .distances = &distances,
                             .evaluations = {named.evaluation, 1},
                             .histograms = {}});
   write_file_atomically(path, report_page(report));
 }
 
 /// A report shows models that are all queries to all others.
-void check_fit_for_report(const EvaluationInput& input) {
-  const RetrievalTask& task = input.task;
-  const bool all_classified = std::ranges::find(task.query_classes, no_class) == task.query_classes.end() &&
-                              task.query_classes == task.target_classes;
-  if (input.same_rows_and_columns && all_classified && task.judged.empty() && !task.lists_may_end_early) return;
+void check_fit_for_report(const EvaluationTask& task) {
+  const RetrievalTask& retrieval = task.retrieval;
+  const bool all_classified = std::ranges::find(retrieval.query_classes, no_class) == retrieval.query_classes.end() &&
+                              retrieval.query_classes == retrieval.target_classes;
+  if (task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !retrieval.lists_may_end_early) {
+    return;
+  }
   throw InputError(
       "--report takes a square matrix of models that are all queries and targets, each with a class; leave it out for "
       "separate queries and targets, judgements and ranked lists");
 }
 
-void write_files(const NamedEvaluation& named, const EvaluationInput& input, const EvaluateArguments& arguments) {
+void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
   const std::vector<NamedEvaluation> one{named};
   if (!arguments.curve.empty()) {
     const bool plot = arguments.curve.extension() == ".plot";
@@ -90,32 +122,35 @@ void write_files(const NamedEvaluation& named, const EvaluationInput& input, con
                           plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
   }
   const auto write_table = [](const fs::path& path, const Table& table) { write_file_atomically(path, to_csv(table)); };
-  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, input.class_names));
+  if (!arguments.class_curves.empty()) write_table(arguments.class_curves, class_curves_table(one, task.class_names));
   if (!arguments.per_query.empty()) {
-    write_table(arguments.per_query, per_query_table(one, input.query_ids, input.class_names));
+    write_table(arguments.per_query, per_query_table(one, task.query_ids, task.class_names));
   }
-  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, input.class_names));
+  if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, task.class_names));
 }
 
 int run(const EvaluateArguments& arguments) {
-  const EvaluatedMatrix evaluated = evaluate_file(arguments.distances, arguments.evaluation);
-  if (!arguments.report.empty()) check_fit_for_report(evaluated.input);
-  std::vector<std::string> notes = evaluated.notes;
-  NamedEvaluation named{.method = arguments.distances.stem().string(), .evaluation = &evaluated.evaluation};
+  const EvaluatedFiles evaluated = evaluate_with_progress(arguments.distances, arguments.evaluation);
+  const EvaluationTask& task = evaluated.data.task;
+  if (!arguments.report.empty()) check_fit_for_report(task);
+  std::vector<std::string> warnings = evaluated.warnings;
+  NamedEvaluation named{.method = method_name(arguments.distances, evaluated.data),
+                        .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
     named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
                                                           .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
-      notes.push_back(
+      warnings.push_back(
           fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
     }
   }
-  write_files(named, evaluated.input, arguments);
-  if (!arguments.report.empty()) write_report(named, evaluated.input, arguments.report);
-  fmt::print("{}", formatted(named, evaluated.input.class_names, arguments));
-  tell(notes);
-  if (arguments.format != "json") tell(notes_of_ties(evaluated.evaluation));  // JSON has their number
+  const auto tied = ties_warning(evaluated.evaluation);
+  if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
+  write_files(named, task, arguments);
+  if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
+  fmt::print("{}", formatted(named, task, arguments));
+  print_warnings(warnings);
   return exit_success;
 }
 
@@ -133,6 +168,8 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
       ->check(CLI::IsMember(curve_kind_names()));
   command.add_option("--per-query", arguments.per_query,
                      "CSV file for the figures of each query, as 'compare' reads it");
+  command.add_flag("-q,--each-query", arguments.each_query,
+                   "The scores of each query in front of the averages, as with trec_eval -q");
   command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
   command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
 }
@@ -144,22 +181,22 @@ void add_evaluate_command(CLI::App& app, int& status) {
       app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists, of any method, against classes");
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
-      "Row i of the matrix is the i-th model of the classification in natural order (2 before 10), unless the matrix\n"
-      "(CSV), --ids or --order says otherwise: Princeton's own tools order the rows as the classification does.\n"
+      "Row i of the matrix is the i-th model of a list of labels (a table, one class a line, .npy), or of a .cla file "
+      "or\n"
+      "folder the i-th in natural order (2 before 10), unless the matrix (CSV), --ids or --order says otherwise:\n"
+      "Princeton's own tools order the rows as the .cla file does.\n"
       "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command
-      ->add_option(
-          "distances", arguments->distances,
-          "Distances or features: .matrix (PSB), .npy, .csv, .txt or .dat; or ranked lists: .run, .trec, .lists")
+      ->add_option("distances", arguments->distances,
+                   "Distances or features: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat; or ranked lists: .run, "
+                   ".trec, .txt, .lists; text and .npy also with .gz behind")
       ->required();
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);
-  command->callback([arguments, &status] {
-    arguments->evaluation.files.whole_matrix = !arguments->report.empty();  // it shows the matrix
-    status = run(*arguments);
-  });
+  command->callback(
+      [arguments, &status] { with_threads(arguments->evaluation.threads, [&] { status = run(*arguments); }); });
 }
 
 }  // namespace shapegauge

@@ -1,49 +1,174 @@
-#include "app/info_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
+#include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
 #include <string>
+#include <vector>
 
-#include "app/options.h"
-#include "app/run_program.h"
-#include "shapegauge/core/io/shape_file.h"
+#include "app/commands.h"
+#include "app/shape_files.h"
+#include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 
 namespace shapegauge {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct InfoArguments {
-  std::filesystem::path input;
+  ShapeFiles files;
   std::string format = "text";
 };
 
-int run(const InfoArguments& arguments) {
-  const nlohmann::ordered_json found = diagnostics_json(diagnose(read_shape(arguments.input)));
-  if (arguments.format == "json") {
-    fmt::print("{}\n", found.dump(2));
-    return exit_success;
+/// What the triangles enclose, by the divergence theorem, about the middle of the box; positive where they are oriented
+/// outward.
+double signed_volume(const Shape& shape) {
+  const Eigen::Vector3d centre = bounding_box(shape).center();
+  double six_volumes = 0;
+  for (const auto& triangle : shape.triangles.rowwise()) {
+    const auto corner = [&](int i) { return (shape.vertices.row(triangle[i]).transpose() - centre).eval(); };
+    six_volumes += corner(0).dot(corner(1).cross(corner(2)));
   }
-  for (const auto& [name, value] : found.items()) {
+  return six_volumes / 6;
+}
+
+/// The number of handles of a closed mesh, summed over its parts: parts - (V - E + F) / 2. A vertex counts once for
+/// each fan of triangles about it, so that parts that touch in a point are parts.
+long genus(const Shape& shape) {
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
+  std::vector<std::size_t> leader(static_cast<std::size_t>(3 * shape.triangles.rows()));
+  std::iota(leader.begin(), leader.end(), std::size_t{0});
+  const auto find = [&](std::size_t i) {
+    while (leader[i] != i) i = leader[i] = leader[leader[i]];
+    return i;
+  };
+  const auto corner_of = [](const EdgeUse& use, bool low) {
+    const int corner = low == use.forward ? use.corner : (use.corner + 1) % 3;
+    return 3 * static_cast<std::size_t>(use.triangle) + static_cast<std::size_t>(corner);
+  };
+  long edges = 0;
+  std::set<std::int32_t> faces;
+  for_each_edge(std::span(uses), [&](std::span<const EdgeUse> sides) {
+    ++edges;
+    for (const bool low : {true, false}) leader[find(corner_of(sides[0], low))] = find(corner_of(sides[1], low));
+    for (const EdgeUse& side : sides) faces.insert(side.triangle);
+  });
+  std::set<std::size_t> fans;
+  for (const std::int32_t face : faces) {
+    for (std::size_t corner = 0; corner < 3; ++corner) fans.insert(find(3 * static_cast<std::size_t>(face) + corner));
+  }
+  // Triangles are of one part where their fans are linked by a triangle.
+  std::vector<std::size_t> part = leader;
+  const auto find_part = [&](std::size_t i) {
+    while (part[i] != i) i = part[i] = part[part[i]];
+    return i;
+  };
+  for (const std::int32_t face : faces) {
+    for (std::size_t corner = 1; corner < 3; ++corner) {
+      part[find_part(3 * static_cast<std::size_t>(face) + corner)] = find_part(3 * static_cast<std::size_t>(face));
+    }
+  }
+  std::set<std::size_t> parts;
+  for (const std::size_t fan : fans) parts.insert(find_part(fan));
+  const long characteristic = std::ssize(fans) - edges + std::ssize(faces);
+  return std::ssize(parts) - characteristic / 2;
+}
+
+/// How the triangles are oriented; "none" without triangles.
+std::string winding(const ShapeDiagnostics& found, double volume) {
+  if (found.triangles == 0) return "none";
+  if (found.inconsistent_edges > 0 || found.non_manifold_edges > 0) return "inconsistent";
+  if (!found.watertight) return "consistent";
+  return volume > 0 ? "outward" : "inward";
+}
+
+/// Place, volume, genus and winding; null where the shape has none: a volume and a genus take a closed mesh, oriented
+/// alike, whose edges are of two triangles each.
+Json geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
+  const Eigen::AlignedBox3d box = bounding_box(shape);
+  const bool solid = found.watertight && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;
+  const double volume = solid ? signed_volume(shape) : 0;
+  Json json{
+      {"bounding_box",
+       {{"min", {box.min()[0], box.min()[1], box.min()[2]}}, {"max", {box.max()[0], box.max()[1], box.max()[2]}}}},
+      {"volume", nullptr},
+      {"genus", nullptr},
+      {"winding", winding(found, volume)}};
+  if (solid) {
+    json["volume"] = std::abs(volume);
+    json["genus"] = genus(shape);
+  }
+  return json;
+}
+
+Json info_of(const Shape& shape) {
+  const ShapeDiagnostics found = diagnose(shape);
+  Json json = diagnostics_json(found);
+  json.update(geometry_json(shape, found));
+  return json;
+}
+
+std::string value_text(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_null()) return "none";
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_object()) return value.dump();
+  const auto corner = [&](const char* name) {
+    return fmt::format("{}", fmt::join(value[name].get<std::vector<double>>(), " "));
+  };
+  return corner("min") + " to " + corner("max");
+}
+
+std::string text_of(const Json& info) {
+  std::string text;
+  for (const auto& [name, value] : info.items()) {
     std::string words = name;
     std::ranges::replace(words, '_', ' ');
-    const std::string text = value.is_boolean() ? (value.get<bool>() ? "yes" : "no") : value.dump();
-    fmt::print("{:<24}{}\n", words, text);
+    text += fmt::format("{:<24}{}\n", words, value_text(value));
   }
-  return exit_success;
+  return text;
+}
+
+int run(const InfoArguments& arguments) {
+  std::vector<Json> infos(arguments.files.inputs.size());  // null where a shape could not be used
+  std::vector<std::string> names(infos.size());
+  const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
+    names[job.index] = job.input;
+    infos[job.index] = info_of(shape);
+  });
+  const bool several = infos.size() > 1;
+  Json all = Json::array();
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    if (infos[i].is_null()) continue;
+    if (arguments.format == "text") {
+      fmt::print("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", names[i]) : "", text_of(infos[i]));
+    }
+    Json named{{"file", names[i]}};
+    named.update(infos[i]);
+    all.push_back(several ? std::move(named) : infos[i]);
+  }
+  if (arguments.format == "json") fmt::print("{}\n", (several ? all : all.front()).dump(2));
+  return status;
 }
 
 }  // namespace
 
 void add_info_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("info", "Tell whether a shape is closed, of how many parts, and what is wrong with it");
-  command->footer("Example: shapegauge info bunny.off");
+      app.add_subcommand("info", "Tell whether shapes are closed, of how many parts, and what is wrong with them");
+  command->footer(
+      "Example: shapegauge info bunny.off\n"
+      "         shapegauge info --format json models/*.off\n"
+      "Volume and genus are those of a closed mesh that is oriented alike; else there are none.");
   const auto arguments = std::make_shared<InfoArguments>();
-  add_shape_argument(*command, arguments->input);
+  add_shape_inputs(*command, arguments->files);
   command->add_option("--format", arguments->format, "text or json; lengths and areas are in the file's units")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();

@@ -1,12 +1,41 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fmt/format.h>
+#include <iostream>
 #include <malloc.h>
+#include <new>
+#include <optional>
+#include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
-#include "app/run_program.h"
+#include "app/commands.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/runner/run_control.h"
+
+namespace shapegauge {
 
 namespace {
 
-/// Structures of tens of megabytes come and go with every shape: their memory is kept for the next ones.
+// A signal handler may touch lock-free atomics only, and has no other way to say something.
+std::atomic<int> received_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+void remember(int signal) {
+  received_signal = signal;
+  std::signal(signal, SIG_DFL);
+}
+
+/// Keeps freed memory for the next shape: structures of tens of megabytes come and go with every one.
 void keep_memory() {
 #ifdef __GLIBC__
   constexpr int large = 256 << 20;
@@ -15,10 +44,187 @@ void keep_memory() {
 #endif
 }
 
+/// An error on one line, whatever the message.
+int report(std::string message, int status) {
+  std::ranges::replace(message, '\n', ' ');
+  message.erase(message.find_last_not_of(' ') + 1);
+  fmt::print(stderr, "shapegauge: error: {}\n", message);
+  return status;
+}
+
+/// The full name of the innermost command that was parsed: "shapegauge dataset info".
+std::string command_in(const CLI::App& app) {
+  std::string command = app.get_name();
+  for (const CLI::App* chosen : app.get_subcommands()) command += " " + command_in(*chosen);
+  return command;
+}
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// The long options of a command and of those that it belongs to.
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
+    for (const CLI::Option* option : level->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+const CLI::Option* find_option(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
+    if (const CLI::Option* option = level->get_option_no_throw(name)) return option;
+  }
+  return nullptr;
+}
+
+std::string unknown_option(const CLI::App& app, const std::string& name) {
+  for (const CLI::App* command : commands_of(app)) {
+    if (command->get_option_no_throw(name) == nullptr) continue;
+    return fmt::format("{} stands behind the command, as in 'shapegauge {} {}'", name, command->get_name(), name);
+  }
+  const auto meant = nearest_word(name, option_names(app));
+  return fmt::format("there is no option {}{}", name, meant ? fmt::format("; did you mean {}?", *meant) : "");
+}
+
+/// An error for the first word of the arguments that is neither a command nor an option where it stands. The parser
+/// itself would say what is missing instead, and suggest nothing.
+std::optional<std::string> unknown_word(const CLI::App& program, std::span<const std::string> arguments) {
+  const CLI::App* app = &program;
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
+    const std::string& word = arguments[i];
+    const bool is_option = word.size() > 1 && word[0] == '-' && !parse_number(word);
+    if (is_option) {
+      const bool is_long = word[1] == '-';
+      const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+      const CLI::Option* option = find_option(*app, name);
+      if (option == nullptr) return unknown_option(*app, name);
+      const bool takes_next = option->get_items_expected_max() > 0 && name.size() == word.size();
+      if (takes_next) ++i;
+      continue;
+    }
+    const std::vector<const CLI::App*> commands = commands_of(*app);
+    if (commands.empty()) continue;
+    const auto found = std::ranges::find(commands, word, &CLI::App::get_name);
+    if (found == commands.end()) {
+      std::vector<std::string> names;
+      for (const CLI::App* command : commands) names.push_back(command->get_name());
+      return fmt::format("there is no command \"{}\"{}", word, suggestion(word, names));
+    }
+    app = *found;
+  }
+  return std::nullopt;
+}
+
+/// What all commands have in common: options take one value each time they are given, so that none swallows the file
+/// behind it, and those of the program may stand behind the command.
+void settle(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() && option->get_items_expected_max() > 1) option->allow_extra_args(false);
+  }
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    command->fallthrough();
+    settle(*command);
+  }
+}
+
+/// "help run" is "run --help".
+std::vector<std::string> without_help_command(std::span<const std::string> arguments) {
+  std::vector<std::string> words(arguments.begin(), arguments.end());
+  if (words.empty() || words.front() != "help") return words;
+  words.erase(words.begin());
+  if (words.empty() || words.back() != "--help") words.emplace_back("--help");
+  return words;
+}
+
+int parse_and_run(CLI::App& app, std::span<const std::string> given) {
+  std::vector<std::string> arguments = without_help_command(given);
+  if (const auto unknown = unknown_word(app, arguments)) return report(*unknown, exit_unusable_input);
+  std::ranges::reverse(arguments);  // the parser takes them from the back
+  try {
+    app.parse(arguments);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version, on standard output
+    return report(fmt::format("{}; see '{} --help'", error.what(), command_in(app)), exit_unusable_input);
+  }
+  return exit_success;
+}
+
+void add_program_options(CLI::App& app) {
+  app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
+  const auto quiet = app.add_flag_callback(
+      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only: no notes, no progress");
+  app.add_flag_callback(
+         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Say how long the command took")
+      ->excludes(quiet);
+  app.require_subcommand(1);
+  app.footer(
+      "Example: shapegauge run configs/quickstart.json\n"
+      "'shapegauge help COMMAND' explains a command.\n"
+      "Exit status: 0 success; 1 finished, but with failures that the messages name; 2 unusable input or arguments, "
+      "or\n"
+      "results that could not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
+}
+
+/// Does what the arguments (without the program's name) say. Returns the exit status.
+int run_command(std::span<const std::string> arguments) {
+  CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
+  add_program_options(app);
+  int status = exit_success;
+  for (const auto add : {add_run_command, add_sdf_command, add_normals_command, add_info_command, add_perturb_command,
+                         add_convert_command, add_segment_command, add_evaluate_command, add_compare_command,
+                         add_segmentation_evaluation_command, add_measures_command, add_dataset_command,
+                         add_cache_command, add_completion_command}) {
+    add(app, status);
+  }
+  settle(app);
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    status = std::max(parse_and_run(app, arguments), status);
+  } catch (const Interrupted& interruption) {
+    return report(interruption.what(), 128 + received_signal);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", exit_unusable_input);
+  } catch (const std::exception& error) {
+    return report(error.what(), exit_unusable_input);
+  }
+  if (verbosity() == Verbosity::verbose) {
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    note(fmt::format("{} took {:.2f} s", command_in(app), seconds));
+  }
+  return status;
+}
+
+/// The program. Results go to standard output or files, messages and progress to standard error. Results that do not
+/// reach standard output (a full disk, a closed pipe) are an error like any other.
+int run_program(std::span<const std::string> arguments) {
+  const int status = run_command(arguments);
+  errno = 0;
+  std::cout.flush();
+  const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (written || status == exit_unusable_input) return status;
+  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
+  return report("cannot write to standard output" + reason, exit_unusable_input);
+}
+
 }  // namespace
 
+void catch_interruption() {
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember);
+  if (std::signal(SIGHUP, remember) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
+}
+
+bool interrupted() { return received_signal != 0; }
+
+}  // namespace shapegauge
+
 int main(int argc, char** argv) {
-  keep_memory();
+  shapegauge::keep_memory();
+  // A limit of the size of files is met as a full disk is: by an error where the file is written.
+  std::signal(SIGXFSZ, SIG_IGN);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   return shapegauge::run_program(arguments);
 }

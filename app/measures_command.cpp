@@ -1,12 +1,10 @@
-#include "app/measures_command.h"
-
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/run_program.h"
+#include "app/commands.h"
 #include "shapegauge/metrics/measures.h"
 
 namespace shapegauge {

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -11,8 +11,48 @@
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/configuration/fields.h"
 
 namespace shapegauge {
+
+namespace {
+
+/// Two digits, rounded up, so that what is printed closes the gaps as well.
+double rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::ceil(value / unit) * unit;
+}
+
+/// What an offset below the gaps of the shape should be instead.
+std::string advice(const ChosenOffset& chosen) {
+  const double enough = rounded_up(1.1 * chosen.gap);
+  if (enough > 1) return "no offset closes them";
+  const bool automatic_is_enough = !chosen.automatic && enough <= AutomaticOffsetOptions{}.most;
+  return fmt::format("use --offset {:.2g}{}", enough, automatic_is_enough ? " or auto" : "");
+}
+
+}  // namespace
+
+void add_threads_option(CLI::App& command, int& threads) {
+  command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+}
+
+void add_seed_option(CLI::App& command, std::uint64_t& seed) {
+  command.add_option("--seed", seed, "The same seed gives the same result")
+      ->check(CLI::NonNegativeNumber)  // else -1 is read as the largest number
+      ->capture_default_str();
+}
+
+void add_denoise_option(CLI::App& command, bool& denoise) {
+  command.add_flag("--denoise", denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
+}
+
+CLI::Option* add_offset_option(CLI::App& command, std::string& text) {
+  return command
+      .add_option("--offset", text,
+                  "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and the noise")
+      ->capture_default_str();
+}
 
 void add_cache_option(CLI::App& command, CacheOption& option) {
   command.add_option("--cache", option.named,
@@ -24,42 +64,18 @@ std::filesystem::path chosen_cache(const CacheOption& option) {
   return option.named.empty() ? default_cache_folder() : option.named;
 }
 
-Shape denoised_with_report(Shape shape) {
-  DenoisedShape result = denoised(std::move(shape));
-  if (result.pass_band > 0) {
-    fmt::print(stderr, "shapegauge: noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}\n",
-               result.noise.relative(), result.pass_band);
-  } else {
-    fmt::print(stderr, "shapegauge: no noise beyond doubt, the shape stays as it is\n");
-  }
-  return std::move(result.shape);
-}
-
-namespace {
-
-/// Two digits, rounded up, so that what is printed closes the gaps as well.
-double rounded_up(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return std::ceil(value / unit) * unit;
-}
-
-void warn_of_gaps(const ChosenOffset& chosen) {
-  const double enough = rounded_up(1.1 * chosen.gap);
-  const bool automatic_is_enough = !chosen.automatic && enough <= AutomaticOffsetOptions{}.most;
-  fmt::print(stderr,
-             "shapegauge: warning: the offset is smaller than the gaps of the shape ({:.2g} % of the diagonal): the "
-             "offset surface leaks into it; use --offset {:.2g}{}\n",
-             100 * chosen.gap, enough, automatic_is_enough ? " or auto" : "");
-}
-
-}  // namespace
-
 std::optional<double> parse_offset(const std::string& text) {
   if (text == "auto") return std::nullopt;
   const std::optional<double> number = parse_number(text);
-  if (number && *number > 0 && *number <= 1) return number;
-  throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, above 0 and at most 1, or auto",
-                               quoted_word(text)));
+  if (!number) {
+    throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, or auto", quoted_word(text)));
+  }
+  try {
+    make_field({{"type", "offset_sdf"}, {"offset", *number}});
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("--offset: {}", error.what()));
+  }
+  return number;
 }
 
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
@@ -75,14 +91,17 @@ ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
   return chosen;
 }
 
-void report(const ChosenOffset& chosen) {
+void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
   if (chosen.automatic) {
-    fmt::print(stderr,
-               "shapegauge: offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps, {:.4g} levels "
-               "the noise)\n",
-               chosen.offset, chosen.automatic->gap, chosen.automatic->noise);
+    remarks.notes.push_back(
+        fmt::format("offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps, {:.4g} levels the noise)",
+                    chosen.offset, chosen.automatic->gap, chosen.automatic->noise));
   }
-  if (chosen.offset < chosen.gap) warn_of_gaps(chosen);
+  if (chosen.offset >= chosen.gap) return;
+  remarks.warnings.push_back(
+      fmt::format("the offset is smaller than the gaps of the shape ({:.2g} % of the diagonal): "
+                  "the offset surface leaks into it; {}",
+                  100 * chosen.gap, advice(chosen)));
 }
 
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
@@ -95,12 +114,13 @@ nlohmann::ordered_json to_json(const ChosenOffset& chosen) {
   return json;
 }
 
-void add_shape_argument(CLI::App& command, std::filesystem::path& input) {
-  command.add_option("input", input, "Mesh or point cloud: OFF, OBJ, PLY, STL, XYZ, PWN, PTS or TXT")->required();
-}
-
-void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+Shape denoised_with_remark(Shape shape, Remarks& remarks) {
+  DenoisedShape result = denoised(std::move(shape));
+  remarks.notes.push_back(result.pass_band > 0
+                              ? fmt::format("noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}",
+                                            result.noise.relative(), result.pass_band)
+                              : "no noise beyond doubt, the shape stays as it is");
+  return std::move(result.shape);
 }
 
 }  // namespace shapegauge

@@ -1,60 +1,69 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
+#include "app/shape_files.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
+
+/// The options that several commands share, and what they stand for.
 
 namespace shapegauge {
 
-/// The folder of the cache that the user wants.
+/// Adds --threads, for with_threads().
+void add_threads_option(CLI::App& command, int& threads);
+
+/// Adds --seed: 0 or more.
+void add_seed_option(CLI::App& command, std::uint64_t& seed);
+
+/// Adds --denoise.
+void add_denoise_option(CLI::App& command, bool& denoise);
+
+/// Adds --offset, for parse_offset(); `text` holds its default.
+CLI::Option* add_offset_option(CLI::App& command, std::string& text);
+
+/// The cache folder that the user asks for.
 struct CacheOption {
   std::filesystem::path named;  ///< empty: default_cache_folder()
   bool none = false;
 };
 
-/// Adds `--cache` to a command, which leaves what the user says in `option`.
+/// Adds --cache.
 void add_cache_option(CLI::App& command, CacheOption& option);
 
-/// The folder; empty where there is to be no cache.
+/// The cache folder; empty for no cache.
 std::filesystem::path chosen_cache(const CacheOption& option);
 
-/// What the option --denoise does: the shape without its noise (denoised()), with a line on standard error that says
-/// what was found.
-Shape denoised_with_report(Shape shape);
-
-/// The offset that a shape is measured with, as fractions of the bounding-box diagonal.
-struct ChosenOffset {
-  double offset = 0;
-  double gap = 0;                            ///< the shape's gap_size()
-  std::optional<AutomaticOffset> automatic;  ///< why it was chosen, where the option says "auto"
-};
-
-/// The number that the option --offset gives, or nothing for "auto". Throws InputError for anything else, and for a
-/// number that is not a fraction of the diagonal (above 0, at most 1).
+/// The value of --offset, a fraction of the bounding-box diagonal; nothing for "auto". Throws InputError for other text
+/// and for an offset that offset_sdf fields do not take.
 std::optional<double> parse_offset(const std::string& text);
 
-/// The offset for a shape: the one given, or automatic_offset(). Throws InputError where the shape has no extent.
+/// The offset that a shape is measured with. Lengths are fractions of the bounding-box diagonal.
+struct ChosenOffset {
+  double offset = 0;
+  double gap = 0;                            ///< gap_size() of the shape
+  std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
+};
+
+/// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Tells on standard error which offset was chosen, and warns of one that is smaller than the shape's gaps.
-void report(const ChosenOffset& chosen);
+/// Remarks on an offset that was chosen automatically, and warns of one below the gaps of the shape.
+void remark_on(const ChosenOffset& chosen, Remarks& remarks);
 
-/// What `--timings` tells of it: `offset`, `gap_fraction`, and of a choice `noise_fraction` and `sufficient`.
+/// The offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`, `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// Adds the file of the shape that a command is about: whatever read_shape() reads.
-void add_shape_argument(CLI::App& command, std::filesystem::path& input);
-
-/// Adds --threads; with_threads() takes what it gives.
-void add_threads_option(CLI::App& command, int& threads);
+/// The option --denoise: denoised(), with a remark on what it found.
+Shape denoised_with_remark(Shape shape, Remarks& remarks);
 
 }  // namespace shapegauge

@@ -1,14 +1,15 @@
-#include "app/perturb_command.h"
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
-#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
+#include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
@@ -18,8 +19,7 @@ namespace shapegauge {
 namespace {
 
 struct PerturbArguments {
-  std::filesystem::path input;
-  std::filesystem::path output;
+  ShapeFiles files{.output_format = "off"};
   std::uint64_t seed = 1;
   std::optional<int> faces;
   std::optional<double> noise;
@@ -51,11 +51,12 @@ nlohmann::json steps_of(const PerturbArguments& arguments) {
 }
 
 int run(const PerturbArguments& arguments) {
-  const ShapeWriter write = shape_writer(arguments.output);
+  const ShapeWriter write = shape_writer(output_name(arguments.files));
   const std::vector<Perturbation> steps = make_perturbations(steps_of(arguments));
   if (steps.empty()) throw InputError("nothing to do: name at least one change; see 'shapegauge perturb --help'");
-  write(arguments.output, perturb_model(read_shape(arguments.input), steps, arguments.seed, "", 0).shape);
-  return exit_success;
+  return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) {
+    write(job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape);
+  });
 }
 
 }  // namespace
@@ -65,9 +66,9 @@ void add_perturb_command(CLI::App& app, int& status) {
       "perturb", "Change a shape at random: noise, holes, fewer faces, points. Changes are made in the order below.");
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
-  add_shape_argument(*command, arguments->input);
-  command->add_option("-o,--output", arguments->output, "Result: .off or .ply")->required();
-  command->add_option("--seed", arguments->seed, "The same seed gives the same result")->capture_default_str();
+  add_shape_inputs(*command, arguments->files);
+  add_shape_outputs(*command, arguments->files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
+  add_seed_option(*command, arguments->seed);
   command->add_option("--decimate", arguments->faces, "Simplify the mesh to so many faces");
   command->add_option("--noise", arguments->noise,
                       "Move every vertex, at random in a ball of this radius, a fraction of the diagonal");
@@ -82,6 +83,22 @@ void add_perturb_command(CLI::App& app, int& status) {
   command->add_option("--motion", arguments->scale,
                       "Rotate and shift, and scale by a factor from 1/MOTION to MOTION (1: no scaling)");
   command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+void add_convert_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("convert", "Write shapes in another format");
+  command->footer(
+      "Example: shapegauge convert bunny.stl -o bunny.off\n"
+      "         shapegauge convert scans/*.obj --output-format ply -o ply/\n"
+      "Polygons become triangles; the normals of point clouds are kept, colours and textures are not.");
+  const auto files = std::make_shared<ShapeFiles>(ShapeFiles{.output_format = "off"});
+  add_shape_inputs(*command, *files);
+  add_shape_outputs(*command, *files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
+  command->callback([files, &status] {
+    const ShapeWriter write = shape_writer(output_name(*files));
+    status = for_each_shape(
+        *files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) { write(job.output, shape); });
+  });
 }
 
 }  // namespace shapegauge

@@ -1,5 +1,3 @@
-#include "app/run_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -11,9 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/progress_line.h"
-#include "app/run_program.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -24,7 +22,6 @@
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/replay.h"
 #include "shapegauge/experiments/results/result_folder.h"
-#include "shapegauge/experiments/results/write_comparison.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -32,6 +29,37 @@
 
 namespace shapegauge {
 
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What is to be run: a configuration, or a recorded run.
+struct RunSource {
+  fs::path configuration;
+  std::vector<std::string> overrides;  ///< of the configuration, see apply_override
+  fs::path replay;                     ///< the manifest of the run to repeat, instead of a configuration
+  fs::path dataset_root;               ///< with replay: where the data set is here; empty: where it was then
+};
+
+/// An experiment to be run: its configuration and where it comes from.
+// NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
+struct RequestedRun {
+  nlohmann::json document;
+  std::string source;       ///< what messages call it
+  fs::path folder;          ///< that paths are relative to
+  nlohmann::json recorded;  ///< the manifest of the run that this one repeats; null for a new one
+};
+
+struct RunArguments {
+  RunSource source;
+  fs::path output;
+  int threads = 0;
+  bool force = false;
+  bool replace = false;
+  CacheOption cache;
+};
+
+/// Reads what is to be run. Throws InputError where it cannot be read or contradicts itself.
 RequestedRun requested_run(const RunSource& source) {
   if (!source.replay.empty()) {
     RequestedRun request;
@@ -51,7 +79,7 @@ RequestedRun requested_run(const RunSource& source) {
           .recorded = {}};
 }
 
-namespace {
+// Repeating a recorded run.
 
 constexpr std::size_t most_by_name = 10;
 
@@ -59,17 +87,28 @@ void print_lines(const std::vector<std::string>& names, std::string_view verdict
   for (const std::string& name : names) fmt::print("{:<14}{}\n", verdict, name);
 }
 
-}  // namespace
-
+/// Warns on standard error of inputs of a run that are not those recorded, at most ten by name.
 void warn_of_changed_inputs(const std::vector<std::string>& changes) {
   const std::size_t named = std::min(changes.size(), most_by_name);
-  for (std::size_t i = 0; i < named; ++i) fmt::print(stderr, "shapegauge: warning: input: {}\n", changes[i]);
+  for (std::size_t i = 0; i < named; ++i) warn("input: " + changes[i]);
   if (named < changes.size()) {
-    fmt::print(stderr, "shapegauge: warning: {} more inputs are not those recorded\n", changes.size() - named);
+    warn(fmt::format("{} more inputs are not those recorded", changes.size() - named));
   }
 }
 
-int report_replay(const nlohmann::json& recorded, const std::filesystem::path& results) {
+/// Warns, before a repeated run begins, of inputs that are not the recorded ones.
+void warn_of_inputs(const RequestedRun& request, const Configuration& configuration, int threads) {
+  if (request.recorded.is_null() || !configuration.location) return;
+  with_threads(threads, [&] {
+    const Dataset dataset = find_dataset(*configuration.location);
+    warn_of_changed_inputs(
+        changed_inputs(request.recorded.at("inputs"), dataset_inputs(configuration, dataset.models)));
+  });
+}
+
+/// Prints for each output of a repeated run whether it is the same bytes as recorded, and what else differs: inputs,
+/// program. Returns the exit status: 1 where an output differs.
+int report_replay(const nlohmann::json& recorded, const fs::path& results) {
   const nlohmann::json now = read_json(results / manifest_name);
   const ComparedOutputs outputs = compare_outputs(recorded, now);
   fmt::print("\n");
@@ -91,6 +130,9 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
   return exit_with_failures;
 }
 
+// The cache of a run.
+
+/// What a run took from the cache, as a line: "From the cache: 600 of 600 fields, ..."; empty where that is nothing.
 std::string cache_text(const CacheReport& cache) {
   constexpr std::array<std::pair<EntryKind, std::string_view>, 4> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
@@ -100,30 +142,32 @@ std::string cache_text(const CacheReport& cache) {
   bool any = false;
   for (const auto& [kind, name] : shown) {
     const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
-    parts.push_back(fmt::format("{} of {} {}", use.taken, use.taken + use.computed, name));
-    any = any || use.taken > 0;
+    parts.push_back(fmt::format("{} of {} {}", use.hits, use.hits + use.computed, name));
+    any = any || use.hits > 0;
   }
   return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
 }
 
-CacheWarnings::~CacheWarnings() {
-  const std::vector<std::string> warnings = cache_->warnings();
-  if (!warnings.empty()) progress_->clear();
-  for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
-}
+/// At the end of its scope, however a run ends, says on standard error what the cache could not do.
+class CacheWarnings {
+ public:
+  CacheWarnings(const Cache& cache, ProgressLine& progress) : cache_(&cache), progress_(&progress) {}
+  CacheWarnings(const CacheWarnings&) = delete;
+  CacheWarnings& operator=(const CacheWarnings&) = delete;
+  CacheWarnings(CacheWarnings&&) = delete;
+  CacheWarnings& operator=(CacheWarnings&&) = delete;
+  ~CacheWarnings() {
+    const std::vector<std::string> warnings = cache_->warnings();
+    if (!warnings.empty()) progress_->clear();
+    for (const std::string& warning : warnings) warn(warning);
+  }
 
-namespace {
-
-namespace fs = std::filesystem;
-
-struct RunArguments {
-  RunSource source;
-  fs::path output;
-  int threads = 0;
-  bool force = false;
-  bool replace = false;
-  CacheOption cache;
+ private:
+  const Cache* cache_;
+  ProgressLine* progress_;
 };
+
+// What runs of both kinds have in common.
 
 /// Something that a run went on without.
 struct LeftOut {
@@ -131,12 +175,12 @@ struct LeftOut {
   std::string why;
 };
 
-/// Says on standard error what a reader of the results should know; returns the exit status. all: of how many shapes.
+/// Prints warnings about the fields and the shapes left out, of `all` shapes; returns the exit status.
 int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftOut>& left_out, std::size_t all,
                  std::string_view kind) {
-  for (const std::string& warning : field_warnings(fields)) fmt::print(stderr, "shapegauge: warning: {}\n", warning);
+  for (const std::string& warning : field_warnings(fields)) warn(warning);
   for (const LeftOut& one : left_out) {
-    fmt::print(stderr, "shapegauge: warning: left out {}: {}\n", one.what, one.why);
+    warn(fmt::format("left out {}: {}", one.what, one.why));
   }
   if (left_out.empty()) return exit_success;
   fmt::print(stderr, "shapegauge: error: {} of {} {} could not be used; the results are without them\n",
@@ -144,13 +188,13 @@ int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftO
   return exit_with_failures;
 }
 
-/// The folder for the results of the experiment of that name. That of a repeated run is another than the run's own.
+/// The folder for the results of the experiment of that name; a repeated run does not overwrite the recorded one.
 fs::path result_folder(const RunArguments& arguments, const std::string& name) {
   if (!arguments.output.empty()) return arguments.output;
   return fs::path("results") / (file_safe_name(name) + (arguments.source.replay.empty() ? "" : "-replay"));
 }
 
-/// The cache that is asked for. A run that repeats another one must not take from it what the other one has computed.
+/// The cache that is asked for. A repeated run takes nothing from it: it has to compute everything again.
 std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
   return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
 }
@@ -164,15 +208,7 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
           }};
 }
 
-/// Says before a repeated run begins, as far as it can be known then, that its inputs are not the recorded ones.
-void warn_of_inputs(const RequestedRun& request, const Configuration& configuration, int threads) {
-  if (request.recorded.is_null() || !configuration.location) return;
-  with_threads(threads, [&] {
-    const Dataset dataset = find_dataset(*configuration.location);
-    warn_of_changed_inputs(
-        changed_inputs(request.recorded.at("inputs"), dataset_inputs(configuration, dataset.models)));
-  });
-}
+// Retrieval experiments and comparisons.
 
 /// The experiment, through the cache.
 ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,

@@ -1,22 +1,22 @@
-#include "app/sdf_command.h"
-
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <cstdio>
+#include <array>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 #include <utility>
+#include <vector>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
+#include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/results/shape_tables.h"
-#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 
@@ -25,8 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SdfArguments {
-  fs::path input;
-  fs::path output;
+  ShapeFiles files{.output_format = "csv"};
   std::string method;
   std::string site = "faces";
   std::string offset = "0.05";
@@ -34,26 +33,60 @@ struct SdfArguments {
   double opening_angle = 60;
   int rays = 25;
   bool denoise = false;
-  int threads = 0;
   fs::path timings;
+  std::string picture_size = "640x480";
+  std::string view = "0.6,0.45,1";
 };
 
-/// `chosen`: with the offset method only.
-nlohmann::json field_settings(const SdfArguments& arguments, const std::optional<ChosenOffset>& chosen) {
-  if (chosen) return {{"type", "offset_sdf"}, {"offset", chosen->offset}, {"at", arguments.site}};
+/// The numbers between the separators; none where a word is no number.
+std::vector<double> numbers_in(const std::string& text, char separator) {
+  std::vector<double> numbers;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, separator);) {
+    const std::optional<double> number = parse_number(word);
+    if (!number) return {};
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
+FieldPicture picture_of(const SdfArguments& arguments) {
+  FieldPicture picture;
+  const std::vector<double> size = numbers_in(arguments.picture_size, 'x');
+  constexpr double largest = 16384;
+  if (size.size() != 2 || !(size[0] >= 1 && size[0] <= largest && size[1] >= 1 && size[1] <= largest)) {
+    throw InputError(fmt::format("--picture-size is {}: it must be width and height in pixels, 1 to {}, as in 1280x960",
+                                 quoted_word(arguments.picture_size), largest));
+  }
+  picture.render.width = static_cast<int>(size[0]);
+  picture.render.height = static_cast<int>(size[1]);
+  picture.principal = arguments.view == "principal";
+  if (picture.principal) return picture;
+  const std::vector<double> direction = numbers_in(arguments.view, ',');
+  if (direction.size() != 3) {
+    throw InputError(fmt::format("--view is {}: it must be the direction to the viewer, as in 0,0,1, or principal",
+                                 quoted_word(arguments.view)));
+  }
+  picture.render.towards_viewer = Eigen::Vector3d(direction[0], direction[1], direction[2]);
+  // Seen from straight above or below, the back of the shape is up.
+  if (picture.render.towards_viewer.cross(picture.render.up).norm() <= 1e-6 * picture.render.towards_viewer.norm()) {
+    picture.render.up = -Eigen::Vector3d::UnitZ();
+  }
+  return picture;
+}
+
+/// The field as a configuration would ask for it. `offset`: of the offset method.
+nlohmann::json field_settings(const SdfArguments& arguments, std::optional<double> offset) {
+  if (arguments.method == "offset") {
+    nlohmann::json settings{{"type", "offset_sdf"}, {"offset", "auto"}, {"at", arguments.site}};
+    if (offset) settings["offset"] = *offset;
+    return settings;
+  }
   return {{"type", "cone_sdf"},
           {"engine", arguments.engine},
           {"opening_angle_degrees", arguments.opening_angle},
           {"rays", arguments.rays},
           {"at", arguments.site}};
-}
-
-void warn_of(const FieldOutcomes& outcomes) {
-  for (const char* outcome : {"undecided", "missing"}) {
-    const auto count = outcomes.find(outcome);
-    if (count == outcomes.end() || count->second == 0) continue;
-    fmt::print(stderr, "shapegauge: warning: {} of {} samples {}\n", count->second, outcomes.at("total"), outcome);
-  }
 }
 
 /// What was computed of a shape.
@@ -62,6 +95,23 @@ struct Computed {
   Samples samples;
   FieldValues field;
 };
+
+/// Errors name the input.
+Computed compute(const SdfArguments& arguments, std::optional<double> given_offset, const Shape& shape,
+                 const std::string& input) {
+  try {
+    Computed computed;
+    if (arguments.method == "offset") computed.chosen = choose_offset(given_offset, shape);
+    const Field field =
+        make_field(field_settings(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt));
+    computed.samples = take_samples(shape, field.samples);
+    FieldSource source(shape);
+    computed.field = field.compute(source, computed.samples, true);
+    return computed;
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", input, error.what()));
+  }
+}
 
 void write_timings(const fs::path& path, const Shape& shape, double read_seconds, const Computed& computed) {
   nlohmann::ordered_json timings{{"read_seconds", read_seconds},
@@ -73,67 +123,64 @@ void write_timings(const fs::path& path, const Shape& shape, double read_seconds
   write_file_atomically(path, timings.dump(2) + "\n");
 }
 
-/// What is wrong with the shape is told with the file's name.
-Computed compute(const SdfArguments& arguments, std::optional<double> given_offset, const Shape& shape) {
-  try {
-    Computed computed;
-    if (arguments.method == "offset") computed.chosen = choose_offset(given_offset, shape);
-    const Field field = make_field(field_settings(arguments, computed.chosen));
-    computed.samples = take_samples(shape, field.samples);
-    FieldSource source(shape);
-    computed.field = field.compute(source, computed.samples, true);
-    return computed;
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", arguments.input.string(), error.what()));
+void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
+  for (const char* outcome : {"undecided", "missing"}) {
+    const auto count = outcomes.find(outcome);
+    if (count == outcomes.end() || count->second == 0) continue;
+    remarks.warnings.push_back(fmt::format("{} of {} samples {}", count->second, outcomes.at("total"), outcome));
   }
 }
 
 int run(const SdfArguments& arguments) {
-  const FieldFileWriter write = field_file_writer(arguments.output);
-  const std::optional<double> given_offset = parse_offset(arguments.offset);
-  const auto start = std::chrono::steady_clock::now();
-  Shape shape = read_shape(arguments.input);
-  const double read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (arguments.denoise) shape = denoised_with_report(std::move(shape));
-  with_threads(arguments.threads, [&] {
-    const Computed computed = compute(arguments, given_offset, shape);
-    write(arguments.output, shape, computed.samples, computed.field.values);
-    if (!arguments.timings.empty()) write_timings(arguments.timings, shape, read_seconds, computed);
-    if (computed.chosen) report(*computed.chosen);
-    warn_of(computed.field.outcomes);
+  if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
+    throw InputError("--timings goes with one shape; leave it out for several");
+  }
+  const FieldPicture picture = picture_of(arguments);
+  const std::optional<double> given_offset =
+      arguments.method == "offset" ? parse_offset(arguments.offset) : std::nullopt;
+  make_field(field_settings(arguments, given_offset));  // what is wrong with it is told before anything is read
+  const FieldFileWriter write = field_file_writer(output_name(arguments.files), picture);
+  return for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
+    const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
+    const Computed computed = compute(arguments, given_offset, shape, job.input);
+    write(job.output, shape, computed.samples, computed.field.values);
+    if (!arguments.timings.empty()) write_timings(arguments.timings, shape, job.read_seconds, computed);
+    if (computed.chosen) remark_on(*computed.chosen, remarks);
+    remark_on(computed.field.outcomes, remarks);
   });
-  return exit_success;
 }
 
 }  // namespace
 
 void add_sdf_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of a shape, in the file's units");
-  command->footer("Example: shapegauge sdf bunny.off --method offset --offset 0.03 -o bunny.ply");
+  CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of shapes, in the files' units");
+  command->footer(
+      "Example: shapegauge sdf bunny.off --method offset --offset 0.03 -o bunny.ply\n"
+      "         shapegauge sdf models/*.off --method cone -o sdf/");
   const auto arguments = std::make_shared<SdfArguments>();
-  add_shape_argument(*command, arguments->input);
+  add_shape_inputs(*command, arguments->files);
   command->add_option("--method", arguments->method, "offset: of the offset surface; cone: conventional")
       ->required()
       ->check(CLI::IsMember({"offset", "cone"}));
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Result: .csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
-      ->required();
+  add_shape_outputs(*command, arguments->files,
+                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)");
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
-  CLI::Option* offset =
-      command->add_option("--offset", arguments->offset,
-                          "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and noise");
-  offset->capture_default_str();
+  const CLI::Option* offset = add_offset_option(*command, arguments->offset);
   std::vector<CLI::Option*> of_cone{
       command->add_option("--engine", arguments->engine, "cone: who casts the rays")
           ->check(CLI::IsMember({"embree", "cgal"})),
       command->add_option("--opening-angle", arguments->opening_angle, "cone: opening angle in degrees"),
       command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
   for (CLI::Option* option : of_cone) option->capture_default_str();
-  command->add_flag("--denoise", arguments->denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
-  add_threads_option(*command, arguments->threads);
+  add_denoise_option(*command, arguments->denoise);
+  command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png in pixels")
+      ->capture_default_str();
+  command
+      ->add_option("--view", arguments->view,
+                   "Direction from the shape to the viewer of a .png, or principal: along the shape's own axes")
+      ->capture_default_str();
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, offset, of_cone] {

@@ -1,18 +1,18 @@
-#include "app/segmentation_evaluation_command.h"
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <tbb/parallel_for.h>
 #include <vector>
 
+#include "app/commands.h"
 #include "app/options.h"
-#include "app/run_program.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -239,8 +239,8 @@ std::string formatted(const Scores& scores, const EvaluationArguments& arguments
 int run(const EvaluationArguments& arguments) {
   const Scores scores = scored(arguments);
   if (!scores.benchmark.without_people.empty()) {
-    fmt::print(stderr, "shapegauge: warning: nobody segmented {} of the meshes ({}, ...); they are left out\n",
-               scores.benchmark.without_people.size(), scores.benchmark.without_people.front());
+    warn(fmt::format("nobody segmented {} of the meshes ({}, ...); they are left out",
+                     scores.benchmark.without_people.size(), scores.benchmark.without_people.front()));
   }
   if (!arguments.per_mesh.empty()) write_file_atomically(arguments.per_mesh, to_csv(mesh_table(scores)));
   fmt::print("{}", formatted(scores, arguments));

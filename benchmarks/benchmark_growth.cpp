@@ -6,7 +6,7 @@
 #include <malloc.h>
 
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace {
 
@@ -15,7 +15,7 @@ using namespace shapegauge;
 void offset_sdf_of_torus(benchmark::State& state) {
   const auto faces = static_cast<double>(state.range(0));
   const int around = static_cast<int>(std::lround(std::sqrt(faces)));
-  const Shape shape = test_shapes::torus(1, 0.3, around, around / 2);
+  const Shape shape = test::torus(1, 0.3, around, around / 2);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   std::size_t bytes = 0;
   for ([[maybe_unused]] const auto iteration : state) {

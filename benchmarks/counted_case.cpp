@@ -4,18 +4,18 @@
 #include <cstdio>
 
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 int main() {
   using namespace shapegauge;
   std::vector<Shape> spheres;
   for (const double x : {0.0, 1.2, 2.1}) {
-    Shape sphere = test_shapes::sphere(1, 3);
+    Shape sphere = test::sphere(1, 3);
     sphere.vertices.col(0).array() += x;
     sphere.vertices.col(1).array() += x * x / 3;
     spheres.push_back(std::move(sphere));
   }
-  const Shape shape = test_shapes::joined(spheres);
+  const Shape shape = test::joined(spheres);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   const OffsetSdfSolver solver(shape);
   double sum = 0;

@@ -84,7 +84,7 @@ Eigen::VectorXd contributions(const Eigen::VectorXd& differences, const Eigen::V
 
 namespace {
 
-// The share of the resampled averages to leave out on each side.
+// The fraction of the resampled averages to leave out on each side.
 double tail_of(double confidence, Eigen::Index units) {
   const auto n = static_cast<double>(units);
   const boost::math::students_t student(n - 1);
@@ -93,9 +93,9 @@ double tail_of(double confidence, Eigen::Index units) {
 }
 
 // Linear between the order statistics, of which the i-th of B is taken as the quantile i / (B + 1).
-double quantile(const Eigen::VectorXd& sorted, double share) {
+double quantile(const Eigen::VectorXd& sorted, double fraction) {
   const auto count = static_cast<double>(sorted.size());
-  const double position = std::clamp(share * (count + 1) - 1, 0.0, count - 1);
+  const double position = std::clamp(fraction * (count + 1) - 1, 0.0, count - 1);
   const auto below = static_cast<Eigen::Index>(position);
   const Eigen::Index above = std::min(below + 1, sorted.size() - 1);
   return sorted[below] + (position - static_cast<double>(below)) * (sorted[above] - sorted[below]);

@@ -10,12 +10,12 @@
 
 namespace shapegauge {
 
-/// What is drawn, or exchanged, as a whole.
+/// What is resampled, or exchanged, as a whole.
 ///
 /// classes: all queries of a class together. The queries of one matrix are not independent: those of a class look for
 /// each other, so one model that is far from the others of its class spoils the answers to all of them. What can be
 /// taken as independent, and as drawn from a larger world, are the classes. queries: each query by itself, as if they
-/// were independent: intervals come out too narrow and tests too eager. For comparison with figures that were made so.
+/// were independent: intervals come out too narrow and tests too eager. For comparison with scores that were made so.
 enum class Blocks { classes, queries };
 
 /// Means over queries, or over the means of classes.
@@ -31,16 +31,16 @@ std::optional<Average> average_of(std::string_view name);
 std::vector<std::string> average_names();
 /// @}
 
-/// How statistics are made that draw at random. The same seed gives the same answer for any number of threads.
+/// Settings of statistics that draw at random. The same seed gives the same answer for any number of threads.
 struct ResamplingOptions {
   int resamples = 10000;
   std::uint64_t seed = 1;
 };
 
-/// A table of values by query and method, brought down to what counts as independent.
+/// Values of methods by independent unit: a class, or a query.
 struct Units {
   Eigen::MatrixXd values;   ///< units x methods: means over the unit's queries
-  Eigen::VectorXd weights;  ///< share of each unit in the average; they sum to 1
+  Eigen::VectorXd weights;  ///< weight of each unit in the average; they sum to 1
 };
 
 /// The units of a table queries x methods. classes[i] is the class of query i. Throws std::invalid_argument where there
@@ -74,7 +74,7 @@ Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& 
 std::vector<ConfidenceInterval> bootstrap_intervals(const Units& units, double confidence = 0.95,
                                                     const ResamplingOptions& options = {});
 
-/// The same from averages that were drawn before, of n units.
+/// The same intervals from averages that were drawn before, of `units` units.
 std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resampled, Eigen::Index units,
                                                      double confidence);
 

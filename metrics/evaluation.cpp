@@ -103,6 +103,8 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
                      .target_classes = task.target_classes,
                      .own_column = {},
                      .judged = {},
+                     .grades = {},
+                     .judged_irrelevant = {},
                      .lists_may_end_early = task.lists_may_end_early};
   const auto copy = [&](const auto& from, auto& to) {
     if (!from.empty()) to.assign(from.begin() + first, from.begin() + first + count);
@@ -110,6 +112,8 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
   copy(task.query_classes, part.query_classes);
   copy(task.own_column, part.own_column);
   copy(task.judged, part.judged);
+  copy(task.grades, part.grades);
+  copy(task.judged_irrelevant, part.judged_irrelevant);
   return part;
 }
 

@@ -20,12 +20,12 @@ struct EvaluationOptions {
   Ties ties = Ties::index;
   std::vector<Measure> measures{};   ///< empty: default_measures(protocol)
   std::optional<CurveKind> curve{};  ///< nothing: usual_curve(protocol)
-  /// A query needs a class of at least so many models, itself counted (psbTable: 3); at least 2. So a query has at
-  /// least one less relevant models, whether it is itself a target or not.
+  /// Models of smaller classes are no queries; at least 2, the query counted (psbTable: 3). Every query then has at
+  /// least one relevant model fewer than that, whether it is itself a target or not.
   int minimum_class_size = 2;
 };
 
-/// What a distance matrix is worth under one protocol. Fractions from 0 to 1. Column j of every table is measures[j].
+/// The scores of a distance matrix under one protocol: fractions from 0 to 1. Column j of every table is measures[j].
 struct Evaluation {
   Protocol protocol = Protocol::psb;
   Ties ties = Ties::index;
@@ -45,23 +45,23 @@ struct Evaluation {
   Eigen::Index queries_with_ties = 0;              ///< queries with relevant and other models at equal distance
 };
 
-/// Evaluates a distance matrix against the models' classes, every model a query to all others (the design, section 4).
-/// labels[i] is the class of model i. Distances need not be symmetric and may be infinite, the diagonal plays no part.
-/// Models that are no queries stay in the others' lists. Parallel over queries, the same bytes for any number of
-/// threads. Throws std::invalid_argument: matrix empty, not square or of another size than labels, a distance that is
-/// NaN (naming row and column, counted from 0), a minimum class size below 2, no class large enough.
+/// Evaluates a distance matrix against the models' classes, every model a query to all others
+/// (docs/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may be
+/// infinite; the diagonal plays no part. Models that are no queries stay in the others' lists. Parallel over queries;
+/// the same bytes for any number of threads. Throws std::invalid_argument: matrix empty, not square or of another size
+/// than labels, a distance that is NaN (naming row and column, counted from 0), a minimum class size below 2, no class
+/// large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
-/// The same for any queries and targets: rows and columns of the matrix, as the task says. Throws
-/// std::invalid_argument as above, and where the task is for a matrix of another size.
+/// Evaluates a matrix whose rows and columns are what the task says. Throws std::invalid_argument as above, and where
+/// the task is for a matrix of another size.
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 /// `count` rows of a distance matrix from the row `first` on.
 using DistanceRows = std::function<DistanceTableRows(Eigen::Index first, Eigen::Index count)>;
 
-/// The same, bit by bit, of a matrix that is never there as a whole: its rows are asked for a few hundred at a time,
-/// one call after the other, and forgotten. For so many models that their matrix would not fit into memory. Throws as
-/// above.
+/// Streaming version of evaluate(), for matrices that do not fit into memory: asks for a few hundred rows at a time, in
+/// order, one call after the other. The same result to the bit. Throws as above.
 Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 }  // namespace shapegauge

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <map>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 namespace shapegauge {
 namespace {
 
-/// Takes one more number into two hashes.
+// Takes one more number into two hashes.
 void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &number, sizeof bits);
@@ -24,36 +27,30 @@ void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
 struct Asymmetry {
   Eigen::Index pairs = 0;
   double largest = 0;
+
+  Asymmetry operator+(const Asymmetry& other) const {
+    return {.pairs = pairs + other.pairs, .largest = std::max(largest, other.largest)};
+  }
 };
 
-constexpr Eigen::Index tile = 64;  // rows and columns of a square that is compared with its mirror image in the cache
+constexpr Eigen::Index tile = 64;  // columns that are compared with their mirror images in the cache
 
-// The entries above the diagonal in so many rows from `first` on, against those below it.
-Asymmetry asymmetry_of_rows(const DistanceTable& distances, Eigen::Index first) {
+// The entries of some columns that are right of the diagonal, against their mirror images. The diagonal's first entry
+// is rows(0, first).
+Asymmetry asymmetry_of_columns(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored,
+                               const tbb::blocked_range<Eigen::Index>& columns) {
   Asymmetry found;
-  const Eigen::Index last = std::min(first + tile, distances.rows());
-  for (Eigen::Index columns = first; columns < distances.cols(); columns += tile) {
-    for (Eigen::Index i = first; i < last; ++i) {
-      for (Eigen::Index j = std::max(i + 1, columns); j < std::min(columns + tile, distances.cols()); ++j) {
-        if (distances(i, j) == distances(j, i)) continue;
-        ++found.pairs;
-        const double difference = std::abs(distances(i, j) - distances(j, i));
-        if (std::isfinite(difference)) found.largest = std::max(found.largest, difference);
-      }
+  for (Eigen::Index column = columns.begin(); column < columns.end(); ++column) {
+    for (Eigen::Index row = 0; row < std::min(column, rows.rows()); ++row) {
+      const double entry = rows(row, first + column);
+      const double mirror = mirrored(column, row);
+      if (entry == mirror) continue;
+      ++found.pairs;
+      const double difference = std::abs(entry - mirror);
+      if (std::isfinite(difference)) found.largest = std::max(found.largest, difference);
     }
   }
   return found;
-}
-
-void add_asymmetry(const DistanceTable& distances, MatrixFindings& findings) {
-  std::vector<Asymmetry> of_tiles(static_cast<std::size_t>((distances.rows() + tile - 1) / tile));
-  tbb::parallel_for(std::size_t{0}, of_tiles.size(), [&](std::size_t i) {
-    of_tiles[i] = asymmetry_of_rows(distances, static_cast<Eigen::Index>(i) * tile);
-  });
-  for (const Asymmetry& found : of_tiles) {
-    findings.asymmetric_pairs += found.pairs;
-    findings.largest_asymmetry = std::max(findings.largest_asymmetry, found.largest);
-  }
 }
 
 }  // namespace
@@ -89,6 +86,17 @@ void MatrixChecks::add(const DistanceTable& rows) {
   });
 }
 
+void MatrixChecks::compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored) {
+  const Asymmetry found = tbb::parallel_reduce(
+      tbb::blocked_range<Eigen::Index>(0, mirrored.rows(), tile), Asymmetry{},
+      [&](const tbb::blocked_range<Eigen::Index>& columns, const Asymmetry& before) {
+        return before + asymmetry_of_columns(rows, first, mirrored, columns);
+      },
+      std::plus<>());
+  asymmetric_pairs_ += found.pairs;
+  largest_asymmetry_ = std::max(largest_asymmetry_, found.largest);
+}
+
 void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
   std::map<std::pair<std::uint64_t, std::uint64_t>, Eigen::Index> first_of_hash;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -100,6 +108,8 @@ void MatrixChecks::add_equal_rows(MatrixFindings& findings) const {
 
 MatrixFindings MatrixChecks::findings() const {
   MatrixFindings findings;
+  findings.asymmetric_pairs = asymmetric_pairs_;
+  findings.largest_asymmetry = largest_asymmetry_;
   for (std::size_t row = 0; row < rows_.size(); ++row) {
     findings.infinite += rows_[row].infinite;
     findings.negative += rows_[row].negative;
@@ -108,14 +118,6 @@ MatrixFindings MatrixChecks::findings() const {
     if (rows_[row].nearest_to_others) ++findings.rows_nearest_to_others;
   }
   add_equal_rows(findings);
-  return findings;
-}
-
-MatrixFindings check_matrix(const DistanceTable& distances, bool square) {
-  MatrixChecks checks(square);
-  checks.add(distances);
-  MatrixFindings findings = checks.findings();
-  if (square) add_asymmetry(distances, findings);
   return findings;
 }
 

@@ -9,7 +9,7 @@
 
 namespace shapegauge {
 
-/// What is odd about a matrix of distances. None of it keeps figures from being computed; each may mean that the matrix
+/// What is odd about a matrix of distances. None of it keeps scores from being computed; each may mean that the matrix
 /// is not what it is taken for.
 struct MatrixFindings {
   Eigen::Index infinite = 0;          ///< entries off the diagonal
@@ -24,17 +24,21 @@ struct MatrixFindings {
   std::vector<Eigen::Index> constant_rows;  ///< all entries off the diagonal are equal
 };
 
-/// What is odd about the rows of a matrix, which come some after the others, as where it is never there as a whole.
+/// Looks for what is odd about a matrix that comes a few rows at a time. In parallel; the same findings for any number
+/// of threads and however many rows come at a time.
 class MatrixChecks {
  public:
   /// `square`: row i and column i are the same model, so that there is a diagonal.
   explicit MatrixChecks(bool square) : square_(square) {}
 
-  /// Looks at every entry of rows that follow those before. In parallel, the same answer for any number of threads.
+  /// Adds the next rows.
   void add(const DistanceTable& rows);
 
-  /// Of all rows so far, but for the asymmetry: entries (i, j) and (j, i) are not there at the same time. Rows are
-  /// taken for equal where hashes of 128 bits are.
+  /// Looks for asymmetry: `rows` are the matrix's rows from `first` on, `mirrored` as many of its columns from `first`
+  /// on, without the rows before `first`. To be called once for every row of a square matrix.
+  void compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored);
+
+  /// Of all rows so far. Rows count as equal if their 128-bit hashes are.
   [[nodiscard]] MatrixFindings findings() const;
 
  private:
@@ -50,11 +54,9 @@ class MatrixChecks {
   void add_equal_rows(MatrixFindings& findings) const;
 
   bool square_;
+  Eigen::Index asymmetric_pairs_ = 0;
+  double largest_asymmetry_ = 0;
   std::vector<RowFindings> rows_;
 };
-
-/// All of that of a whole matrix, asymmetry included where it is square. Parallel, the same answer for any number of
-/// threads.
-MatrixFindings check_matrix(const DistanceTable& distances, bool square);
 
 }  // namespace shapegauge

@@ -1,17 +1,19 @@
 #include "shapegauge/metrics/measures.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <deque>
+#include <mutex>
+#include <shared_mutex>
 #include <stdexcept>
+#include <utility>
 
 namespace shapegauge {
 namespace {
 
-/// Mean of the sum of gain(rank) over all hits, divided by that of the ideal list, which begins with all relevant
-/// models. Ranks count from 1.
-double share_of_ideal_gain(const RankedList& list, double (*gain)(std::size_t rank)) {
+// The sum of gain(rank) over all hits, divided by that of the ideal list, which begins with all relevant models.
+double fraction_of_ideal_gain(const RankedList& list, double (*gain)(std::size_t rank)) {
   double ideal = 0;
   // Both sums grow in the same order, so that a perfect list gives exactly 1.
   for (std::size_t rank = 1; rank <= list.relevant; ++rank) ideal += gain(rank);
@@ -39,7 +41,7 @@ double e_measure(const RankedList& list) {
 
 double gain_by_log_of_rank(std::size_t rank) { return rank == 1 ? 1.0 : 1.0 / std::log2(static_cast<double>(rank)); }
 
-double discounted_cumulative_gain(const RankedList& list) { return share_of_ideal_gain(list, gain_by_log_of_rank); }
+double discounted_cumulative_gain(const RankedList& list) { return fraction_of_ideal_gain(list, gain_by_log_of_rank); }
 
 double average_precision(const RankedList& list) {
   double sum = 0;
@@ -64,7 +66,17 @@ double reciprocal_rank(const RankedList& list) { return list.precision_at_hit.fr
 double gain_by_log_of_next_rank(std::size_t rank) { return 1.0 / std::log2(static_cast<double>(rank + 1)); }
 
 double normalised_discounted_gain(const RankedList& list) {
-  return share_of_ideal_gain(list, gain_by_log_of_next_rank);
+  if (list.grades.empty()) return fraction_of_ideal_gain(list, gain_by_log_of_next_rank);
+  double ideal = 0;
+  for (std::size_t i = 0; i < list.grades.size(); ++i) ideal += list.grades[i] * gain_by_log_of_next_rank(i + 1);
+  return graded_gain_of_hits(list, gain_by_log_of_next_rank) / ideal;
+}
+
+double binary_preference(const RankedList& list) {
+  const auto bound = static_cast<double>(std::min(list.relevant, list.judged_misses));
+  double sum = 0;
+  for (const double misses : misses_before_hits(list, list.relevant)) sum += 1 - (bound > 0 ? misses / bound : 0);
+  return sum / static_cast<double>(list.relevant);
 }
 
 double bulls_eye(const RankedList& list) {
@@ -83,151 +95,190 @@ double area_under_curve(const RankedList& list) {
   return sum / static_cast<double>(list.relevant);
 }
 
-/// All measures, in the order in which listings have them.
-constexpr std::array definitions{
-    MeasureDefinition{
-        .name = "NN",
-        .title = "nearest neighbour",
-        .definition = "1 where the nearest model other than the query is relevant, else 0: h(1).",
-        .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
-        .caveat = "One model decides, so an exact duplicate of the query in the data set makes it 1. The mean over "
-                  "queries is the accuracy of a nearest-neighbour classifier.",
-        .value = nearest_neighbour,
-    },
-    MeasureDefinition{
-        .name = "FT",
-        .title = "first tier",
-        .definition = "The recall among the first R ranks: the sum of h(1) to h(R), divided by R.",
-        .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
-        .caveat = "Under psb R is C - 1 for a class of C models. Under paper R is C and the query itself is the "
-                  "first hit, which makes the figure larger: psb = (C paper - 1) / (C - 1). Under psb and trec the "
-                  "same as R-prec.",
-        .value = first_tier,
-    },
-    MeasureDefinition{
-        .name = "ST",
-        .title = "second tier",
-        .definition = "The recall among the first 2R ranks, or in the whole list where that is shorter.",
-        .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
-        .caveat = "For a class of more than half of all models it is always 1. Not the bull's eye score, which "
-                  "counts the query.",
-        .value = second_tier,
-    },
-    MeasureDefinition{
-        .name = "E",
-        .title = "e-measure",
-        .definition = "The harmonic mean of precision and recall among the first k ranks, k = 32 or the whole list "
-                      "where that is shorter: 2c / (k + R) for c hits among them.",
-        .source = "van Rijsbergen, Information Retrieval, 1979, chapter 7; Shilane et al., The Princeton Shape "
-                  "Benchmark, SMI 2004, section 4.",
-        .caveat = "A perfect method does not reach 1 unless R = k: with classes of 20 it has 0.7451 under psb and, "
-                  "with the query as one of the 32 results and of the 20 relevant models, 0.7692 under paper.",
-        .value = e_measure,
-    },
-    MeasureDefinition{
-        .name = "DCG",
-        .title = "discounted cumulative gain, normalised",
-        .definition = "A hit at rank 1 gains 1, a hit at rank i >= 2 gains 1 / log2(i), over the whole list; the sum is"
-                      " divided by that of a list with all R hits in front.",
-        .source = "Jarvelin and Kekalainen, SIGIR 2000, in the form of Shilane et al., The Princeton Shape "
-                  "Benchmark, SMI 2004, section 4.",
-        .caveat = "Ranks 1 and 2 count the same; nDCG divides by log2(i + 1) and gives other figures. Far from 0 "
-                  "for a random order: hits anywhere gain something.",
-        .value = discounted_cumulative_gain,
-    },
-    MeasureDefinition{
-        .name = "mAP",
-        .title = "mean average precision",
-        .definition = "Of one query (AP): the mean over all R relevant models of the precision at the rank where each "
-                      "is found, 0 for one that is not in the list.",
-        .source = "Buckley and Voorhees, Evaluating evaluation measure stability, SIGIR 2000; trec_eval, NIST's "
-                  "program of the TREC conferences (map).",
-        .caveat = "No interpolation. Under paper the query is the first of R = C relevant models, found at rank 1 "
-                  "with precision 1, which makes the figure larger.",
-        .value = average_precision,
-    },
-    MeasureDefinition{
-        .name = "P@k",
-        .title = "precision at k",
-        .definition = "The share of hits among the first k ranks: the sum of h(1) to h(k), divided by k.",
-        .source = "trec_eval, NIST's program of the TREC conferences (P_k).",
-        .caveat = "Divided by k even where the list is shorter or R < k, so that a perfect method has R / k at "
-                  "most.",
-        .value_at = precision_at,
-    },
-    MeasureDefinition{
-        .name = "R@k",
-        .title = "recall at k",
-        .definition = "The share of the relevant models that is among the first k ranks: the sum of h(1) to h(k), "
-                      "divided by R.",
-        .source = "trec_eval, NIST's program of the TREC conferences (recall_k).",
-        .caveat = "A perfect method has k / R at most where k < R. In papers on metric learning R@k often means "
-                  "something else: whether there is a hit among the first k at all.",
-        .value_at = recall_at,
-    },
-    MeasureDefinition{
-        .name = "F1@k",
-        .title = "F1 at k",
-        .definition = "The harmonic mean of P@k and R@k: 2c / (k + R) for c hits among the first k ranks.",
-        .source = "van Rijsbergen, Information Retrieval, 1979, chapter 7.",
-        .caveat = "Does not reach 1 unless R = k. F1@32 is E where a list has 32 ranks or more.",
-        .value_at = f1_at,
-    },
-    MeasureDefinition{
-        .name = "MRR",
-        .title = "mean reciprocal rank",
-        .definition = "Of one query: 1 / rank of the first hit, 0 where there is none.",
-        .source = "Voorhees, The TREC-8 question answering track report, 1999; trec_eval, NIST's program of the "
-                  "TREC conferences (recip_rank).",
-        .caveat = "Looks at one hit only. Under paper the query is that hit and the figure is always 1: use psb or "
-                  "trec.",
-        .value = reciprocal_rank,
-    },
-    MeasureDefinition{
-        .name = "nDCG",
-        .title = "normalised discounted cumulative gain of text retrieval",
-        .definition = "A hit at rank i gains 1 / log2(i + 1), over the whole list; the sum is divided by that of a list"
-                      " with all R hits in front.",
-        .source = "Jarvelin and Kekalainen, ACM Transactions on Information Systems 20, 2002; trec_eval, NIST's "
-                  "program of the TREC conferences (ndcg).",
-        .caveat = "Not the DCG of shape retrieval, which divides by log2(i). Relevance is yes or no here: grades of"
-                  " a qrels file above 0 all count 1.",
-        .value = normalised_discounted_gain,
-    },
-    MeasureDefinition{
-        .name = "R-prec",
-        .title = "R-precision",
-        .definition = "The precision at rank R: the sum of h(1) to h(R), divided by R.",
-        .source = "trec_eval, NIST's program of the TREC conferences (Rprec).",
-        .caveat = "The first tier (FT) under the name of text retrieval; where a list ends before rank R the "
-                  "missing ranks count as misses.",
-        .value = first_tier,
-    },
-    MeasureDefinition{
-        .name = "AUC-PR",
-        .title = "area under the precision-recall curve",
-        .definition = "The area under straight lines between the points (k / R, precision at the k-th hit), k = 1 to R,"
-                      " and level from recall 0 to the first point.",
-        .source = "The curve that psbPlot draws; Davis and Goadrich, The relationship between precision-recall and "
-                  "ROC curves, ICML 2006.",
-        .caveat = "Straight lines between the points are optimistic (Davis and Goadrich); mAP is the same area "
-                  "under steps. A model that is not in the list counts with precision 0.",
-        .value = area_under_curve,
-    },
-    MeasureDefinition{
-        .name = "BEP",
-        .title = "bull's eye score",
-        .definition = "The share of the query's class, the query included, among the first 2C ranks of a list that "
-                      "begins with the query, C = R + 1: (1 + sum of h(1) to h(2C - 1)) / C.",
-        .source = "Latecki, Lakamper, Eckhardt, Shape descriptors for non-rigid shapes with a single closed "
-                  "contour, CVPR 2000 (MPEG-7 part B).",
-        .caveat = "The query finds itself and counts, under every protocol; for classes of two it is 0.5 at least. "
-                  "Under paper the same as ST.",
-        .value = bulls_eye,
-    },
+// The library's own, in the order in which listings have them.
+std::deque<MeasureDefinition> own_measures() {
+  return {
+      {
+          .name = "NN",
+          .title = "nearest neighbour",
+          .definition = "1 where the nearest model other than the query is relevant, else 0: h(1).",
+          .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
+          .caveat = "One model decides, so an exact duplicate of the query in the data set makes it 1. The mean over "
+                    "queries is the accuracy of a nearest-neighbour classifier.",
+          .value = nearest_neighbour,
+      },
+      {
+          .name = "FT",
+          .title = "first tier",
+          .definition = "The recall among the first R ranks: the sum of h(1) to h(R), divided by R.",
+          .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
+          .caveat = "Under psb R is C - 1 for a class of C models. Under paper R is C and the query itself is the "
+                    "first hit, which makes the value larger: psb = (C paper - 1) / (C - 1). Under psb and trec the "
+                    "same as R-prec.",
+          .value = first_tier,
+      },
+      {
+          .name = "ST",
+          .title = "second tier",
+          .definition = "The recall among the first 2R ranks, or in the whole list where that is shorter.",
+          .source = "Shilane, Min, Kazhdan, Funkhouser, The Princeton Shape Benchmark, SMI 2004, section 4.",
+          .caveat = "For a class of more than half of all models it is always 1. Not the bull's eye score, which "
+                    "counts the query.",
+          .value = second_tier,
+      },
+      {
+          .name = "E",
+          .title = "e-measure",
+          .definition = "The harmonic mean of precision and recall among the first k ranks, k = 32 or the whole list "
+                        "where that is shorter: 2c / (k + R) for c hits among them.",
+          .source = "van Rijsbergen, Information Retrieval, 1979, chapter 7; Shilane et al., The Princeton Shape "
+                    "Benchmark, SMI 2004, section 4.",
+          .caveat = "A perfect method does not reach 1 unless R = k: with classes of 20 it has 0.7451 under psb and, "
+                    "with the query as one of the 32 results and of the 20 relevant models, 0.7692 under paper.",
+          .value = e_measure,
+      },
+      {
+          .name = "DCG",
+          .title = "discounted cumulative gain, normalised",
+          .definition =
+              "A hit at rank 1 gains 1, a hit at rank i >= 2 gains 1 / log2(i), over the whole list; the sum is"
+              " divided by that of a list with all R hits in front.",
+          .source = "Jarvelin and Kekalainen, SIGIR 2000, in the form of Shilane et al., The Princeton Shape "
+                    "Benchmark, SMI 2004, section 4.",
+          .caveat = "Ranks 1 and 2 count the same; nDCG divides by log2(i + 1) and gives other values. Far from 0 "
+                    "for a random order: hits anywhere gain something.",
+          .value = discounted_cumulative_gain,
+      },
+      {
+          .name = "mAP",
+          .title = "mean average precision",
+          .definition =
+              "Of one query (AP): the mean over all R relevant models of the precision at the rank where each "
+              "is found, 0 for one that is not in the list.",
+          .source = "Buckley and Voorhees, Evaluating evaluation measure stability, SIGIR 2000; trec_eval, NIST's "
+                    "program of the TREC conferences (map).",
+          .caveat = "No interpolation. Under paper the query is the first of R = C relevant models, found at rank 1 "
+                    "with precision 1, which makes the value larger.",
+          .value = average_precision,
+      },
+      {
+          .name = "P@k",
+          .title = "precision at k",
+          .definition = "The fraction of hits among the first k ranks: the sum of h(1) to h(k), divided by k.",
+          .source = "trec_eval, NIST's program of the TREC conferences (P_k).",
+          .caveat = "Divided by k even where the list is shorter or R < k, so that a perfect method has R / k at "
+                    "most.",
+          .value_at = precision_at,
+      },
+      {
+          .name = "R@k",
+          .title = "recall at k",
+          .definition = "The fraction of the relevant models that is among the first k ranks: the sum of h(1) to h(k), "
+                        "divided by R.",
+          .source = "trec_eval, NIST's program of the TREC conferences (recall_k).",
+          .caveat = "A perfect method has k / R at most where k < R. In papers on metric learning R@k often means "
+                    "something else: whether there is a hit among the first k at all.",
+          .value_at = recall_at,
+      },
+      {
+          .name = "F1@k",
+          .title = "F1 at k",
+          .definition = "The harmonic mean of P@k and R@k: 2c / (k + R) for c hits among the first k ranks.",
+          .source = "van Rijsbergen, Information Retrieval, 1979, chapter 7.",
+          .caveat = "Does not reach 1 unless R = k. F1@32 is E where a list has 32 ranks or more.",
+          .value_at = f1_at,
+      },
+      {
+          .name = "MRR",
+          .title = "mean reciprocal rank",
+          .definition = "Of one query: 1 / rank of the first hit, 0 where there is none.",
+          .source = "Voorhees, The TREC-8 question answering track report, 1999; trec_eval, NIST's program of the "
+                    "TREC conferences (recip_rank).",
+          .caveat = "Looks at one hit only. Under paper the query is that hit and the value is always 1: use psb or "
+                    "trec.",
+          .value = reciprocal_rank,
+      },
+      {
+          .name = "nDCG",
+          .title = "normalised discounted cumulative gain of text retrieval",
+          .definition =
+              "A hit at rank i gains 1 / log2(i + 1), over the whole list; the sum is divided by that of a list"
+              " with all R hits in front.",
+          .source = "Jarvelin and Kekalainen, ACM Transactions on Information Systems 20, 2002; trec_eval, NIST's "
+                    "program of the TREC conferences (ndcg).",
+          .caveat = "Not the DCG of shape retrieval, which divides by log2(i). With graded judgements a hit gains its "
+                    "grade / log2(i + 1), as in trec_eval, and not 2^grade - 1, as others have it.",
+          .value = normalised_discounted_gain,
+      },
+      {
+          .name = "R-prec",
+          .title = "R-precision",
+          .definition = "The precision at rank R: the sum of h(1) to h(R), divided by R.",
+          .source = "trec_eval, NIST's program of the TREC conferences (Rprec).",
+          .caveat = "The first tier (FT) under the name of text retrieval; where a list ends before rank R the "
+                    "missing ranks count as misses.",
+          .value = first_tier,
+      },
+      {
+          .name = "bpref",
+          .title = "binary preference",
+          .definition =
+              "The mean over all R relevant models of 1 - n / min(R, N), 0 for one that is not in the list: n of "
+              "the N models that are judged and not relevant are before it, counted up to R.",
+          .source = "Buckley and Voorhees, Retrieval evaluation with incomplete information, SIGIR 2004; trec_eval, "
+                    "NIST's program of the TREC conferences (bpref).",
+          .caveat =
+              "Meant for incomplete judgements: models that nobody judged play no part. With classes all models are "
+              "judged.",
+          .value = binary_preference,
+      },
+      {
+          .name = "AUC-PR",
+          .title = "area under the precision-recall curve",
+          .definition =
+              "The area under straight lines between the points (k / R, precision at the k-th hit), k = 1 to R,"
+              " and level from recall 0 to the first point.",
+          .source = "The curve that psbPlot draws; Davis and Goadrich, The relationship between precision-recall and "
+                    "ROC curves, ICML 2006.",
+          .caveat = "Straight lines between the points are optimistic (Davis and Goadrich); mAP is the same area "
+                    "under steps. A model that is not in the list counts with precision 0.",
+          .value = area_under_curve,
+      },
+      {
+          .name = "BEP",
+          .title = "bull's eye score",
+          .definition =
+              "The fraction of the query's class, the query included, among the first 2C ranks of a list that "
+              "begins with the query, C = R + 1: (1 + sum of h(1) to h(2C - 1)) / C.",
+          .source = "Latecki, Lakamper, Eckhardt, Shape descriptors for non-rigid shapes with a single closed "
+                    "contour, CVPR 2000 (MPEG-7 part B).",
+          .caveat = "The query finds itself and counts, under every protocol; for classes of two it is 0.5 at least. "
+                    "Under paper the same as ST.",
+          .value = bulls_eye,
+      },
+  };
+}
+
+// Definitions are never moved nor removed, so that measures can point to them.
+struct Registry {
+  std::shared_mutex mutex;
+  std::deque<MeasureDefinition> definitions = own_measures();
 };
 
+Registry& registry() {
+  static Registry all;
+  return all;
+}
+
 constexpr std::size_t largest_k = 1000000000;
+constexpr std::string_view ranks_suffix = "@k";
+constexpr std::string_view other_name_of_map = "AP";
+
+// The definition of that name, or null. The caller holds the lock.
+const MeasureDefinition* find_definition(const Registry& all, std::string_view name) {
+  const auto found = std::ranges::find(all.definitions, name, &MeasureDefinition::name);
+  return found == all.definitions.end() ? nullptr : &*found;
+}
 
 [[noreturn]] void fail_unknown(std::string_view name) {
   std::string message = "there is no measure \"" + std::string(name.substr(0, 40)) + "\"; known are:";
@@ -249,17 +300,46 @@ std::size_t ranks_of(std::string_view name, std::string_view digits) {
 
 }  // namespace
 
-std::span<const MeasureDefinition> measure_definitions() { return definitions; }
+std::vector<MeasureDefinition> measure_definitions() {
+  Registry& all = registry();
+  const std::shared_lock lock(all.mutex);
+  return {all.definitions.begin(), all.definitions.end()};
+}
+
+void register_measure(MeasureDefinition definition) {
+  const std::string& name = definition.name;
+  const bool at_k = name.ends_with(ranks_suffix);
+  const std::string stem = at_k ? name.substr(0, name.size() - ranks_suffix.size()) : name;
+  if (stem.empty() || stem.find_first_of(" \t,@") != std::string::npos) {
+    throw std::invalid_argument("\"" + name + "\" cannot be the name of a measure");
+  }
+  if ((definition.value != nullptr) == at_k || (definition.value_at != nullptr) != at_k) {
+    throw std::invalid_argument("the measure \"" + name +
+                                "\" needs one function: value_at where its name ends in @k, "
+                                "else value");
+  }
+  Registry& all = registry();
+  const std::unique_lock lock(all.mutex);
+  if (name == other_name_of_map || find_definition(all, name) != nullptr) {
+    throw std::invalid_argument("there is a measure \"" + name + "\" already");
+  }
+  all.definitions.push_back(std::move(definition));
+}
 
 Measure measure_of(std::string_view name) {
-  if (name == "AP") name = "mAP";
+  if (name == other_name_of_map) name = "mAP";
   const std::size_t at = name.find('@');
-  const std::string wanted = at == std::string_view::npos ? std::string(name) : std::string(name.substr(0, at)) + "@k";
-  const auto all = measure_definitions();
-  const auto found = std::ranges::find(all, wanted, &MeasureDefinition::name);
-  if (found == all.end()) fail_unknown(name);
+  const std::string wanted =
+      at == std::string_view::npos ? std::string(name) : std::string(name.substr(0, at)).append(ranks_suffix);
+  const MeasureDefinition* definition = nullptr;
+  {
+    Registry& all = registry();
+    const std::shared_lock lock(all.mutex);
+    definition = find_definition(all, wanted);
+  }
+  if (definition == nullptr) fail_unknown(name);
   const std::size_t k = at == std::string_view::npos ? 0 : ranks_of(name, name.substr(at + 1));
-  return {.name = std::string(name), .definition = &*found, .k = k};
+  return {.name = std::string(name), .definition = definition, .k = k};
 }
 
 std::vector<Measure> measures_of(std::span<const std::string> names) {

@@ -11,22 +11,27 @@
 
 namespace shapegauge {
 
-/// A measure: a name, what it means, and the function. It judges the answer to one query by a number from 0 to 1
-/// (larger is better) for every list with at least one relevant model. Exactly one of the functions is there.
+/// A measure: what it is called, what it means, and how it judges the answer to one query: by a number from 0 to 1,
+/// larger is better, for every list with at least one relevant model. Exactly one of the two functions is there.
 struct MeasureDefinition {
-  std::string_view name;        ///< in tables and options; it ends in "@k" where there is a number of ranks to choose
-  std::string_view title;       ///< spelled out
-  std::string_view definition;  ///< h(i) is 1 where rank i is a hit, R the number of relevant models
-  std::string_view source;
-  std::string_view caveat;
+  std::string name;          ///< in tables and options; it ends in "@k" where there is a number of ranks to choose
+  std::string title{};       ///< spelled out
+  std::string definition{};  ///< h(i) is 1 where rank i is a hit, R the number of relevant models
+  std::string source{};
+  std::string caveat{};
   double (*value)(const RankedList&) = nullptr;
   double (*value_at)(const RankedList&, std::size_t k) = nullptr;
 };
 
-/// All measures. A new one is one file in this folder and one line in registry.cpp.
-std::span<const MeasureDefinition> measure_definitions();
+/// All measures: those of the library (measures.cpp), then those that were registered, in their order.
+std::vector<MeasureDefinition> measure_definitions();
 
-/// A measure with its number of ranks, where it has one, and the name that tables show: "FT", "P@10".
+/// Makes a measure known by its name, to evaluations and listings alike. May be called from any thread; measures stay
+/// for the life of the program. Throws std::invalid_argument for a name that is taken, empty, or has a blank, a comma
+/// or an @ in it other than that of "@k", and for a definition that does not have the one function its name asks for.
+void register_measure(MeasureDefinition definition);
+
+/// A measure as tables show it, with its number of ranks where it has one: "FT", "P@10".
 struct Measure {
   std::string name;
   const MeasureDefinition* definition = nullptr;

@@ -1,5 +1,6 @@
 #include "shapegauge/metrics/method_comparison.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -67,6 +68,19 @@ double p_value(const Eigen::VectorXd& differences, const Units& units, const Eig
 std::string name_of(PairTest test) { return name_in<PairTest>(tests, test); }
 std::optional<PairTest> pair_test_of(std::string_view name) { return value_in<PairTest>(tests, name); }
 std::vector<std::string> pair_test_names() { return names_in<PairTest>(tests); }
+
+double smallest_p_value(const ComparisonOptions& options, Eigen::Index units) {
+  const double of_resamples = 1.0 / (1.0 + options.resampling.resamples);
+  switch (options.test) {
+    case PairTest::t:
+      return 0;
+    case PairTest::bootstrap:
+      return of_resamples;
+    case PairTest::randomisation:
+      break;
+  }
+  return std::max(of_resamples, std::pow(2.0, 1.0 - static_cast<double>(units)));
+}
 
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options) {

@@ -55,6 +55,11 @@ struct MethodComparison {
   Eigen::Index units = 0;  ///< how many classes, or queries, everything rests on
 };
 
+/// The smallest p-value that the test of a pair can give over so many units: randomisation exchanges two methods in n
+/// units in 2^n ways, half of which differ by their sign only; and with B resamples nothing is below 1 / (B + 1). 0
+/// where there is no bound (t).
+double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
+
 /// Compares methods by their values on the same queries: per_query is queries x methods, classes[i] the class of query
 /// i. Throws std::invalid_argument: fewer than two methods or two units, a value that is not finite, a reference that
 /// is no method.

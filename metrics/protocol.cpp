@@ -14,16 +14,6 @@ constexpr std::array protocols = {
     Named<Protocol>{Protocol::trec, "trec"},
 };
 
-}  // namespace
-
-std::string name_of(Protocol protocol) { return name_in<Protocol>(protocols, protocol); }
-
-std::optional<Protocol> protocol_of(std::string_view name) { return value_in<Protocol>(protocols, name); }
-
-std::vector<std::string> protocol_names() { return names_in<Protocol>(protocols); }
-
-namespace {
-
 constexpr std::array all_ties = {
     Named<Ties>{Ties::index, "index"},
     Named<Ties>{Ties::optimistic, "optimistic"},
@@ -32,6 +22,12 @@ constexpr std::array all_ties = {
 };
 
 }  // namespace
+
+std::string name_of(Protocol protocol) { return name_in<Protocol>(protocols, protocol); }
+
+std::optional<Protocol> protocol_of(std::string_view name) { return value_in<Protocol>(protocols, name); }
+
+std::vector<std::string> protocol_names() { return names_in<Protocol>(protocols); }
 
 std::string name_of(Ties ties) { return name_in<Ties>(all_ties, ties); }
 

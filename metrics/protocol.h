@@ -7,11 +7,11 @@
 
 namespace shapegauge {
 
-/// Conventions under which a ranked list is judged (the design, section 4).
+/// Conventions under which a ranked list is judged (docs/definitions.md#protocols).
 ///
 /// psb, trec: the query is left out of its list. They differ in the measures and the precision-recall curve that are
 /// theirs: those of the Princeton Shape Benchmark, and those of text retrieval.
-/// paper: the query stays in its list, at rank 1.
+/// paper (query included): the query stays in its list, at rank 1.
 enum class Protocol { psb, paper, trec };
 
 /// The name of a protocol in files and options: "psb", "paper" or "trec".

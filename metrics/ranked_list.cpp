@@ -3,27 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <functional>
 #include <vector>
 
 namespace shapegauge {
-
-/// Appends, for each of `hits` relevant models among `size` consecutive ranks in open order, the mean of k / rank of
-/// the k-th hit of the list: k counts on from the precisions that are there, ranks from `ranks_before`.
-///
-/// In all orders of n ranks with m hits, the j-th hit is at the t-th of them with the probability
-/// C(t-1, j-1) C(n-t, m-j) / C(n, m) (negative hypergeometric); the mean is the sum over t, with terms below 1e-18 of
-/// the largest one left out.
-void append_precisions(std::vector<double>& precisions, std::size_t size, std::size_t hits, std::size_t ranks_before);
 
 namespace {
 
 constexpr double negligible = 1e-18;  // of the largest term: less than the rounding of the sum
 
-// The mean of 1 / (ranks_before + t) for the place t of the j-th of `hits` hits among `size` places. Probabilities are
-// taken relative to that of the likeliest place, from which they fall to both sides, so that nothing under- or
-// overflows whatever the sizes are.
-double mean_reciprocal_rank(std::size_t size, std::size_t hits, std::size_t j, std::size_t ranks_before) {
+// The sum of term(probability, t) over the places t that the j-th of `hits` hits may have among `size` places in open
+// order, over that of the probabilities. They are relative to that of the likeliest place, from which they fall to both
+// sides, so that nothing under- or overflows whatever the sizes are.
+template <typename Term>
+double mean_over_places(std::size_t size, std::size_t hits, std::size_t j, const Term& term) {
   const std::size_t first = j;
   const std::size_t last = size - hits + j;
   const std::size_t likeliest = hits == 1 ? first : std::clamp(1 + (j - 1) * size / (hits - 1), first, last);
@@ -33,34 +26,42 @@ double mean_reciprocal_rank(std::size_t size, std::size_t hits, std::size_t j, s
            (static_cast<double>(t - j + 1) * static_cast<double>(size - t));
   };
   double total = 1;
-  double sum = 1 / static_cast<double>(ranks_before + likeliest);
+  double sum = term(1.0, likeliest);
   double probability = 1;
   for (std::size_t t = likeliest; t < last && probability > negligible; ++t) {
     probability *= ratio(t);
     total += probability;
-    sum += probability / static_cast<double>(ranks_before + t + 1);
+    sum += term(probability, t + 1);
   }
   probability = 1;
   for (std::size_t t = likeliest; t > first && probability > negligible; --t) {
     probability /= ratio(t - 1);
     total += probability;
-    sum += probability / static_cast<double>(ranks_before + t - 1);
+    sum += term(probability, t - 1);
   }
   return sum / total;
 }
 
-}  // namespace
-
+// Appends, for each of `hits` relevant models among `size` consecutive ranks in open order, the mean of k / rank of
+// the k-th hit of the list: k counts on from the precisions that are there, ranks from `ranks_before`.
+//
+// In all orders of n ranks with m hits, the j-th hit is at the t-th of them with the probability
+// C(t-1, j-1) C(n-t, m-j) / C(n, m) (negative hypergeometric); the mean is the sum over t, with terms below 1e-18 of
+// the largest one left out.
 void append_precisions(std::vector<double>& precisions, std::size_t size, std::size_t hits, std::size_t ranks_before) {
   const std::size_t hits_before = precisions.size();
   for (std::size_t j = 1; j <= hits; ++j) {
     const auto k = static_cast<double>(hits_before + j);
-    precisions.push_back(hits == size ? k / static_cast<double>(ranks_before + j)
-                                      : k * mean_reciprocal_rank(size, hits, j, ranks_before));
+    if (hits == size) {
+      precisions.push_back(k / static_cast<double>(ranks_before + j));
+      continue;
+    }
+    const auto reciprocal_rank = [&](double probability, std::size_t t) {
+      return probability / static_cast<double>(ranks_before + t);
+    };
+    precisions.push_back(k * mean_over_places(size, hits, j, reciprocal_rank));
   }
 }
-
-namespace {
 
 struct RankedModel {
   double distance;
@@ -73,34 +74,79 @@ void sort_by_distance(std::vector<RankedModel>& models) {
   });
 }
 
-// The models at one distance, at least one of them relevant, and how many others are nearer than these but farther than
-// the relevant ones before.
+struct Hit {
+  Eigen::Index column = 0;
+  double grade = 1;
+};
+
+struct Miss {
+  Eigen::Index column = 0;
+  bool judged = true;
+};
+
+// Models that are not relevant, and how many of them are judged.
+struct Misses {
+  std::size_t count = 0;
+  std::size_t judged = 0;
+
+  void add(bool is_judged) {
+    ++count;
+    judged += is_judged ? 1 : 0;
+  }
+};
+
+// The models at one distance, at least one of them relevant, and those that are nearer than these but farther than the
+// relevant ones before. Hits and misses are in the order of their columns.
 struct Tied {
   double distance = 0;
-  std::size_t others_before = 0;
-  std::vector<Eigen::Index> hits;    // ascending
-  std::vector<Eigen::Index> others;  // ascending
+  Misses before;
+  std::vector<Hit> hits;
+  std::vector<Miss> misses;
 };
 
 // What is known of an answer without sorting all of it: the relevant models in their order, and how many others there
 // are between them.
 struct Answer {
   std::vector<Tied> tied;
-  std::size_t others_behind = 0;   // farther than the last relevant model
-  std::size_t hits_not_found = 0;  // relevant models that have no distance
+  Misses behind;                  // farther than the last relevant model
+  std::vector<double> not_found;  // grades of relevant models that have no distance
+  std::size_t judged_not_found = 0;
 };
 
-bool is_target(const RetrievalTask& task, Eigen::Index row, Eigen::Index column) {
-  return task.target_classes[static_cast<std::size_t>(column)] != no_class &&
-         task.own_column[static_cast<std::size_t>(row)] != column;
-}
+// The query of a row, under its task.
+class Query {
+ public:
+  Query(const RetrievalTask& task, Eigen::Index row) : task_(task), row_(row), i_(static_cast<std::size_t>(row)) {}
 
-void collect_hits(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Answer& answer) {
+  [[nodiscard]] bool is_target(Eigen::Index column) const {
+    return task_.target_classes[static_cast<std::size_t>(column)] != no_class && task_.own_column[i_] != column;
+  }
+
+  [[nodiscard]] bool is_relevant(Eigen::Index column) const { return shapegauge::is_relevant(task_, row_, column); }
+
+  [[nodiscard]] double grade(Eigen::Index column) const {
+    if (task_.grades.empty()) return 1;
+    const std::vector<Eigen::Index>& judged = task_.judged[i_];
+    return task_.grades[i_][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
+  }
+
+  // Of a column that is not relevant.
+  [[nodiscard]] bool is_judged(Eigen::Index column) const {
+    return task_.judged_irrelevant.empty() || std::ranges::binary_search(task_.judged_irrelevant[i_], column);
+  }
+
+ private:
+  const RetrievalTask& task_;
+  Eigen::Index row_;
+  std::size_t i_;
+};
+
+void collect_hits(const DistanceTable& distances, const Query& query, Eigen::Index row, Answer& answer) {
   std::vector<RankedModel> hits;
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (!is_target(task, row, column) || !is_relevant(task, row, column)) continue;
+    if (!query.is_target(column) || !query.is_relevant(column)) continue;
     if (std::isnan(distances(row, column))) {
-      ++answer.hits_not_found;
+      answer.not_found.push_back(query.grade(column));
     } else {
       hits.push_back({distances(row, column), column});
     }
@@ -108,24 +154,28 @@ void collect_hits(const DistanceTable& distances, const RetrievalTask& task, Eig
   sort_by_distance(hits);
   for (const RankedModel& hit : hits) {
     if (answer.tied.empty() || answer.tied.back().distance != hit.distance) {
-      answer.tied.push_back({.distance = hit.distance, .others_before = 0, .hits = {}, .others = {}});
+      answer.tied.push_back({.distance = hit.distance, .before = {}, .hits = {}, .misses = {}});
     }
-    answer.tied.back().hits.push_back(hit.column);
+    answer.tied.back().hits.push_back({hit.column, query.grade(hit.column)});
   }
 }
 
-void collect_others(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Answer& answer) {
+void collect_misses(const DistanceTable& distances, const Query& query, Eigen::Index row, Answer& answer) {
   for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (!is_target(task, row, column) || is_relevant(task, row, column)) continue;
+    if (!query.is_target(column) || query.is_relevant(column)) continue;
     const double distance = distances(row, column);
-    if (std::isnan(distance)) continue;
+    const bool judged = query.is_judged(column);
+    if (std::isnan(distance)) {
+      answer.judged_not_found += judged ? 1 : 0;
+      continue;
+    }
     const auto place = std::ranges::lower_bound(answer.tied, distance, {}, &Tied::distance);
     if (place == answer.tied.end()) {
-      ++answer.others_behind;
+      answer.behind.add(judged);
     } else if (place->distance == distance) {
-      place->others.push_back(column);
+      place->misses.push_back({column, judged});
     } else {
-      ++place->others_before;
+      place->before.add(judged);
     }
   }
 }
@@ -133,47 +183,76 @@ void collect_others(const DistanceTable& distances, const RetrievalTask& task, E
 void append(RankedList& list, const RankRun& run) {
   if (run.size == 0) return;
   list.length += run.size;
-  const bool same_kind =
-      !list.runs.empty() && ((run.hits == 0 && list.runs.back().hits == 0) ||
-                             (run.hits == run.size && list.runs.back().hits == list.runs.back().size));
-  if (same_kind) {
-    list.runs.back().size += run.size;
-    list.runs.back().hits += run.hits;
-  } else {
-    list.runs.push_back(run);
+  if (!list.runs.empty()) {
+    RankRun& last = list.runs.back();
+    const bool both_misses = run.hits == 0 && last.hits == 0;
+    const bool both_hits = run.hits == run.size && last.hits == last.size && run.grade == last.grade;
+    if (both_misses || both_hits) {
+      last.size += run.size;
+      last.hits += run.hits;
+      last.misses += run.misses;
+      return;
+    }
   }
+  list.runs.push_back(run);
 }
+
+void append(RankedList& list, const Misses& misses) {
+  append(list, {.size = misses.count, .hits = 0, .misses = misses.judged});
+}
+
+void append(RankedList& list, const Hit& hit) { append(list, {.size = 1, .hits = 1, .misses = 0, .grade = hit.grade}); }
 
 void append_by_index(RankedList& list, const Tied& tied) {
   auto hit = tied.hits.begin();
-  for (const Eigen::Index other : tied.others) {
-    for (; hit != tied.hits.end() && *hit < other; ++hit) append(list, {1, 1});
-    append(list, {1, 0});
+  for (const Miss& miss : tied.misses) {
+    for (; hit != tied.hits.end() && hit->column < miss.column; ++hit) append(list, *hit);
+    append(list, Misses{.count = 1, .judged = miss.judged ? 1U : 0U});
   }
-  for (; hit != tied.hits.end(); ++hit) append(list, {1, 1});
+  for (; hit != tied.hits.end(); ++hit) append(list, *hit);
 }
 
-// The tied models in the order, or the open order, that `ties` wants.
+// The tied models in the order, or the open order, that `ties` wants. Among the hits optimistic has the largest grades
+// first, pessimistic the smallest.
 void append_tied(RankedList& list, const Tied& tied, Ties ties) {
-  const std::size_t hits = tied.hits.size();
-  const std::size_t others = tied.others.size();
-  if (others > 0) list.tied = true;
+  Misses misses;
+  for (const Miss& miss : tied.misses) misses.add(miss.judged);
+  if (misses.count > 0) list.tied = true;
+  std::vector<Hit> hits = tied.hits;
+  std::ranges::stable_sort(hits, std::greater<>(), &Hit::grade);
+  if (hits.front().grade != hits.back().grade) list.tied = true;
+  double grades = 0;
   switch (ties) {
     case Ties::index:
       append_by_index(list, tied);
       break;
     case Ties::optimistic:
-      append(list, {hits, hits});
-      append(list, {others, 0});
+      for (const Hit& hit : hits) append(list, hit);
+      append(list, misses);
       break;
     case Ties::pessimistic:
-      append(list, {others, 0});
-      append(list, {hits, hits});
+      append(list, misses);
+      for (auto hit = hits.rbegin(); hit != hits.rend(); ++hit) append(list, *hit);
       break;
     case Ties::expected:
-      append(list, {hits + others, hits});
+      for (const Hit& hit : hits) grades += hit.grade;
+      append(list, {.size = hits.size() + misses.count,
+                    .hits = hits.size(),
+                    .misses = misses.judged,
+                    .grade = grades / static_cast<double>(hits.size())});
       break;
   }
+}
+
+// All grades, the largest first; the query itself is as relevant as anything.
+std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
+  std::vector<double> grades = answer.not_found;
+  for (const Tied& tied : answer.tied) {
+    for (const Hit& hit : tied.hits) grades.push_back(hit.grade);
+  }
+  if (starts_with_query && !grades.empty()) grades.push_back(*std::ranges::max_element(grades));
+  std::ranges::sort(grades, std::greater<>());
+  return grades;
 }
 
 void finish(RankedList& list, std::size_t relevant) {
@@ -185,6 +264,7 @@ void finish(RankedList& list, std::size_t relevant) {
     ranks_before += run.size;
   }
   list.precision_at_hit.resize(relevant, 0.0);
+  for (const RankRun& run : list.runs) list.judged_misses += run.misses;
 }
 
 std::size_t hits_in(const RankedList& list) {
@@ -212,16 +292,19 @@ RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task
                        Ties ties) {
   RankedList list;
   list.starts_with_query = protocol == Protocol::paper;
-  if (list.starts_with_query) append(list, {1, 1});
+  const Query query(task, row);
   Answer answer;
-  collect_hits(distances, task, row, answer);
-  collect_others(distances, task, row, answer);
+  collect_hits(distances, query, row, answer);
+  collect_misses(distances, query, row, answer);
+  if (!task.grades.empty()) list.grades = grades_of(answer, list.starts_with_query);
+  if (list.starts_with_query) append(list, Hit{.column = -1, .grade = list.grades.empty() ? 1 : list.grades.front()});
   for (const Tied& tied : answer.tied) {
-    append(list, {tied.others_before, 0});
+    append(list, tied.before);
     append_tied(list, tied, ties);
   }
-  append(list, {answer.others_behind, 0});
-  finish(list, hits_in(list) + answer.hits_not_found);
+  append(list, answer.behind);
+  finish(list, hits_in(list) + answer.not_found.size());
+  list.judged_misses += answer.judged_not_found;
   return list;
 }
 
@@ -256,12 +339,42 @@ double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank)) {
   std::size_t rank = 0;
   for (const RankRun& run : list.runs) {
     if (run.hits > 0) {
-      const double share = static_cast<double>(run.hits) / static_cast<double>(run.size);
-      for (std::size_t i = 1; i <= run.size; ++i) sum += share * gain(rank + i);
+      const double fraction = static_cast<double>(run.hits) / static_cast<double>(run.size);
+      for (std::size_t i = 1; i <= run.size; ++i) sum += fraction * gain(rank + i);
     }
     rank += run.size;
   }
   return sum;
+}
+
+double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank)) {
+  double sum = 0;
+  std::size_t rank = 0;
+  for (const RankRun& run : list.runs) {
+    if (run.hits > 0) {
+      const double grade = run.grade * static_cast<double>(run.hits) / static_cast<double>(run.size);
+      for (std::size_t i = 1; i <= run.size; ++i) sum += grade * gain(rank + i);
+    }
+    rank += run.size;
+  }
+  return sum;
+}
+
+std::vector<double> misses_before_hits(const RankedList& list, std::size_t most) {
+  std::vector<double> misses;
+  std::size_t before = 0;
+  for (const RankRun& run : list.runs) {
+    const auto term = [&](std::size_t j) {
+      return [&, j](double probability, std::size_t t) {
+        return probability * static_cast<double>(std::min(before + t - j, most));
+      };
+    };
+    for (std::size_t j = 1; j <= run.hits; ++j) {
+      misses.push_back(mean_over_places(run.hits + run.misses, run.hits, j, term(j)));
+    }
+    before += run.misses;
+  }
+  return misses;
 }
 
 }  // namespace shapegauge

@@ -19,6 +19,9 @@ std::vector<Eigen::Index> ranked_models(const DistanceTable& distances, Eigen::I
 struct RankRun {
   std::size_t size = 0;
   std::size_t hits = 0;
+  std::size_t misses =
+      size - hits;   ///< models that are judged and not relevant; all that are no hits without judgements
+  double grade = 1;  ///< mean grade of the hits
 
   bool operator==(const RankRun&) const = default;
 };
@@ -30,9 +33,11 @@ struct RankedList {
   std::size_t length = 0;          ///< number of ranks
   std::size_t relevant = 0;        ///< number of relevant models, those that are not in the list too; at least 1
   bool starts_with_query = false;  ///< rank 1 is the query itself, which counts as a hit
-  bool tied = false;  ///< relevant and other models are at equal distance: their order could change a measure
+  bool tied = false;  ///< relevant and other models, or grades, are at equal distance: their order could matter
   /// The mean of k / rank of the k-th hit, by k - 1, for each of the relevant models; 0 for those not in the list.
   std::vector<double> precision_at_hit;
+  std::size_t judged_misses = 0;  ///< models that are judged and not relevant, those that are not in the list too
+  std::vector<double> grades;     ///< of all relevant models, the largest first; empty: all are 1
 };
 
 /// The list that a protocol judges: under psb and trec the targets without the query; under paper the query, by
@@ -52,5 +57,11 @@ double hits_among_first(const RankedList& list, std::size_t count);
 
 /// Mean of the sum of gain(rank) over all hits; ranks count from 1.
 double gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
+
+/// The same of grade times gain(rank).
+double graded_gain_of_hits(const RankedList& list, double (*gain)(std::size_t rank));
+
+/// By hit of the list, the mean of the number of judged misses before it, counted up to `most`.
+std::vector<double> misses_before_hits(const RankedList& list, std::size_t most);
 
 }  // namespace shapegauge

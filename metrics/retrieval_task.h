@@ -25,6 +25,10 @@ struct RetrievalTask {
   std::vector<Eigen::Index> own_column;
   /// By row the columns that are relevant, ascending. Empty: the targets of the query's class are.
   std::vector<std::vector<Eigen::Index>> judged;
+  /// By row the grades, above 0, of the judged columns. Empty: all are 1. Only measures that say so look at them.
+  std::vector<std::vector<int>> grades;
+  /// By row the columns that are judged and not relevant, ascending. Empty: all that are not relevant.
+  std::vector<std::vector<Eigen::Index>> judged_irrelevant;
   /// A distance that is NaN says that the query's answer does not have the model at all (a list that was cut off).
   bool lists_may_end_early = false;
 };

@@ -15,8 +15,8 @@ namespace shapegauge {
 
 namespace {
 
-const NamedDistance& distance_of(const std::string& name) {
-  const auto known = distances();
+NamedDistance distance_of(const std::string& name) {
+  const std::vector<NamedDistance> known = distances();
   const auto found = std::ranges::find(known, name, &NamedDistance::name);
   if (found != known.end()) return *found;
   std::string message = "there is no distance named \"" + name + "\"; known are:";
@@ -43,7 +43,7 @@ void check_domain(const Signatures& signatures, const NamedDistance& distance) {
     const bool negative = (signatures.row(row).array() < 0).any();
     const bool zero = (signatures.row(row).array() == 0).all();
     if ((may_be_negative || !negative) && (may_be_zero || !zero)) continue;
-    throw std::invalid_argument("the distance " + std::string(distance.name) + " is not defined for signature " +
+    throw std::invalid_argument("the distance " + distance.name + " is not defined for signature " +
                                 std::to_string(row) + " (counted from 0), which " +
                                 (zero ? "is zero" : "has a negative entry") + "; l1 and l2 take any signature");
   }
@@ -110,12 +110,12 @@ DistanceMatrix tile_distances(const NamedDistance& distance, const Signatures& s
 
 std::vector<std::string> distance_names() {
   std::vector<std::string> names;
-  for (const NamedDistance& distance : distances()) names.emplace_back(distance.name);
+  for (const NamedDistance& distance : distances()) names.push_back(distance.name);
   return names;
 }
 
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
-  const NamedDistance& between = distance_of(distance);
+  const NamedDistance between = distance_of(distance);
   check_signatures(signatures, between);
   const Tiles all{{0, signatures.rows()}, tile_size(signatures)};
   DistanceMatrix matrix(signatures.rows(), signatures.rows());
@@ -138,7 +138,7 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& 
 
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const std::string& distance) {
-  const NamedDistance& between = distance_of(distance);
+  const NamedDistance between = distance_of(distance);
   if (first < 0 || count < 0 || first > signatures.rows() - count) {
     throw std::invalid_argument("there are no rows " + std::to_string(first) + " to " + std::to_string(first + count) +
                                 " in a distance matrix of " + std::to_string(signatures.rows()));

@@ -6,8 +6,7 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of a distance that changes a value: what a cache holds of earlier versions is then
-/// computed anew.
+/// Part of cache keys. To be raised with every change of a distance that changes a value.
 inline constexpr int distances_version = 2;
 
 /// Signatures, one shape a row.
@@ -20,11 +19,11 @@ std::vector<std::string> distance_names();
 
 /// All pairwise distances of the signatures by the named distance, in parallel, the same bytes for any number of
 /// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
-/// that is not finite, or for which the distance is not defined (distances/registry.h).
+/// that is not finite, or for which the distance is not defined (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
-/// Some of the matrix's rows, `count` from `first` on, bit by bit: for sets of signatures too large for all of it. In
-/// parallel; throws as distance_matrix does, and where there are no such rows.
+/// Streaming version of distance_matrix(): its rows from `first` on, `count` of them, the same to the bit. In parallel.
+/// Throws as distance_matrix does, and where there are no such rows.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const std::string& distance = "l1");
 

@@ -1,54 +1,32 @@
 #include "shapegauge/retrieval/distances.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <mutex>
+#include <shared_mutex>
 #include <span>
+#include <stdexcept>
+#include <utility>
 
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {
 
-/// The sum of the entries, in double precision from the first to the last.
-inline double histogram_sum(std::span<const float> histogram) {
+namespace {
+
+// In all of them the spans are of equal length.
+
+// The sum of the entries, in double precision from the first to the last.
+double histogram_sum(std::span<const float> histogram) {
   double sum = 0;
   for (const float entry : histogram) sum += static_cast<double>(entry);
   return sum;
 }
 
-/// Chi-square distance: half the sum of (a[i] - b[i])^2 / (a[i] + b[i]), where both are 0 nothing. Between 0 and 1 for
-/// histograms that sum to 1. Entries may not be negative. Puzicha, Hofmann, Buhmann, "Non-parametric similarity
-/// measures for unsupervised texture segmentation and image retrieval", CVPR 1997. The spans are of equal length.
-double chi2_distance(std::span<const float> a, std::span<const float> b);
-
-/// 1 - the cosine of the angle between two vectors, from 0 (same direction) to 2. Computed as half of the squared
-/// distance of the unit vectors, which is the same and has no cancellation for nearly parallel ones. Neither vector may
-/// be zero. The spans are of equal length.
-double cosine_distance(std::span<const float> a, std::span<const float> b);
-
-/// Earth mover's distance of two histograms over a line, each first divided by its sum: the sum of the magnitudes of
-/// the differences of their cumulative sums, that is, the least work of moving one into the other, in bins. Entries may
-/// not be negative nor all be 0. Rubner, Tomasi, Guibas, "The earth mover's distance as a metric for image retrieval",
-/// IJCV 40, 2000. The order of the entries matters: it suits one histogram, not a concatenation of several. The spans
-/// are of equal length.
-double earth_movers_distance(std::span<const float> a, std::span<const float> b);
-
-/// Hellinger distance of two histograms, each first divided by its sum: the L2 distance of the square roots of their
-/// entries, divided by the square root of 2; between 0 and 1. Entries may not be negative nor all be 0. The spans are
-/// of equal length.
-double hellinger_distance(std::span<const float> a, std::span<const float> b);
-
-/// Jensen-Shannon distance of two histograms, each first divided by its sum: the square root of the mean of the
-/// Kullback-Leibler divergences from each to the mean of both, in bits; a metric, between 0 and 1. Entries may not be
-/// negative nor all be 0. Endres and Schindelin, "A new metric for probability distributions", IEEE Transactions on
-/// Information Theory 49, 2003. The spans are of equal length.
-double jensen_shannon_distance(std::span<const float> a, std::span<const float> b);
-
-/// L2 (Euclidean) distance: the square root of the sum of (a[i] - b[i])^2, in double precision. The spans are of equal
-/// length.
-double l2_distance(std::span<const float> a, std::span<const float> b);
-
+// Chi-square distance: half the sum of (a[i] - b[i])^2 / (a[i] + b[i]), where both are 0 nothing. Between 0 and 1 for
+// histograms that sum to 1. Entries may not be negative. Puzicha, Hofmann, Buhmann, "Non-parametric similarity
+// measures for unsupervised texture segmentation and image retrieval", CVPR 1997. The spans are of equal length.
 double chi2_distance(std::span<const float> a, std::span<const float> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -59,16 +37,15 @@ double chi2_distance(std::span<const float> a, std::span<const float> b) {
   return sum / 2;
 }
 
-namespace {
-
 double length_of(std::span<const float> vector) {
   double sum = 0;
   for (const float entry : vector) sum += static_cast<double>(entry) * static_cast<double>(entry);
   return std::sqrt(sum);
 }
 
-}  // namespace
-
+// 1 - the cosine of the angle between two vectors, from 0 (same direction) to 2. Computed as half of the squared
+// distance of the unit vectors, which is the same and has no cancellation for nearly parallel ones. Neither vector may
+// be zero. The spans are of equal length.
 double cosine_distance(std::span<const float> a, std::span<const float> b) {
   const double length_a = length_of(a);
   const double length_b = length_of(b);
@@ -80,6 +57,11 @@ double cosine_distance(std::span<const float> a, std::span<const float> b) {
   return sum / 2;
 }
 
+// Earth mover's distance of two histograms over a line, each first divided by its sum: the sum of the magnitudes of
+// the differences of their cumulative sums, that is, the least work of moving one into the other, in bins. Entries may
+// not be negative nor all be 0. Rubner, Tomasi, Guibas, "The earth mover's distance as a metric for image retrieval",
+// IJCV 40, 2000. The order of the entries matters: it suits one histogram, not a concatenation of several. The spans
+// are of equal length.
 double earth_movers_distance(std::span<const float> a, std::span<const float> b) {
   const double sum_a = histogram_sum(a);
   const double sum_b = histogram_sum(b);
@@ -92,6 +74,9 @@ double earth_movers_distance(std::span<const float> a, std::span<const float> b)
   return work;
 }
 
+// Hellinger distance of two histograms, each first divided by its sum: the L2 distance of the square roots of their
+// entries, divided by the square root of 2; between 0 and 1. Entries may not be negative nor all be 0. The spans are
+// of equal length.
 double hellinger_distance(std::span<const float> a, std::span<const float> b) {
   const double sum_a = histogram_sum(a);
   const double sum_b = histogram_sum(b);
@@ -104,12 +89,12 @@ double hellinger_distance(std::span<const float> a, std::span<const float> b) {
   return std::sqrt(sum / 2);
 }
 
-namespace {
-
 double divergence(double p, double mean) { return p > 0 ? p * std::log2(p / mean) : 0.0; }
 
-}  // namespace
-
+// Jensen-Shannon distance of two histograms, each first divided by its sum: the square root of the mean of the
+// Kullback-Leibler divergences from each to the mean of both, in bits; a metric, between 0 and 1. Entries may not be
+// negative nor all be 0. Endres and Schindelin, "A new metric for probability distributions", IEEE Transactions on
+// Information Theory 49, 2003. The spans are of equal length.
 double jensen_shannon_distance(std::span<const float> a, std::span<const float> b) {
   const double sum_a = histogram_sum(a);
   const double sum_b = histogram_sum(b);
@@ -123,6 +108,8 @@ double jensen_shannon_distance(std::span<const float> a, std::span<const float> 
   return std::sqrt(std::max(0.0, sum / 2));  // rounding may leave a little less than nothing
 }
 
+// L2 (Euclidean) distance: the square root of the sum of (a[i] - b[i])^2, in double precision. The spans are of equal
+// length.
 double l2_distance(std::span<const float> a, std::span<const float> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -132,17 +119,47 @@ double l2_distance(std::span<const float> a, std::span<const float> b) {
   return std::sqrt(sum);
 }
 
-std::span<const NamedDistance> distances() {
-  static constexpr std::array registered = {
-      NamedDistance{"l1", l1_distance, DistanceDomain::any, l1_distances},
-      NamedDistance{"l2", l2_distance, DistanceDomain::any},
-      NamedDistance{"cosine", cosine_distance, DistanceDomain::not_zero},
-      NamedDistance{"chi2", chi2_distance, DistanceDomain::not_negative},
-      NamedDistance{"hellinger", hellinger_distance, DistanceDomain::histograms},
-      NamedDistance{"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms},
-      NamedDistance{"emd", earth_movers_distance, DistanceDomain::histograms},
+// The library's own, in the order in which listings have them.
+std::vector<NamedDistance> own_distances() {
+  return {
+      {"l1", l1_distance, DistanceDomain::any, l1_distances},
+      {"l2", l2_distance},
+      {"cosine", cosine_distance, DistanceDomain::not_zero},
+      {"chi2", chi2_distance, DistanceDomain::not_negative},
+      {"hellinger", hellinger_distance, DistanceDomain::histograms},
+      {"jensen-shannon", jensen_shannon_distance, DistanceDomain::histograms},
+      {"emd", earth_movers_distance, DistanceDomain::histograms},
   };
-  return registered;
+}
+
+struct Registry {
+  std::shared_mutex mutex;
+  std::vector<NamedDistance> distances = own_distances();
+};
+
+Registry& registry() {
+  static Registry all;
+  return all;
+}
+
+}  // namespace
+
+std::vector<NamedDistance> distances() {
+  Registry& all = registry();
+  const std::shared_lock lock(all.mutex);
+  return all.distances;
+}
+
+void register_distance(NamedDistance distance) {
+  if (distance.name.empty() || distance.function == nullptr) {
+    throw std::invalid_argument("a distance needs a name and a function");
+  }
+  Registry& all = registry();
+  const std::unique_lock lock(all.mutex);
+  if (std::ranges::find(all.distances, distance.name, &NamedDistance::name) != all.distances.end()) {
+    throw std::invalid_argument("there is a distance \"" + distance.name + "\" already");
+  }
+  all.distances.push_back(std::move(distance));
 }
 
 }  // namespace shapegauge

@@ -2,32 +2,37 @@
 
 #include <cstddef>
 #include <span>
-#include <string_view>
+#include <string>
+#include <vector>
 
 namespace shapegauge {
 
-/// A distance between two signatures of equal length. It must be symmetric and zero for equal signatures: a distance
-/// matrix asks for one of (a, b) and (b, a) only, and never for (a, a).
+/// A distance between two signatures of equal length. It must be symmetric, and zero between equal signatures: a
+/// distance matrix asks for only one of (a, b) and (b, a), and never for (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// The same distances, bit by bit, from each of some signatures of `size` entries to each of others, which follow each
-/// other in memory; row by row. Of (a, b) and (b, a) it must make the same bits.
+/// The same distances to the bit, from each signature of `some` to each of `others`, row by row. Signatures have `size`
+/// entries and follow each other in memory. (a, b) and (b, a) must come out the same to the bit.
 using DistancesFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
                                    std::span<double> distances);
 
-/// The signatures for which a distance is defined.
+/// The signatures for which a distance is defined. histograms: not negative and not all zero.
 enum class DistanceDomain { any, not_zero, not_negative, histograms };
 
-/// A distance with the name that configurations know it by. histograms: not negative and not all zero.
+/// A distance by its name.
 struct NamedDistance {
-  std::string_view name;
-  DistanceFunction function;
+  std::string name;
+  DistanceFunction function = nullptr;
   DistanceDomain domain = DistanceDomain::any;
-  DistancesFunction of_several = nullptr;  ///< where there is a faster way than one by one
+  DistancesFunction of_several = nullptr;  ///< a faster way than one by one, if there is one
 };
 
-/// All distances. A new one is one file in this folder, one line in registry.cpp, and its name in
-/// configs/experiment.schema.json.
-std::span<const NamedDistance> distances();
+/// All distances: those of the library (distances.cpp), then those that were registered, in their order.
+std::vector<NamedDistance> distances();
+
+/// Makes a distance known by its name, to distance_matrix() and listings alike. May be called from any thread;
+/// distances stay for the life of the program. Throws std::invalid_argument for a name that is empty or taken, and
+/// where there is no function.
+void register_distance(NamedDistance distance);
 
 }  // namespace shapegauge

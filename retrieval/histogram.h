@@ -9,8 +9,7 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of histogram() or its smoothing that changes a bin: what a cache holds of earlier
-/// versions is then computed anew.
+/// Part of cache keys. To be raised with every change of histogram() or its smoothing that changes a bin.
 inline constexpr int histogram_version = 1;
 
 /// An interval of values.
@@ -19,7 +18,7 @@ struct Interval {
   double high = 1;
 };
 
-/// Settings of a weighted histogram (the design, section 3).
+/// Settings of a weighted histogram (docs/definitions.md#histograms).
 struct HistogramOptions {
   int bins = 80;
   double smoothing_bins = 0;  ///< standard deviation of a Gaussian (smooth_gaussian), in bins, at most bins; 0: none
@@ -46,8 +45,8 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
 Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standard_deviation);
 
 /// Histograms of several fields of one shape, side by side, divided by their total so that the whole sums to 1. Each
-/// part keeps its share of the total: k histograms that sum to 1 each weigh 1/k, however many bins they have, and the
-/// L1 distance of two such signatures is the mean of the parts' distances. Multiply a part beforehand to give it
+/// part keeps its fraction of the total: k histograms that sum to 1 each weigh 1/k, however many bins they have, and
+/// the L1 distance of two such signatures is the mean of the parts' distances. Multiply a part beforehand to give it
 /// another weight. Throws std::invalid_argument where there are no parts, or an entry is negative or not finite, or all
 /// are 0.
 Eigen::VectorXf concatenate(std::span<const Eigen::VectorXf> parts);

@@ -14,8 +14,8 @@ class InputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Text from a file, made fit for a one-line message: control characters replaced by `?`, cut after so many bytes, with
-/// `...` in place of the rest.
+/// Text from a file, for a one-line message: control characters become `?`, and what exceeds `longest` bytes becomes
+/// `...`.
 std::string printable(std::string_view text, std::size_t longest);
 
 }  // namespace shapegauge

@@ -26,4 +26,16 @@ double RandomNumbers::uniform(double lower, double upper) {
   return lower + (upper - lower) * (static_cast<double>(next() >> 11U) * 0x1.0p-53);
 }
 
+std::vector<bool> random_subset(std::size_t n, std::size_t count, RandomNumbers& random) {
+  std::vector<bool> chosen(n);
+  auto wanted = static_cast<double>(count);
+  auto remaining = static_cast<double>(n);
+  for (auto&& mark : chosen) {
+    mark = random.uniform(0, remaining) < wanted;
+    if (mark) --wanted;
+    --remaining;
+  }
+  return chosen;
+}
+
 }  // namespace shapegauge

@@ -1,20 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
+
+#include "shapegauge/core/base/parameter.h"
 
 namespace shapegauge {
 
-/// A small random number generator (SplitMix64: Steele, Lea, Flood 2014) that gives the same numbers with every
-/// standard library, which the distributions of <random> do not.
+/// The seeds that users may choose: whole numbers that every reader of JSON holds exactly.
+inline constexpr Bounds seed_bounds{.low = 0, .high = 9'007'199'254'740'991};
+
+/// A small random number generator (SplitMix64: Steele, Lea, Flood 2014). It gives the same numbers with every standard
+/// library, which the distributions of <random> do not.
 class RandomNumbers {
  public:
-  /// A stream of its own for every pair of a seed and an index, so that it does not matter which thread draws it.
+  /// An independent stream for every pair of a seed and an index, so that threads can draw theirs in any order.
   explicit RandomNumbers(std::uint64_t seed, std::uint64_t stream = 0);
 
   /// 64 random bits.
   std::uint64_t next();
 
-  /// A whole number below `end`, each as likely as the others but for a share of end / 2^64.
+  /// An integer below `end`, uniform but for a bias of end / 2^64.
   std::uint64_t below(std::uint64_t end);
 
   /// Uniform in [lower, upper).
@@ -23,5 +30,9 @@ class RandomNumbers {
  private:
   std::uint64_t state_;
 };
+
+/// Marks exactly `count` of n items, every set of that size as likely as any other (selection sampling: Knuth, The Art
+/// of Computer Programming, 3.4.2, algorithm S). count is at most n.
+std::vector<bool> random_subset(std::size_t n, std::size_t count, RandomNumbers& random);
 
 }  // namespace shapegauge

@@ -11,21 +11,20 @@ namespace shapegauge {
 /// i - 1. The views point into the text. A line end at the very end of the text begins no further line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// The text without blanks (space, tab) at both ends.
+/// The text without leading and trailing blanks (space, tab).
 std::string_view trim(std::string_view text);
 
 /// The text without a UTF-8 byte order mark in front.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// The text with the capitals of ASCII made small; all other bytes stay.
+/// The text with ASCII capitals in lower case; all other bytes stay.
 std::string lower_case(std::string text);
 
 /// The number that the whole word spells ("1", "+.5", "-2e-3", "inf", "nan"), in any locale; nothing for anything else,
 /// and for a number too large or too small for double precision.
 std::optional<double> parse_number(std::string_view word);
 
-/// A word of a file, made fit for a one-line error message: in quotation marks, control characters replaced by `?`, cut
-/// after 40 bytes.
+/// A word of a file, for a one-line message: in quotation marks, printable(), cut after 40 bytes.
 std::string quoted_word(std::string_view word);
 
 }  // namespace shapegauge

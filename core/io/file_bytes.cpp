@@ -15,13 +15,14 @@
 
 namespace shapegauge {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 /// An open file, closed at the end of the scope.
 class Descriptor {
  public:
-  explicit Descriptor(const std::filesystem::path& path)
-      : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  explicit Descriptor(const fs::path& path) : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   Descriptor(Descriptor&&) = delete;
@@ -35,41 +36,13 @@ class Descriptor {
   int value_;
 };
 
-[[noreturn]] void fail_reading(const std::filesystem::path& path, std::string_view reason) {
+[[noreturn]] void fail_reading(const fs::path& path, std::string_view reason) {
   throw InputError(fmt::format("cannot read {}: {}", path.string(), reason));
 }
 
-[[noreturn]] void fail_reading(const std::filesystem::path& path, int error) {
+[[noreturn]] void fail_reading(const fs::path& path, int error) {
   fail_reading(path, std::generic_category().message(error));
 }
-
-}  // namespace
-
-std::string read_file_bytes(const std::filesystem::path& path, std::size_t limit) {
-  const Descriptor file(path);
-  if (file.get() < 0) fail_reading(path, errno);
-  struct stat status = {};
-  if (::fstat(file.get(), &status) != 0) fail_reading(path, errno);
-  if (S_ISDIR(status.st_mode)) fail_reading(path, "it is a folder");
-  if (!S_ISREG(status.st_mode)) fail_reading(path, "it is not a regular file");
-  if (status.st_size == 0) fail_reading(path, "the file is empty");
-
-  std::string bytes(std::min(limit, static_cast<std::size_t>(status.st_size)), '\0');
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail_reading(path, errno);
-    if (got == 0) break;  // the file shrank meanwhile
-    done += static_cast<std::size_t>(got);
-  }
-  bytes.resize(done);
-  return bytes;
-}
-
-namespace fs = std::filesystem;
-
-namespace {
 
 [[noreturn]] void fail_writing(const fs::path& path, int error) {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
@@ -116,6 +89,28 @@ void write_directly(const fs::path& path, std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string read_file_bytes(const fs::path& path, std::size_t limit) {
+  const Descriptor file(path);
+  if (file.get() < 0) fail_reading(path, errno);
+  struct stat status = {};
+  if (::fstat(file.get(), &status) != 0) fail_reading(path, errno);
+  if (S_ISDIR(status.st_mode)) fail_reading(path, "it is a folder");
+  if (!S_ISREG(status.st_mode)) fail_reading(path, "it is not a regular file");
+  if (status.st_size == 0) fail_reading(path, "the file is empty");
+
+  std::string bytes(std::min(limit, static_cast<std::size_t>(status.st_size)), '\0');
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t got = ::read(file.get(), bytes.data() + done, bytes.size() - done);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_reading(path, errno);
+    if (got == 0) break;  // the file shrank meanwhile
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
 
 void write_file_atomically(const fs::path& path, std::string_view bytes, Flush flush) {
   std::error_code ignored;

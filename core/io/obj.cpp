@@ -8,7 +8,9 @@
 #include <string_view>
 #include <system_error>
 
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 
 namespace shapegauge {
@@ -134,6 +136,30 @@ void check_obj_header(const std::string& bytes, const std::string& name) {
     scanner.skip_line();
   }
   scanner.fail_whole("not an OBJ file: it holds no vertex");
+}
+
+void write_obj(const std::filesystem::path& path, const Shape& shape) {
+  require_writable(path, shape);
+  std::string text;
+  for (const auto& vertex : shape.vertices.rowwise()) append_numbers(text += "v ", vertex);
+  if (has_cloud_normals(shape)) {
+    for (const auto& normal : shape.normals.rowwise()) append_numbers(text += "vn ", normal);
+  }
+  for (const auto& triangle : shape.triangles.rowwise()) {
+    const Eigen::Matrix<std::int64_t, 1, 3> from_one = triangle.cast<std::int64_t>().array() + 1;
+    append_numbers(text += "f ", from_one);
+  }
+  write_file_atomically(path, text);
+}
+
+ShapeFormat obj_format() {
+  static constexpr std::array<std::string_view, 1> extensions{".obj"};
+  return {.name = "OBJ",
+          .description = "Wavefront OBJ: vertices, faces, normals of clouds",
+          .extensions = extensions,
+          .check_header = check_obj_header,
+          .read = read_obj,
+          .write = write_obj};
 }
 
 }  // namespace shapegauge

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,10 +15,13 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
+
+namespace {
 
 /// What an OFF file's keyword says of its body.
 struct OffHeader {
@@ -44,21 +46,6 @@ struct OffCounts {
 /// of no interest (colours, normals, with or without a keyword that announces them). `words`: they follow each other
 /// anyhow, as in a file that is a single line; then the keyword says how many numbers belong to a vertex.
 enum class OffLayout { lines, words };
-
-/// Reads an OFF file's keyword, and `BINARY` behind it. A file without a keyword, but with a number in its place, is
-/// plain OFF. Throws InputError where it is something else, or where the points are not three-dimensional (4OFF, nOFF).
-OffHeader read_off_header(TextScanner& scanner);
-
-/// Reads the line of counts of an ASCII OFF file. The number of edges, which is often wrong or missing, is passed over.
-OffCounts read_off_counts(TextScanner& scanner, OffLayout layout);
-
-/// Throws InputError where a count is negative or more than a triangle's indices can address.
-void check_off_counts(const OffCounts& counts, const TextScanner& scanner);
-
-/// The shape in a binary OFF file's body, which the scanner has come to, after the header's line: big-endian, 32-bit.
-Shape read_off_binary(const TextScanner& scanner, const OffHeader& header);
-
-namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -108,8 +95,8 @@ bool ends_keyword(std::string_view rest) {
 /// True where the next line that is not blank holds exactly one word.
 bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
 
-}  // namespace
-
+/// Reads an OFF file's keyword, and `BINARY` behind it. A file without a keyword, but with a number in its place, is
+/// plain OFF. Throws InputError where it is something else, or where the points are not three-dimensional (4OFF, nOFF).
 OffHeader read_off_header(TextScanner& scanner) {
   if (scanner.at_end()) scanner.fail_whole("holds nothing but white space and comments");
   const Keyword keyword = parse_keyword(scanner.rest());
@@ -129,6 +116,19 @@ OffHeader read_off_header(TextScanner& scanner) {
   return header;
 }
 
+/// Throws InputError where a count is negative or more than a triangle's indices can address.
+void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
+  constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
+  if (counts.vertices < 0 || counts.faces < 0) {
+    scanner.fail(fmt::format("{} vertices and {} faces: neither can be negative", counts.vertices, counts.faces));
+  }
+  if (counts.vertices > largest || counts.faces > largest) {
+    scanner.fail(fmt::format("{} vertices and {} faces: at most {} of each can be read", counts.vertices, counts.faces,
+                             largest));
+  }
+}
+
+/// Reads the line of counts of an ASCII OFF file. The number of edges, which is often wrong or missing, is passed over.
 OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
   OffCounts counts;
   if (!scanner.read_integer(counts.vertices, "the number of vertices") ||
@@ -143,19 +143,6 @@ OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
   }
   return counts;
 }
-
-void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
-  constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
-  if (counts.vertices < 0 || counts.faces < 0) {
-    scanner.fail(fmt::format("{} vertices and {} faces: neither can be negative", counts.vertices, counts.faces));
-  }
-  if (counts.vertices > largest || counts.faces > largest) {
-    scanner.fail(fmt::format("{} vertices and {} faces: at most {} of each can be read", counts.vertices, counts.faces,
-                             largest));
-  }
-}
-
-namespace {
 
 /// The bytes behind the header's line end.
 std::string_view body_of(std::string_view rest) {
@@ -241,13 +228,10 @@ class BinaryOffBody {
   SoupBuilder soup_;
 };
 
-}  // namespace
-
+/// The shape in a binary OFF file's body, which the scanner has come to, after the header's line: big-endian, 32-bit.
 Shape read_off_binary(const TextScanner& scanner, const OffHeader& header) {
   return BinaryOffBody(scanner, header).read();
 }
-
-namespace {
 
 constexpr std::size_t bytes_of_shortest_vertex = 6;    // "0 0 0\n"
 constexpr std::size_t bytes_of_shortest_triangle = 8;  // "3 0 1 2\n"
@@ -349,6 +333,15 @@ std::optional<Shape> read_words(TextScanner scanner, const OffHeader& header) {
   }
 }
 
+/// Whether the first line begins with a keyword.
+bool begins_like_off(std::string_view bytes) {
+  const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
+  const std::size_t keyword = line.find("OFF");
+  constexpr std::string_view may_precede = "\xEF\xBB\xBF \tSTCN4n";
+  return keyword != std::string_view::npos &&
+         line.substr(0, keyword).find_first_not_of(may_precede) == std::string_view::npos;
+}
+
 }  // namespace
 
 Shape read_off(const std::string& bytes, const std::string& name) {
@@ -369,24 +362,6 @@ void check_off_header(const std::string& bytes, const std::string& name) {
   if (!read_off_header(scanner).binary) read_off_counts(scanner, OffLayout::lines);
 }
 
-namespace {
-
-template <typename Number>
-void append_number(std::string& text, Number number, char separator) {
-  std::array<char, 32> digits;  // the longest double has 24 characters
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size() - 1, number).ptr;
-  *end = separator;
-  text.append(digits.data(), end + 1);
-}
-
-void append_vector(std::string& text, const Eigen::RowVector3d& vector, char end) {
-  append_number(text, vector[0], ' ');
-  append_number(text, vector[1], ' ');
-  append_number(text, vector[2], end);
-}
-
-}  // namespace
-
 void write_off(const std::filesystem::path& path, const Shape& shape) {
   require_writable(path, shape);
   const bool with_normals = has_cloud_normals(shape);
@@ -395,16 +370,22 @@ void write_off(const std::filesystem::path& path, const Shape& shape) {
   append_number(text, shape.triangles.rows(), ' ');
   append_number(text, 0, '\n');
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    append_vector(text, shape.vertices.row(i), with_normals ? ' ' : '\n');
-    if (with_normals) append_vector(text, shape.normals.row(i), '\n');
+    append_numbers(text, shape.vertices.row(i), with_normals ? ' ' : '\n');
+    if (with_normals) append_numbers(text, shape.normals.row(i));
   }
-  for (const auto& triangle : shape.triangles.rowwise()) {
-    text += "3 ";
-    append_number(text, triangle[0], ' ');
-    append_number(text, triangle[1], ' ');
-    append_number(text, triangle[2], '\n');
-  }
+  for (const auto& triangle : shape.triangles.rowwise()) append_numbers(text += "3 ", triangle);
   write_file_atomically(path, text);
+}
+
+ShapeFormat off_format() {
+  static constexpr std::array<std::string_view, 1> extensions{".off"};
+  return {.name = "OFF",
+          .description = "Object File Format, ASCII or binary; written as ASCII",
+          .extensions = extensions,
+          .begins_like = begins_like_off,
+          .check_header = check_off_header,
+          .read = read_off,
+          .write = write_off};
 }
 
 }  // namespace shapegauge

@@ -7,6 +7,8 @@
 
 namespace shapegauge {
 
+struct ShapeFormat;
+
 /// The shape in the bytes of an OFF file, ASCII or binary (Geomview's manual, "OFF Files"), with what is met in the
 /// wild: keyword missing, or with the counts glued to it; comments and blank lines anywhere; a wrong or missing number
 /// of edges; COFF, NOFF, STOFF and combinations; extras after vertices and colours after faces, announced or not; any
@@ -26,5 +28,8 @@ void check_off_header(const std::string& bytes, const std::string& name);
 /// Throws InputError where the file cannot be written, a coordinate is not finite or a triangle's vertex does not
 /// exist.
 void write_off(const std::filesystem::path& path, const Shape& shape);
+
+/// The entry of the registry (shape_file.h).
+ShapeFormat off_format();
 
 }  // namespace shapegauge

@@ -19,9 +19,12 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 
 namespace shapegauge {
+
+namespace {
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
@@ -44,10 +47,6 @@ struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::ascii;
   std::vector<PlyElement> elements;
 };
-
-/// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
-/// body. Throws InputError, with the line, where it is not one.
-PlyHeader read_ply_header(TextScanner& scanner);
 
 /// The values of an ASCII PLY file's body, one after the other. Every reading function returns false at the end.
 class PlyTextSource {
@@ -116,8 +115,6 @@ class PlyBinarySource {
   ByteScanner bytes_;
 };
 
-namespace {
-
 PlyType read_type(TextScanner& scanner) {
   static constexpr std::array<std::pair<std::string_view, PlyType>, 16> names = {{
       {"char", PlyType::int8},
@@ -182,8 +179,8 @@ std::size_t length_of_line_end(std::string_view text) {
   return start != std::string_view::npos && text.substr(start).starts_with("\r\n") ? 2 : 1;
 }
 
-}  // namespace
-
+/// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
+/// body. Throws InputError, with the line, where it is not one.
 PlyHeader read_ply_header(TextScanner& scanner) {
   if (scanner.read_word() != "ply") scanner.fail("not a PLY file: it does not begin with \"ply\"");
   const std::size_t line_end = length_of_line_end(scanner.rest());
@@ -213,8 +210,6 @@ PlyHeader read_ply_header(TextScanner& scanner) {
   scanner.advance(std::min(line_end, scanner.remaining()));
   return header;
 }
-
-namespace {
 
 /// Number of the coordinate that a vertex's property is, 3 to 5 for the components of its normal, 6 for any other.
 std::size_t place_of(const PlyProperty& property) {
@@ -377,23 +372,6 @@ class PlyBody {
   SoupBuilder soup_;
 };
 
-}  // namespace
-
-Shape read_ply(const std::string& bytes, const std::string& name) {
-  TextScanner scanner(bytes, name);
-  const PlyHeader header = read_checked_header(scanner);
-  if (header.encoding == PlyEncoding::ascii) return PlyBody(header, PlyTextSource(scanner)).read();
-  const std::endian order = header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
-  return PlyBody(header, PlyBinarySource(scanner, order)).read();
-}
-
-void check_ply_header(const std::string& bytes, const std::string& name) {
-  TextScanner scanner(bytes, name);
-  read_checked_header(scanner);
-}
-
-namespace {
-
 /// What the samples at a site have besides their places.
 struct SampleProperties {
   SampleSite site;
@@ -416,13 +394,6 @@ std::string header_of(const Shape& shape, const SampleProperties* samples) {
                           properties_at(SampleSite::faces));
   }
   return header + "end_header\n";
-}
-
-template <typename Number>
-void append_little_endian(std::string& bytes, Number number) {
-  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
-  bytes.append(raw.data(), raw.size());
 }
 
 void append_vector(std::string& bytes, const Eigen::RowVector3d& vector) {
@@ -453,10 +424,23 @@ Eigen::Index sample_count(const Shape& shape, SampleSite site) {
 
 }  // namespace
 
+Shape read_ply(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  const PlyHeader header = read_checked_header(scanner);
+  if (header.encoding == PlyEncoding::ascii) return PlyBody(header, PlyTextSource(scanner)).read();
+  const std::endian order = header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big;
+  return PlyBody(header, PlyBinarySource(scanner, order)).read();
+}
+
+void check_ply_header(const std::string& bytes, const std::string& name) {
+  TextScanner scanner(bytes, name);
+  read_checked_header(scanner);
+}
+
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<Colour>& colours, std::string_view value_name) {
+               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name) {
   const Eigen::Index samples = sample_count(shape, site);
   if (values.size() != samples || colours.size() != static_cast<std::size_t>(samples)) {
     throw InputError(fmt::format("cannot write {}: {} values and {} colours for {} samples", path.string(),
@@ -484,6 +468,17 @@ void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, 
         append_vector(bytes, normals.row(i));
       }};
   write(path, shape, &properties);
+}
+
+ShapeFormat ply_format() {
+  static constexpr std::array<std::string_view, 1> extensions{".ply"};
+  return {.name = "PLY",
+          .description = "Polygon File Format, ASCII or binary; written as binary",
+          .extensions = extensions,
+          .begins_like = [](std::string_view bytes) { return bytes.starts_with("ply"); },
+          .check_header = check_ply_header,
+          .read = read_ply,
+          .write = write_ply};
 }
 
 }  // namespace shapegauge

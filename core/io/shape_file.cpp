@@ -1,14 +1,12 @@
 #include "shapegauge/core/io/shape_file.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <iterator>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/obj.h"
 #include "shapegauge/core/io/off.h"
@@ -22,52 +20,41 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Format {
-  std::string_view extension;
-  Shape (*read)(const std::string& bytes, const std::string& name);
-  void (*check_header)(const std::string& bytes, const std::string& name);
-};
-
-constexpr std::array<Format, 8> formats = {{
-    {".off", read_off, check_off_header},
-    {".obj", read_obj, check_obj_header},
-    {".ply", read_ply, check_ply_header},
-    {".stl", read_stl, check_stl_header},
-    {".xyz", read_xyz, check_xyz_header},
-    {".pwn", read_xyz, check_xyz_header},
-    {".pts", read_xyz, check_xyz_header},
-    {".txt", read_xyz, check_xyz_header},
-}};
-
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
+std::vector<ShapeFormat>& registry() {
+  static std::vector<ShapeFormat> formats{off_format(), obj_format(), ply_format(), stl_format(), xyz_format()};
+  return formats;
 }
 
-/// The extension that the first bytes ask for. Only what names itself counts: an OFF file with its keyword, PLY, and
-/// ASCII STL; an OBJ file, a binary STL file or lines of numbers could be anything.
-std::string_view extension_by_content(std::string_view bytes) {
-  if (bytes.starts_with("ply")) return ".ply";
-  if (bytes.starts_with("solid")) return ".stl";
-  const std::string_view first_line = bytes.substr(0, bytes.find_first_of("\r\n"));
-  return first_line.find("OFF") != std::string_view::npos ? ".off" : "";
+std::vector<std::string_view> extensions_of(const ShapeFormat& format) {
+  std::vector<std::string_view> all(format.extensions.begin(), format.extensions.end());
+  all.insert(all.end(), format.ambiguous_extensions.begin(), format.ambiguous_extensions.end());
+  return all;
 }
 
-const Format& format_of(const fs::path& path, std::string_view bytes) {
-  const auto find = [](std::string_view extension) {
-    return std::ranges::find(formats, extension, &Format::extension);
+/// The extension is in lower case; null where no format has it.
+const ShapeFormat* format_by_extension(std::string_view extension) {
+  const auto has_it = [&](const ShapeFormat& format) {
+    return std::ranges::count(format.extensions, extension) +
+               std::ranges::count(format.ambiguous_extensions, extension) >
+           0;
   };
-  const auto* format = find(lower_case(path.extension().string()));
-  if (format == formats.end()) format = find(extension_by_content(bytes));
-  if (format == formats.end()) {
-    std::vector<std::string_view> extensions;
-    for (const Format& known : formats) extensions.push_back(known.extension);
-    throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
-                                 path.extension().string(), fmt::join(extensions, ", ")));
-  }
-  return *format;
+  const auto found = std::ranges::find_if(registry(), has_it);
+  return found == registry().end() ? nullptr : &*found;
+}
+
+const ShapeFormat* format_by_content(std::string_view bytes) {
+  const auto found = std::ranges::find_if(registry(), [&](const ShapeFormat& format) {
+    return format.begins_like != nullptr && format.begins_like(bytes);
+  });
+  return found == registry().end() ? nullptr : &*found;
+}
+
+const ShapeFormat& format_of(const fs::path& path, std::string_view bytes) {
+  const std::string extension = path.extension().string();
+  if (const ShapeFormat* const format = format_by_extension(lower_case(extension))) return *format;
+  if (const ShapeFormat* const format = format_by_content(bytes)) return *format;
+  throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(), extension,
+                               fmt::join(shape_extensions(), ", ")));
 }
 
 }  // namespace
@@ -83,7 +70,7 @@ Shape read_shape(const std::string& bytes, const fs::path& path) {
 void check_shape_header(const fs::path& path) {
   constexpr std::size_t usual_size_of_header = std::size_t{1} << 16U;
   const std::string bytes = read_file_bytes(path, usual_size_of_header);
-  const Format& format = format_of(path, bytes);
+  const ShapeFormat& format = format_of(path, bytes);
   try {
     format.check_header(bytes, path.string());
   } catch (const InputError&) {
@@ -92,11 +79,50 @@ void check_shape_header(const fs::path& path) {
   }
 }
 
-ShapeWriter shape_writer(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension == ".off" || extension == ".OFF") return write_off;
-  if (extension == ".ply" || extension == ".PLY") return write_ply;
-  throw InputError(fmt::format("cannot write {}: the name must end in .off or .ply", path.string()));
+ShapeWriter shape_writer(const fs::path& path) {
+  const ShapeFormat* const format = format_by_extension(lower_case(path.extension().string()));
+  if (format != nullptr && format->write != nullptr) return format->write;
+  throw InputError(fmt::format("cannot write {}: the name must end in one of {}", path.string(),
+                               fmt::join(written_shape_extensions(), ", ")));
+}
+
+std::span<const ShapeFormat> shape_formats() { return registry(); }
+
+void register_shape_format(const ShapeFormat& format) {
+  for (const std::string_view extension : extensions_of(format)) {
+    if (format_by_extension(extension) != nullptr) {
+      throw InputError(fmt::format("there is a shape format with the extension \"{}\" already", extension));
+    }
+  }
+  registry().push_back(format);
+}
+
+std::vector<std::string_view> shape_extensions() {
+  std::vector<std::string_view> all;
+  for (const ShapeFormat& format : registry()) std::ranges::copy(extensions_of(format), std::back_inserter(all));
+  return all;
+}
+
+std::vector<std::string_view> unambiguous_shape_extensions() {
+  std::vector<std::string_view> all;
+  for (const ShapeFormat& format : registry()) std::ranges::copy(format.extensions, std::back_inserter(all));
+  return all;
+}
+
+std::vector<std::string_view> written_shape_extensions() {
+  std::vector<std::string_view> all;
+  for (const ShapeFormat& format : registry()) {
+    if (format.write != nullptr) std::ranges::copy(format.extensions, std::back_inserter(all));
+  }
+  return all;
+}
+
+std::string_view without_shape_extension(std::string_view file_name) {
+  const std::size_t dot = file_name.rfind('.');
+  if (dot == std::string_view::npos || dot == 0) return file_name;
+  const std::string extension = lower_case(std::string(file_name.substr(dot)));
+  const auto has_it = [&](const ShapeFormat& format) { return std::ranges::count(format.extensions, extension) > 0; };
+  return std::ranges::any_of(registry(), has_it) ? file_name.substr(0, dot) : file_name;
 }
 
 }  // namespace shapegauge

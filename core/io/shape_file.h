@@ -1,35 +1,77 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
-/// To be raised with every change of the shape that a sound file is read as: what a cache holds of earlier versions is
-/// then computed anew.
+/// Raised with every change of the shape that a valid file is read as, which makes cached results of earlier versions
+/// stale.
 inline constexpr int shape_reading_version = 1;
 
-/// Reads a shape from an OFF, OBJ, PLY or STL file, or a point cloud from any of these but STL without faces or from
-/// lines of numbers (XYZ, PWN, PTS, TXT), by the name's extension and, failing that, by the first bytes.
-/// Polygons become fans of triangles, in the file's order. Every vertex and every face of the file is kept: duplicates,
-/// degenerate and non-manifold faces survive. STL vertices with equal coordinates are merged, as the format has no
-/// indices. Throws InputError: absent, unreadable or truncated file, index out of range, coordinate that is not finite.
+/// Reads a shape from a file of a format in shape_formats(), by the name's extension and, failing that, by the first
+/// bytes. Without faces it is a point cloud. Polygons become fans of triangles, in the file's order. Every vertex and
+/// every face of the file is kept: duplicates, degenerate and non-manifold faces survive. STL vertices with equal
+/// coordinates are merged, as the format has no indices. Throws InputError: absent, unreadable or truncated file, index
+/// out of range, coordinate that is not finite.
 Shape read_shape(const std::filesystem::path& path);
 
 /// The same for the bytes of a file that were read already; `path` tells the format and is what messages call it.
 Shape read_shape(const std::string& bytes, const std::filesystem::path& path);
 
-/// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format that
-/// read_shape knows. Cheap enough to do for a whole data set before a long run.
+/// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format in
+/// shape_formats(). Cheap enough to do for a whole data set before a long run.
 void check_shape_header(const std::filesystem::path& path);
 
 /// Writes a shape to a file, whole or not at all.
 using ShapeWriter = void (*)(const std::filesystem::path&, const Shape&);
 
-/// The writer for the format that the name's extension tells: .off (write_off) or .ply (write_ply). Throws InputError
-/// for another extension.
+/// The writer for the format that the name's extension tells, in any case: of those in shape_formats() that have one.
+/// Throws InputError for another extension.
 ShapeWriter shape_writer(const std::filesystem::path& path);
+
+/// A file format of shapes. Extensions are in lower case, with their dot.
+struct ShapeFormat {
+  std::string_view name;
+  std::string_view description;  ///< one line
+  std::span<const std::string_view> extensions;
+  /// Extensions that are read as this format too, but may belong to anything: a file that has one is not taken for a
+  /// shape unless it is named as one.
+  std::span<const std::string_view> ambiguous_extensions = {};
+  /// Whether a file with these first bytes names itself as of this format; null where nothing does.
+  bool (*begins_like)(std::string_view first_bytes) = nullptr;
+  /// Throws InputError where the bytes, the beginning of a file or all of it, do not begin like this format. `name`
+  /// stands in front of messages.
+  void (*check_header)(const std::string& bytes, const std::string& name);
+  /// The shape in the bytes of a file. Throws InputError.
+  Shape (*read)(const std::string& bytes, const std::string& name);
+  ShapeWriter write = nullptr;  ///< null: not written
+};
+
+/// All formats of shapes: those of this folder, and those registered. A new one of this folder is one file, and one
+/// line in shape_file.cpp.
+std::span<const ShapeFormat> shape_formats();
+
+/// Adds a format, for the beginning of a program: spans that shape_formats() gave before are no longer valid. What the
+/// entry's views point to must last as long as the program. Throws InputError where an extension is taken.
+void register_shape_format(const ShapeFormat& format);
+
+/// The extensions of all files that read_shape() knows by their names.
+std::vector<std::string_view> shape_extensions();
+
+/// Of these, the ones that tell a shape's file from any other: without .txt.
+std::vector<std::string_view> unambiguous_shape_extensions();
+
+/// The extensions of all files that shape_writer() writes.
+std::vector<std::string_view> written_shape_extensions();
+
+/// The file's name without the extension of a shape file, in any case; the whole name where it has none, or an
+/// ambiguous one (.txt).
+std::string_view without_shape_extension(std::string_view file_name);
 
 }  // namespace shapegauge

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,6 +13,7 @@
 
 #include "shapegauge/core/shape/shape.h"
 
+/// What the readers and writers of shape files share. Not for users of the library.
 namespace shapegauge {
 
 /// A shape as it grows vertex by vertex and corner by corner. Polygons become fans of triangles about their first
@@ -68,5 +72,30 @@ void require_writable(const std::filesystem::path& path, const Shape& shape);
 
 /// Whether there are normals to write: those of a point cloud.
 inline bool has_cloud_normals(const Shape& shape) { return is_cloud(shape) && shape.normals.rows() > 0; }
+
+/// Appends a number in the fewest digits that give exactly the same number when they are read.
+template <typename Number>
+void append_number(std::string& text, Number number, char separator) {
+  std::array<char, 32> digits;  // the longest double has 24 characters
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size() - 1, number).ptr;
+  *end = separator;
+  text.append(digits.data(), end + 1);
+}
+
+/// Appends the three numbers of a row, with blanks between them.
+template <typename Row>
+void append_numbers(std::string& text, const Row& row, char end = '\n') {
+  append_number(text, row[0], ' ');
+  append_number(text, row[1], ' ');
+  append_number(text, row[2], end);
+}
+
+/// Appends the bytes of a number, least significant first.
+template <typename Number>
+void append_little_endian(std::string& bytes, Number number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(raw);
+  bytes.append(raw.data(), raw.size());
+}
 
 }  // namespace shapegauge

@@ -1,5 +1,6 @@
 #include "shapegauge/core/io/stl.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,7 +12,11 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 
 namespace shapegauge {
@@ -99,7 +104,7 @@ class AsciiReader {
   Shape read() {
     bool in_solid = false;
     while (true) {
-      const std::string word = lower_case(scanner_.read_word());
+      const std::string word = lower_case(std::string(scanner_.read_word()));
       if (word.empty() && !in_solid) break;
       if (word.empty()) scanner_.fail_whole(fmt::format("ends after {} facets, before \"endsolid\"", facets_));
       if (word == "solid" || word == "endsolid") {
@@ -115,14 +120,6 @@ class AsciiReader {
   }
 
  private:
-  static std::string lower_case(std::string_view word) {
-    std::string result(word);
-    for (char& c : result) {
-      if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
-    return result;
-  }
-
   void read_facet() {
     expect("normal");
     if (!scanner_.skip_words(3)) fail_end();
@@ -145,7 +142,7 @@ class AsciiReader {
   void expect(std::string_view keyword) {
     const std::string_view word = scanner_.read_word();
     if (word.empty()) fail_end();
-    if (lower_case(word) != keyword) {
+    if (lower_case(std::string(word)) != keyword) {
       scanner_.fail(fmt::format("expected \"{}\" in facet {}, found \"{}\"", keyword, facets_, word));
     }
   }
@@ -156,6 +153,22 @@ class AsciiReader {
   MergingBuilder builder_;
   std::int64_t facets_ = 0;
 };
+
+/// The vertices in the format's precision.
+using FloatPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// The unit normal by the corners' order; zero for a degenerate triangle.
+Eigen::RowVector3f facet_normal(const Shape& mesh, Eigen::Index triangle) {
+  const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
+  const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
+  const Eigen::Vector3d c = mesh.vertices.row(mesh.triangles(triangle, 2));
+  const Eigen::Vector3d normal = (b - a).cross(c - a).stableNormalized();
+  return normal.allFinite() ? Eigen::RowVector3f(normal.cast<float>()) : Eigen::RowVector3f::Zero();
+}
+
+void append_vector(std::string& bytes, const Eigen::RowVector3f& vector) {
+  for (const float component : vector) append_little_endian(bytes, component);
+}
 
 }  // namespace
 
@@ -168,6 +181,39 @@ Shape read_stl(const std::string& bytes, const std::string& name) {
 void check_stl_header(const std::string& bytes, const std::string& name) {
   if (is_ascii(bytes) || bytes.size() >= header_size + 4) return;
   TextScanner(bytes, name).fail_whole("not an STL file: neither \"solid\" nor a header of 84 bytes");
+}
+
+void write_stl(const std::filesystem::path& path, const Shape& shape) {
+  require_writable(path, shape);
+  if (is_cloud(shape)) {
+    throw InputError(
+        fmt::format("cannot write {}: an STL file holds triangles only, and the shape has none", path.string()));
+  }
+  const FloatPoints vertices = shape.vertices.cast<float>();
+  if (!vertices.allFinite()) {
+    throw InputError(
+        fmt::format("cannot write {}: a coordinate is too large for the single precision of STL", path.string()));
+  }
+  std::string bytes = "binary STL by shapegauge";  // must not begin with "solid"
+  bytes.resize(header_size, ' ');
+  append_little_endian(bytes, static_cast<std::uint32_t>(shape.triangles.rows()));
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    append_vector(bytes, facet_normal(shape, f));
+    for (int corner = 0; corner < 3; ++corner) append_vector(bytes, vertices.row(shape.triangles(f, corner)));
+    append_little_endian(bytes, std::uint16_t{0});  // the attribute
+  }
+  write_file_atomically(path, bytes);
+}
+
+ShapeFormat stl_format() {
+  static constexpr std::array<std::string_view, 1> extensions{".stl"};
+  return {.name = "STL",
+          .description = "Stereolithography, ASCII or binary, without indices; written as binary, in single precision",
+          .extensions = extensions,
+          .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid"); },
+          .check_header = check_stl_header,
+          .read = read_stl,
+          .write = write_stl};
 }
 
 }  // namespace shapegauge

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
@@ -11,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
 
 namespace shapegauge {
@@ -40,15 +41,6 @@ bool has_decimal_commas(std::string_view line) {
     other = other || (separates && is_digit(i - 1) && begins_number(i + 1));
   }
   return tight_comma && other;
-}
-
-/// The number that the word is; NaN where it is none.
-double number_in(std::string_view word) {
-  if (word.starts_with('+')) word.remove_prefix(1);
-  double number = 0;
-  const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool whole = error == std::errc() && last == word.data() + word.size();
-  return whole ? number : std::numeric_limits<double>::quiet_NaN();
 }
 
 using Vector = std::array<double, 3>;
@@ -104,11 +96,12 @@ class XyzReader {
       if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("{} of a point's three coordinates", k));
       scanner_.read_number(position[k], "a coordinate");
     }
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();  // no number
     Vector more = {};
     std::size_t columns = 3;
     for (; !scanner_.at_line_end(); ++columns) {
       const std::string_view word = scanner_.read_word();
-      if (columns < 6) more[columns - 3] = number_in(word);
+      if (columns < 6) more[columns - 3] = parse_number(word).value_or(nan);
     }
     if (positions_.empty()) begin_columns(columns, begin);
     if (columns != columns_) {
@@ -177,6 +170,17 @@ Shape read_xyz(const std::string& bytes, const std::string& name) {
 void check_xyz_header(const std::string& bytes, const std::string& name) {
   const std::string text = in_words(bytes);
   XyzReader(text, bytes, name).read_beginning();
+}
+
+ShapeFormat xyz_format() {
+  static constexpr std::array<std::string_view, 3> extensions{".xyz", ".pwn", ".pts"};
+  static constexpr std::array<std::string_view, 1> ambiguous_extensions{".txt"};
+  return {.name = "XYZ",
+          .description = "Lines of numbers: point clouds, with normals or without",
+          .extensions = extensions,
+          .ambiguous_extensions = ambiguous_extensions,
+          .check_header = check_xyz_header,
+          .read = read_xyz};
 }
 
 }  // namespace shapegauge

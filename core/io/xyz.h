@@ -6,6 +6,8 @@
 
 namespace shapegauge {
 
+struct ShapeFormat;
+
 /// The point cloud in the bytes of a text file with a point a line (.xyz, .pwn, .pts, .txt): three or more columns,
 /// separated by white space, commas or semicolons, as many on every line; `#` and `//` begin comments; blank lines, any
 /// line ends and a byte order mark are passed over.
@@ -22,5 +24,8 @@ Shape read_xyz(const std::string& bytes, const std::string& name);
 
 /// Throws InputError where the bytes do not begin with a number of points or a point.
 void check_xyz_header(const std::string& bytes, const std::string& name);
+
+/// The entry of the registry (shape_file.h).
+ShapeFormat xyz_format();
 
 }  // namespace shapegauge

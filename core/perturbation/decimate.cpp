@@ -25,6 +25,8 @@
 
 namespace shapegauge {
 
+namespace {
+
 /// Double precision, and the marks of deleted and locked parts that decimation needs.
 struct DecimationTraits : OpenMesh::DefaultTraitsDouble {
   VertexAttributes(OpenMesh::Attributes::Status);
@@ -41,33 +43,6 @@ struct DecimationInput {
   std::vector<bool> turned;              ///< by face of the mesh, whether it has the other orientation in the shape
   std::vector<std::int32_t> left_aside;  ///< the shape's triangles that the mesh cannot hold
 };
-
-/// Takes vertices at the same place as one, leaves out faces whose corners are not at three places, turns faces so that
-/// neighbours agree, and cuts the surface open along edges where not just two faces meet in agreement. Vertices on such
-/// edges, and those of triangles left aside, are locked.
-DecimationInput decimation_input(const Shape& shape);
-
-/// Says how good a collapse is: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area,
-/// and of planes that stand on open edges, which OpenMesh's own module lets erode; illegal where a face would turn over
-/// or become a sliver.
-class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
- public:
-  using Handle = OpenMesh::Decimater::ModHandleT<DecimationModule>;
-
-  explicit DecimationModule(DecimationMesh& mesh) : ModBaseT(mesh, false) {}
-
-  [[nodiscard]] const std::string& name() const override;
-  void initialize() override;
-  float collapse_priority(const CollapseInfo& collapse) override;
-  void postprocess_collapse(const CollapseInfo& collapse) override;
-
- private:
-  [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
-
-  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
-};
-
-namespace {
 
 /// Sets that are united one pair at a time; each item differs from its set's representative by a parity.
 class ParitySets {
@@ -186,8 +161,9 @@ void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, 
   }
 }
 
-}  // namespace
-
+/// Takes vertices at the same place as one, leaves out faces whose corners are not at three places, turns faces so that
+/// neighbours agree, and cuts the surface open along edges where not just two faces meet in agreement. Vertices on such
+/// edges, and those of triangles left aside, are locked.
 DecimationInput decimation_input(const Shape& shape) {
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
   CutSurface cut = cut_surface(shape, merged);
@@ -205,8 +181,6 @@ DecimationInput decimation_input(const Shape& shape) {
   return input;
 }
 
-namespace {
-
 using Vector = DecimationMesh::Point;
 using OpenMesh::Geometry::Quadricd;
 
@@ -223,7 +197,25 @@ double roundness(const Vector& a, const Vector& b, const Vector& c) {
   return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
 }
 
-}  // namespace
+/// Says how good a collapse is: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area,
+/// and of planes that stand on open edges, which OpenMesh's own module lets erode; illegal where a face would turn over
+/// or become a sliver.
+class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
+ public:
+  using Handle = OpenMesh::Decimater::ModHandleT<DecimationModule>;
+
+  explicit DecimationModule(DecimationMesh& mesh) : ModBaseT(mesh, false) {}
+
+  [[nodiscard]] const std::string& name() const override;
+  void initialize() override;
+  float collapse_priority(const CollapseInfo& collapse) override;
+  void postprocess_collapse(const CollapseInfo& collapse) override;
+
+ private:
+  [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
+
+  std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
+};
 
 const std::string& DecimationModule::name() const {
   static const std::string text = "quadric error without flipped faces";
@@ -284,8 +276,6 @@ void DecimationModule::postprocess_collapse(const CollapseInfo& collapse) {
   quadrics_[static_cast<std::size_t>(collapse.v1.idx())] += quadrics_[static_cast<std::size_t>(collapse.v0.idx())];
 }
 
-namespace {
-
 /// Collapses edges until at most so many faces are left; the number of collapses.
 std::size_t collapse_edges(DecimationMesh& mesh, Eigen::Index faces) {
   OpenMesh::Decimater::DecimaterT<DecimationMesh> decimater(mesh);
@@ -343,7 +333,7 @@ Shape with_used_vertices(const Shape& shape, Triangles triangles) {
 }  // namespace
 
 Shape decimate(const Shape& shape, Eigen::Index faces) {
-  if (faces < 1) throw InputError(fmt::format("a mesh cannot be decimated to {} faces", faces));
+  require_in_bounds("the number of faces to decimate to", static_cast<double>(faces), decimate_faces_bounds);
   if (is_cloud(shape)) throw InputError("a point cloud cannot be decimated; sample fewer points of it");
   if (shape.triangles.rows() <= faces) return shape;
   required_diagonal(shape);

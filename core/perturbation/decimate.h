@@ -1,8 +1,12 @@
 #pragma once
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
+
+/// How many faces a mesh may be simplified to.
+inline constexpr Bounds decimate_faces_bounds{.low = 1, .high = 100'000'000};
 
 /// The mesh with at most so many faces, by edge collapses in order of their quadric error (Garland and Heckbert 1997),
 /// with OpenMesh. A collapse pulls one vertex onto a neighbour: every vertex of the result is one of the mesh.
@@ -14,8 +18,8 @@ namespace shapegauge {
 /// structure cannot hold even so stay untouched. A mesh that has too many of these, or is simplified as far as it goes,
 /// keeps more faces than asked for. Vertices that no face uses are dropped.
 ///
-/// A mesh of no more faces is returned as it is. Throws InputError for a point cloud, less than one face, a mesh
-/// without extent, and where not one edge can be collapsed.
+/// A mesh of no more faces is returned as it is. Throws InputError for a point cloud, a number of faces out of bounds,
+/// a mesh without extent, and where not one edge can be collapsed.
 Shape decimate(const Shape& shape, Eigen::Index faces);
 
 }  // namespace shapegauge

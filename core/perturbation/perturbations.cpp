@@ -2,12 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
 
 namespace shapegauge {
@@ -21,7 +23,203 @@ Eigen::Vector2d gaussian_pair(RandomNumbers& random) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
+/// Moves the rows that are not marked to the front and drops the others.
+template <typename Rows>
+void remove_rows(Rows& rows, const std::vector<bool>& removed) {
+  Eigen::Index kept = 0;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    if (removed[static_cast<std::size_t>(i)]) continue;
+    if (kept != i) rows.row(kept) = rows.row(i);
+    ++kept;
+  }
+  rows.conservativeResize(kept, Eigen::NoChange);
+}
+
+/// A triangle's centroid, or the point.
+Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
+  if (is_cloud(shape)) return shape.vertices.row(element);
+  const auto corners = shape.triangles.row(element);
+  return shape.vertices.row(corners[0]) / 3 + shape.vertices.row(corners[1]) / 3 + shape.vertices.row(corners[2]) / 3;
+}
+
+constexpr std::array<std::string_view, 2> noise_distributions{"gaussian", "uniform"};
+
+constexpr std::array vertex_noise_parameters{
+    Parameter{.name = "amplitude",
+              .bounds = VertexNoiseOptions::amplitude_bounds,
+              .description = "As a fraction of the bounding box's diagonal."},
+    Parameter{.name = "distribution",
+              .kind = ParameterKind::choice,
+              .default_value = "uniform",
+              .choices = noise_distributions,
+              .description = "gaussian: each coordinate has the amplitude as its standard deviation; uniform: in the "
+                             "ball whose radius is the amplitude."}};
+
+constexpr std::array remove_faces_parameters{
+    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Of the faces or points."}};
+
+constexpr std::array punch_holes_parameters{Parameter{.name = "number",
+                                                      .kind = ParameterKind::integer,
+                                                      .default_value = PunchHolesOptions{}.number,
+                                                      .bounds = PunchHolesOptions::number_bounds,
+                                                      .description = "Of holes."},
+                                            Parameter{.name = "radius",
+                                                      .default_value = PunchHolesOptions{}.radius,
+                                                      .bounds = PunchHolesOptions::radius_bounds,
+                                                      .description = "As a fraction of the bounding box's diagonal."}};
+
+constexpr std::array decimate_parameters{Parameter{.name = "faces",
+                                                   .kind = ParameterKind::integer,
+                                                   .bounds = decimate_faces_bounds,
+                                                   .description = "At most so many are left."}};
+
+constexpr std::array sample_surface_parameters{Parameter{.name = "points",
+                                                         .kind = ParameterKind::integer,
+                                                         .default_value = SampleSurfaceOptions{}.points,
+                                                         .bounds = SampleSurfaceOptions::points_bounds,
+                                                         .description = "Of the cloud."},
+                                               Parameter{.name = "with_normals",
+                                                         .kind = ParameterKind::boolean,
+                                                         .default_value = SampleSurfaceOptions{}.with_normals,
+                                                         .description = "Give the points the normals of their faces."}};
+
+constexpr std::array flip_orientation_parameters{Parameter{
+    .name = "fraction", .default_value = 1.0, .bounds = fraction_bounds, .description = "Of the faces or normals."}};
+
+constexpr std::array motion_parameters{
+    Parameter{.name = "scale",
+              .default_value = 1.0,
+              .bounds = motion_scale_bounds,
+              .description = "The scale is between 1/scale and scale, uniform in its logarithm."}};
+
+Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  const bool uniform = settings.word("distribution") == "uniform";
+  return vertex_noise(std::move(shape),
+                      {.amplitude = settings.number("amplitude"),
+                       .distribution = uniform ? NoiseDistribution::uniform : NoiseDistribution::gaussian},
+                      random);
+}
+
+Shape apply_remove_faces(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return remove_faces(std::move(shape), settings.number("fraction"), random);
+}
+
+Shape apply_punch_holes(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return punch_holes(std::move(shape),
+                     {.number = static_cast<int>(settings.integer("number")), .radius = settings.number("radius")},
+                     random);
+}
+
+Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+  return decimate(shape, settings.integer("faces"));
+}
+
+Shape apply_sample_surface(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return sample_surface(shape, {.points = settings.integer("points"), .with_normals = settings.boolean("with_normals")},
+                        random);
+}
+
+Shape apply_vertex_cloud(Shape shape, const ParameterValues& /*settings*/, RandomNumbers& /*random*/) {
+  return vertex_cloud(shape);
+}
+
+Shape apply_flip_orientation(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return flip_orientation(std::move(shape), settings.number("fraction"), random);
+}
+
+Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return random_motion(std::move(shape), settings.number("scale"), random);
+}
+
+std::vector<ShapePerturbation>& registry() {
+  static std::vector<ShapePerturbation> entries{
+      {"vertex_noise", "Every vertex (or point) moves by a random vector.", vertex_noise_parameters,
+       apply_vertex_noise},
+      {"remove_faces", "Random faces (or points) are taken away.", remove_faces_parameters, apply_remove_faces},
+      {"holes", "Faces (or points) near random points of the surface are taken away.", punch_holes_parameters,
+       apply_punch_holes},
+      {"decimate", "The mesh is simplified by quadric error.", decimate_parameters, apply_decimate},
+      {"sample_points", "The mesh becomes a cloud of random points, uniform by area.", sample_surface_parameters,
+       apply_sample_surface},
+      {"vertex_cloud", "The mesh becomes the cloud of its vertices.", {}, apply_vertex_cloud},
+      {"flip_orientation", "Random faces (or normals) are turned over.", flip_orientation_parameters,
+       apply_flip_orientation},
+      {"motion", "A random rotation and translation, and a random scale.", motion_parameters, apply_random_motion},
+  };
+  return entries;
+}
+
 }  // namespace
+
+Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random) {
+  require_in_bounds("the amplitude of noise", options.amplitude, VertexNoiseOptions::amplitude_bounds);
+  const double length = options.amplitude * required_diagonal(shape);
+  const bool gaussian = options.distribution == NoiseDistribution::gaussian;
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    const Eigen::Vector3d displacement = gaussian ? gaussian_vector(random) : point_in_unit_ball(random);
+    shape.vertices.row(i) += length * displacement.transpose();
+  }
+  return shape;
+}
+
+Shape remove_faces(Shape shape, double fraction, RandomNumbers& random) {
+  const std::vector<bool> removed = random_selection(element_count(shape), fraction, random);
+  return without_elements(std::move(shape), removed);
+}
+
+Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random) {
+  const std::vector<bool> flipped = random_selection(element_count(shape), fraction, random);
+  for (std::size_t i = 0; i < flipped.size(); ++i) {
+    if (!flipped[i]) continue;
+    const auto element = static_cast<Eigen::Index>(i);
+    if (!is_cloud(shape)) {
+      std::swap(shape.triangles(element, 1), shape.triangles(element, 2));
+    } else if (shape.normals.rows() > 0) {
+      shape.normals.row(element) *= -1;
+    }
+  }
+  return shape;
+}
+
+Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random) {
+  require_in_bounds("the number of holes", options.number, PunchHolesOptions::number_bounds);
+  require_in_bounds("the radius of holes", options.radius, PunchHolesOptions::radius_bounds);
+  if (options.number == 0) return shape;
+  const double radius = options.radius * required_diagonal(shape);
+  const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;
+  std::vector<bool> removed(static_cast<std::size_t>(element_count(shape)));
+  for (std::size_t i = 0; i < removed.size(); ++i) {
+    const Eigen::RowVector3d centre = centre_of_element(shape, static_cast<Eigen::Index>(i));
+    removed[i] = ((centres.rowwise() - centre).rowwise().norm().array() <= radius).any();
+  }
+  return without_elements(std::move(shape), removed);
+}
+
+Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
+  require_in_bounds("the largest scale of a motion", scale, motion_scale_bounds);
+  const Eigen::RowVector3d shift = required_diagonal(shape) * point_in_unit_ball(random).transpose();
+  const Eigen::Matrix3d rotation = uniform_rotation(random);
+  const double factor = std::exp(std::log(scale) * random.uniform(-1, 1));
+  const Eigen::RowVector3d centre = bounding_box(shape).center().transpose();
+  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
+    const Eigen::RowVector3d turned = factor * (shape.vertices.row(i) - centre) * rotation.transpose();
+    shape.vertices.row(i) = turned + centre + shift;
+  }
+  for (Eigen::Index i = 0; i < shape.normals.rows(); ++i) {
+    const Eigen::RowVector3d turned = shape.normals.row(i) * rotation.transpose();
+    shape.normals.row(i) = turned;
+  }
+  return shape;
+}
+
+std::span<const ShapePerturbation> shape_perturbations() { return registry(); }
+
+void register_shape_perturbation(const ShapePerturbation& perturbation) {
+  if (std::ranges::find(registry(), perturbation.name, &ShapePerturbation::name) != registry().end()) {
+    throw InputError(fmt::format("there is a perturbation \"{}\" already", perturbation.name));
+  }
+  registry().push_back(perturbation);
+}
 
 Eigen::Vector3d gaussian_vector(RandomNumbers& random) {
   const Eigen::Vector2d first = gaussian_pair(random);
@@ -57,39 +255,14 @@ double required_diagonal(const Shape& shape) {
   return diagonal;
 }
 
-namespace {
-
-/// Moves the rows that are not marked to the front and drops the others.
-template <typename Rows>
-void remove_rows(Rows& rows, const std::vector<bool>& removed) {
-  Eigen::Index kept = 0;
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    if (removed[static_cast<std::size_t>(i)]) continue;
-    if (kept != i) rows.row(kept) = rows.row(i);
-    ++kept;
-  }
-  rows.conservativeResize(kept, Eigen::NoChange);
-}
-
-}  // namespace
-
 Eigen::Index element_count(const Shape& shape) {
   return is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows();
 }
 
 std::vector<bool> random_selection(Eigen::Index count, double fraction, RandomNumbers& random) {
-  if (!(fraction >= 0 && fraction <= 1)) {
-    throw InputError(fmt::format("a fraction of the shape's parts must be from 0 to 1, not {}", fraction));
-  }
-  std::vector<bool> selected(static_cast<std::size_t>(count));
-  auto wanted = static_cast<double>(std::llround(fraction * static_cast<double>(count)));
-  auto remaining = static_cast<double>(count);
-  for (auto&& mark : selected) {
-    mark = random.uniform(0, remaining) < wanted;
-    if (mark) --wanted;
-    --remaining;
-  }
-  return selected;
+  require_in_bounds("the fraction of the shape's faces or points", fraction, fraction_bounds);
+  const auto selected = static_cast<std::size_t>(std::llround(fraction * static_cast<double>(count)));
+  return random_subset(static_cast<std::size_t>(count), selected, random);
 }
 
 Shape without_elements(Shape shape, const std::vector<bool>& removed) {
@@ -102,84 +275,6 @@ Shape without_elements(Shape shape, const std::vector<bool>& removed) {
     if (shape.normals.rows() > 0) remove_rows(shape.normals, removed);
   } else {
     remove_rows(shape.triangles, removed);
-  }
-  return shape;
-}
-
-Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random) {
-  if (!(options.amplitude >= 0 && std::isfinite(options.amplitude))) {
-    throw InputError(fmt::format("the amplitude of noise must be a number of at least 0, not {}", options.amplitude));
-  }
-  const double length = options.amplitude * required_diagonal(shape);
-  const bool gaussian = options.distribution == NoiseDistribution::gaussian;
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    const Eigen::Vector3d displacement = gaussian ? gaussian_vector(random) : point_in_unit_ball(random);
-    shape.vertices.row(i) += length * displacement.transpose();
-  }
-  return shape;
-}
-
-Shape remove_faces(Shape shape, double fraction, RandomNumbers& random) {
-  const std::vector<bool> removed = random_selection(element_count(shape), fraction, random);
-  return without_elements(std::move(shape), removed);
-}
-
-Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random) {
-  const std::vector<bool> flipped = random_selection(element_count(shape), fraction, random);
-  for (std::size_t i = 0; i < flipped.size(); ++i) {
-    if (!flipped[i]) continue;
-    const auto element = static_cast<Eigen::Index>(i);
-    if (!is_cloud(shape)) {
-      std::swap(shape.triangles(element, 1), shape.triangles(element, 2));
-    } else if (shape.normals.rows() > 0) {
-      shape.normals.row(element) *= -1;
-    }
-  }
-  return shape;
-}
-
-namespace {
-
-/// Where an element is: a triangle's centroid, or the point.
-Eigen::RowVector3d place_of(const Shape& shape, Eigen::Index element) {
-  if (is_cloud(shape)) return shape.vertices.row(element);
-  const auto corners = shape.triangles.row(element);
-  return shape.vertices.row(corners[0]) / 3 + shape.vertices.row(corners[1]) / 3 + shape.vertices.row(corners[2]) / 3;
-}
-
-}  // namespace
-
-Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random) {
-  if (options.number < 0 || !(options.radius >= 0 && std::isfinite(options.radius))) {
-    throw InputError(fmt::format("the number and the radius of holes must be at least 0, not {} and {}", options.number,
-                                 options.radius));
-  }
-  if (options.number == 0) return shape;
-  const double radius = options.radius * required_diagonal(shape);
-  const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;
-  std::vector<bool> removed(static_cast<std::size_t>(element_count(shape)));
-  for (std::size_t i = 0; i < removed.size(); ++i) {
-    const Eigen::RowVector3d place = place_of(shape, static_cast<Eigen::Index>(i));
-    removed[i] = ((centres.rowwise() - place).rowwise().norm().array() <= radius).any();
-  }
-  return without_elements(std::move(shape), removed);
-}
-
-Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
-  if (!(scale >= 1 && std::isfinite(scale))) {
-    throw InputError(fmt::format("the largest scale of a motion must be a number of at least 1, not {}", scale));
-  }
-  const Eigen::RowVector3d shift = required_diagonal(shape) * point_in_unit_ball(random).transpose();
-  const Eigen::Matrix3d rotation = uniform_rotation(random);
-  const double factor = std::exp(std::log(scale) * random.uniform(-1, 1));
-  const Eigen::RowVector3d centre = bounding_box(shape).center().transpose();
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    const Eigen::RowVector3d turned = factor * (shape.vertices.row(i) - centre) * rotation.transpose();
-    shape.vertices.row(i) = turned + centre + shift;
-  }
-  for (Eigen::Index i = 0; i < shape.normals.rows(); ++i) {
-    const Eigen::RowVector3d turned = shape.normals.row(i) * rotation.transpose();
-    shape.normals.row(i) = turned;
   }
   return shape;
 }

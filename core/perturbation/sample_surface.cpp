@@ -1,7 +1,6 @@
 #include "shapegauge/core/perturbation/sample_surface.h"
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
 #include <utility>
 #include <vector>
 
@@ -37,9 +36,7 @@ Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
 }  // namespace
 
 Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random) {
-  if (options.points < 1) {
-    throw InputError(fmt::format("the number of points must be at least 1, not {}", options.points));
-  }
+  require_in_bounds("the number of points", static_cast<double>(options.points), SampleSurfaceOptions::points_bounds);
   if (shape.vertices.rows() == 0) throw InputError("no points can be taken of a shape without any");
   if (is_cloud(shape)) return thinned(shape, options, random);
   SurfacePoints sampled = surface_points(shape, options.points, random);
@@ -55,8 +52,7 @@ Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, Ra
 
 Shape vertex_cloud(const Shape& shape) {
   if (is_cloud(shape)) return {.vertices = shape.vertices, .triangles = {}};
-  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()), false);
-  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
+  const std::vector<bool> used = used_vertices(shape);
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
     if (used[static_cast<std::size_t>(i)]) kept.push_back(i);

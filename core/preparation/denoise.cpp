@@ -43,39 +43,6 @@ CountedByKey<Neighbour> neighbouring_places(const Triangles& triangles, const st
   return counted;
 }
 
-/// Which vertices a triangle uses.
-std::vector<bool> used_vertices(const Shape& shape) {
-  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));
-  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
-  return used;
-}
-
-}  // namespace
-
-VertexNeighbours vertex_neighbours(const Shape& shape) {
-  require_usable(shape);
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
-  const CountedByKey<Neighbour> places = neighbouring_places(shape.triangles, merged);
-  const std::vector<bool> used = used_vertices(shape);
-  VertexNeighbours result;
-  result.first.reserve(merged.size() + 1);
-  result.neighbours.reserve(places.values.size() / 2);
-  for (std::size_t v = 0; v < merged.size(); ++v) {
-    result.first.push_back(result.neighbours.size());
-    if (!used[v]) continue;
-    const auto place = static_cast<std::size_t>(merged[v]);
-    for (std::size_t i = places.first[place]; i < places.first[place + 1]; ++i) {
-      const std::int32_t vertex = places.values[i].vertex;
-      if (i > places.first[place] && vertex == places.values[i - 1].vertex) continue;
-      result.neighbours.push_back(vertex);
-    }
-  }
-  result.first.push_back(result.neighbours.size());
-  return result;
-}
-
-namespace {
-
 /// The directions along which the triangles about each vertex face, whichever way round each is oriented. Vertices at
 /// the same place have the same.
 Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
@@ -163,7 +130,41 @@ double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) 
                                        : static_cast<double>(same) / static_cast<double>(neighbours.neighbours.size());
 }
 
+/// Moves every vertex towards the mean of its neighbours, by a fraction of the way (away from it where negative).
+void step(Points& vertices, Points& before, const VertexNeighbours& neighbours, double fraction) {
+  before = vertices;
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+    const auto around = neighbours.of(v);
+    if (around.empty()) continue;
+    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    for (const std::int32_t u : around) sum += before.row(u);
+    vertices.row(v) += fraction * (sum / static_cast<double>(around.size()) - before.row(v));
+  }
+}
+
 }  // namespace
+
+VertexNeighbours vertex_neighbours(const Shape& shape) {
+  require_usable(shape);
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const CountedByKey<Neighbour> places = neighbouring_places(shape.triangles, merged);
+  const std::vector<bool> used = used_vertices(shape);
+  VertexNeighbours result;
+  result.first.reserve(merged.size() + 1);
+  result.neighbours.reserve(places.values.size() / 2);
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    result.first.push_back(result.neighbours.size());
+    if (!used[v]) continue;
+    const auto place = static_cast<std::size_t>(merged[v]);
+    for (std::size_t i = places.first[place]; i < places.first[place + 1]; ++i) {
+      const std::int32_t vertex = places.values[i].vertex;
+      if (i > places.first[place] && vertex == places.values[i - 1].vertex) continue;
+      result.neighbours.push_back(vertex);
+    }
+  }
+  result.first.push_back(result.neighbours.size());
+  return result;
+}
 
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
   constexpr double pass_band = 0.1;
@@ -182,22 +183,6 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
   return count_places(neighbours) >= fewest_vertices && noise.relative() >= least_relative &&
          noise.agreement < agreement_of_form;
 }
-
-namespace {
-
-/// Moves every vertex towards the mean of its neighbours, by a fraction of the way (away from it where negative).
-void step(Points& vertices, Points& before, const VertexNeighbours& neighbours, double fraction) {
-  before = vertices;
-  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
-    const auto around = neighbours.of(v);
-    if (around.empty()) continue;
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-    for (const std::int32_t u : around) sum += before.row(u);
-    vertices.row(v) += fraction * (sum / static_cast<double>(around.size()) - before.row(v));
-  }
-}
-
-}  // namespace
 
 Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
   if (!(pass_band > 0 && pass_band < 1)) {

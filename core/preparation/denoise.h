@@ -9,8 +9,9 @@
 
 namespace shapegauge {
 
-/// For every vertex the vertices that share a triangle's edge with it, each once, in ascending order. Vertices at the
-/// same place are one: they have the same neighbours, and of neighbours at the same place the first stands for all.
+/// Vertex adjacency: for every vertex the vertices that it shares an edge with, each once, in ascending order. Vertices
+/// at the same place are merged: they have the same neighbours, and of neighbours at the same place only the first is
+/// listed.
 struct VertexNeighbours {
   std::vector<std::size_t> first;        ///< by vertex, where its neighbours begin; one more entry at the end
   std::vector<std::int32_t> neighbours;  ///< all, vertex by vertex
@@ -21,15 +22,15 @@ struct VertexNeighbours {
   }
 };
 
-/// The neighbours of a shape's vertices. None where there are no triangles. Throws InputError where the shape is
-/// unusable (validity.h).
+/// The neighbours of a shape's vertices; none without triangles. Throws InputError for an unusable shape
+/// (require_usable()).
 VertexNeighbours vertex_neighbours(const Shape& shape);
 
 /// How noisy the vertices of a mesh are.
 struct NoiseLevel {
-  double deviation = 0;    ///< what neighbours do not share along the normal, as a standard deviation, in shape units
+  double deviation = 0;    ///< standard deviation along the normal, in the shape's units
   double edge_length = 0;  ///< mean edge length of the smoothed mesh
-  /// Share of edges whose ends lie on the same side of the smoothed mesh: about 0.46 where heights are independent,
+  /// Fraction of edges whose ends lie on the same side of the smoothed mesh: about 0.46 where heights are independent,
   /// 0.6 and more where they are form (ridges, creases, coarse curved parts).
   double agreement = 1;
 
@@ -39,15 +40,13 @@ struct NoiseLevel {
 
 /// Estimates the noise of a mesh: what moves its vertices along the normal independently of one another.
 ///
-/// Each vertex' height above the smoothed mesh, less the mean height of its neighbours, is taken; the median of its
-/// size tells the standard deviation, so that what varies slowly and what is rare drop out. On coarse meshes form
-/// passes for deviation too; `agreement` tells the two apart. The orientation of triangles plays no part. All zero for
-/// a cloud.
+/// The standard deviation is estimated from the median absolute difference between a vertex's height above the smoothed
+/// mesh and the mean height of its neighbours, which ignores slow variation and outliers. On coarse meshes form counts
+/// as deviation too; `agreement` tells the two apart. The orientation of triangles plays no part. All zero for a cloud.
 NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours);
 
-/// Whether the vertices are noisy beyond doubt: at least 500 of them (those at the same place
-/// counted once, those of no triangle not at all), a relative() of 0.1 or more, and an agreement
-/// that form does not have (below 0.56).
+/// Whether the vertices are noisy beyond doubt: at least 500 of them (coincident ones counted once, unused ones not at
+/// all), a relative() of 0.1 or more, and an agreement below 0.56, which form does not have.
 bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 
 /// Low-pass filter of a mesh's vertices without shrinkage: steps towards the mean of the neighbours alternate with
@@ -56,22 +55,18 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours);
 /// pass_band, Taubin's k_PB in (0, 1): what varies along the mesh with a frequency k (0: constant; 3/2 and more: from
 /// vertex to vertex) is multiplied by ((1 - k / 2) (1 + k / (2 - pass_band)))^N, with N = ceil(2 / pass_band) + 3
 /// rounds: kept for k < pass_band (to within 2 % where pass_band is at most 0.1), faded beyond. A wave of n edges has k
-/// of about (pi / n)^2. Vertices without neighbours stay.
-///
-/// Throws InputError for a pass band out of range.
+/// of about (pi / n)^2. Vertices without neighbours stay. Throws InputError for a pass band out of range.
 Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band);
 
-/// A shape after denoised(), and what was found.
+/// The result of denoised().
 struct DenoisedShape {
   Shape shape;
   NoiseLevel noise;      ///< of the shape given
   double pass_band = 0;  ///< of the smoothing (see taubin_smoothed); 0: none, the shape is as given
 };
 
-/// Takes the noise out of a mesh whose vertices are noisy beyond doubt (is_noisy), and leaves any other shape as it is.
-///
-/// The vertices are smoothed with a pass band of 0.025 / noise.relative(), between 0.02 and 0.3; what comes of it is
-/// in docs/figures.md, Fig 6. Clouds have no neighbours to smooth with and stay.
+/// Smooths a mesh whose vertices are noisy beyond doubt (is_noisy()), with a pass band of 0.025 / noise.relative(),
+/// clamped to 0.02 to 0.3 (docs/figures.md, Fig 6, shows the effect). Other meshes and clouds are returned unchanged.
 DenoisedShape denoised(Shape shape);
 
 }  // namespace shapegauge

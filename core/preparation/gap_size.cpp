@@ -71,34 +71,6 @@ BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) 
   return loop;
 }
 
-}  // namespace
-
-std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
-  require_usable(shape);
-  BoundaryEdges edges(edge_uses(shape.triangles, merged_by_place(shape.vertices)));
-  std::vector<BoundaryLoop> loops;
-  std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);
-  for (std::int32_t start = edges.start(); start >= 0; start = edges.start()) {
-    std::vector<std::int32_t> path;
-    const auto take_from = [&](std::int64_t first) {
-      const std::vector<std::int32_t> loop(path.begin() + first, path.end());
-      for (const std::int32_t v : loop) place_in_path[static_cast<std::size_t>(v)] = -1;
-      path.resize(static_cast<std::size_t>(first));
-      loops.push_back(measured(loop, shape.vertices));
-    };
-    for (std::int32_t vertex = start; vertex >= 0; vertex = edges.walk_from(vertex)) {
-      if (const std::int64_t before = place_in_path[static_cast<std::size_t>(vertex)]; before >= 0) take_from(before);
-      place_in_path[static_cast<std::size_t>(vertex)] = static_cast<std::int64_t>(path.size());
-      path.push_back(vertex);
-    }
-    if (path.size() > 1) take_from(0);
-    if (!path.empty()) place_in_path[static_cast<std::size_t>(path.front())] = -1;
-  }
-  return loops;
-}
-
-namespace {
-
 /// Distance from x to the polygon's sides; negative outside of it (even-odd rule).
 double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& x) {
   double squared = std::numeric_limits<double>::infinity();
@@ -123,42 +95,13 @@ struct Square {
   double bound;  ///< no circle about a point of the square is larger
 };
 
-}  // namespace
-
-double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
-  if (polygon.size() < 3) return 0;
-  Eigen::AlignedBox2d box;
-  for (const Eigen::Vector2d& corner : polygon) box.extend(corner);
-  const double negligible = 1e-3 * box.diagonal().norm();
-  double best = 0;
-  const auto smaller_bound = [](const Square& a, const Square& b) { return a.bound < b.bound; };
-  std::priority_queue<Square, std::vector<Square>, decltype(smaller_bound)> waiting(smaller_bound);
-  const auto look_at = [&](const Eigen::Vector2d& centre, double half) {
-    const double distance = signed_distance(polygon, centre);
-    best = std::max(best, distance);
-    // Distances change by no more than the way from the centre.
-    waiting.push({centre, half, distance + std::sqrt(2.0) * half});
-  };
-  look_at(box.center(), box.sizes().maxCoeff() / 2);
-  while (waiting.top().bound > 1.01 * best + negligible) {
-    const Square square = waiting.top();
-    waiting.pop();
-    for (const double x : {-0.5, 0.5}) {
-      for (const double y : {-0.5, 0.5}) look_at(square.centre + square.half * Eigen::Vector2d(x, y), square.half / 2);
-    }
-  }
-  return best;
-}
-
-namespace {
-
-/// The distance within which this share of the points have their sixth neighbour.
-double distance_to_sixth(const Points& points, double share) {
+/// The distance within which this fraction of the points have their sixth neighbour.
+double distance_to_sixth(const Points& points, double fraction) {
   constexpr Eigen::Index neighbours = 6;
   if (points.rows() < 2) return 0;
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   Eigen::VectorXd distances = nearest.distances.rightCols(1);
-  const auto rank = static_cast<Eigen::Index>(share * static_cast<double>(distances.size() - 1));
+  const auto rank = static_cast<Eigen::Index>(fraction * static_cast<double>(distances.size() - 1));
   std::nth_element(distances.begin(), distances.begin() + rank, distances.end());
   return distances[rank];
 }
@@ -190,6 +133,55 @@ double gap_in_mesh(const Shape& mesh, double limit) {
 }
 
 }  // namespace
+
+std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
+  require_usable(shape);
+  BoundaryEdges edges(edge_uses(shape.triangles, merged_by_place(shape.vertices)));
+  std::vector<BoundaryLoop> loops;
+  std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);
+  for (std::int32_t start = edges.start(); start >= 0; start = edges.start()) {
+    std::vector<std::int32_t> path;
+    const auto take_from = [&](std::int64_t first) {
+      const std::vector<std::int32_t> loop(path.begin() + first, path.end());
+      for (const std::int32_t v : loop) place_in_path[static_cast<std::size_t>(v)] = -1;
+      path.resize(static_cast<std::size_t>(first));
+      loops.push_back(measured(loop, shape.vertices));
+    };
+    for (std::int32_t vertex = start; vertex >= 0; vertex = edges.walk_from(vertex)) {
+      if (const std::int64_t before = place_in_path[static_cast<std::size_t>(vertex)]; before >= 0) take_from(before);
+      place_in_path[static_cast<std::size_t>(vertex)] = static_cast<std::int64_t>(path.size());
+      path.push_back(vertex);
+    }
+    if (path.size() > 1) take_from(0);
+    if (!path.empty()) place_in_path[static_cast<std::size_t>(path.front())] = -1;
+  }
+  return loops;
+}
+
+double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
+  if (polygon.size() < 3) return 0;
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector2d& corner : polygon) box.extend(corner);
+  const double negligible = 1e-3 * box.diagonal().norm();
+  double best = 0;
+  const auto smaller_bound = [](const Square& a, const Square& b) { return a.bound < b.bound; };
+  std::priority_queue<Square, std::vector<Square>, decltype(smaller_bound)> waiting(smaller_bound);
+  const auto look_at = [&](const Eigen::Vector2d& centre, double half) {
+    const double distance = signed_distance(polygon, centre);
+    best = std::max(best, distance);
+    // Distances change by no more than the way from the centre.
+    waiting.push({centre, half, distance + std::sqrt(2.0) * half});
+  };
+  look_at(box.center(), box.sizes().maxCoeff() / 2);
+  while (waiting.top().bound > 1.01 * best + negligible) {
+    const Square square = waiting.top();
+    waiting.pop();
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5}) look_at(square.centre + square.half * Eigen::Vector2d(x, y), square.half / 2);
+    }
+  }
+  return best;
+}
 
 double gap_size(const Shape& shape, double limit) {
   require_usable(shape);

@@ -21,29 +21,29 @@ struct BoundaryLoop {
   [[nodiscard]] double radius_bound() const { return std::sqrt(vector_area.norm() / std::numbers::pi); }
 };
 
-/// The loops of a mesh's boundary edges: those that belong to one triangle, vertices at the same place taken as one.
-/// Loops that touch at a vertex part there. A path that does not come back, as non-manifold edges can leave, is closed
-/// by its ends. Orientation plays no part. None for a closed mesh or a cloud. Throws InputError where
-/// the shape is unusable (validity.h).
+/// The boundary loops of a mesh. A boundary edge has one triangle; vertices at the same place are merged. Loops that
+/// touch at a vertex are separated there. A path that does not close, as non-manifold edges can leave, is closed by
+/// joining its ends. Orientation plays no part. None for a watertight mesh or a cloud. Throws InputError for an
+/// unusable shape (require_usable()).
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape);
 
-/// The radius of the largest circle inside a polygon in the plane (corners in order, either way round): never too
-/// large, and too small by at most a hundredth of itself and a thousandth of the diagonal of the polygon's box. 0 for
-/// fewer than three corners.
+/// The radius of the largest circle inside a plane polygon (corners in order, either way round): never too large, and
+/// too small by at most 1 % of itself plus 0.1 % of the diagonal of the polygon's bounding box. 0 for fewer than three
+/// corners.
 double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon);
 
-/// The radius of the gaps through which an offset surface leaks into a shape, in the shape's units; an r above it
-/// closes them.
+/// The radius of the widest gap through which an offset surface leaks into a shape, in the shape's units; a larger
+/// offset closes all gaps.
 ///
 /// Of a mesh: the radius of the largest circle that fits into a hole, each hole being a boundary loop seen along its
 /// vector area; holes wider than the limit do not count, so that the mouth of a vase need not pass for a gap. 0 for a
-/// closed mesh. Of a cloud, whatever the limit: the distance within which 999 of 1000 points have their sixth
-/// neighbour, or the last one where there are fewer; of points placed at random, the balls of that radius leave hardly
-/// a hole. Holes in a scan are not seen. Throws InputError where the shape is unusable (validity.h).
+/// watertight mesh. Of a cloud, whatever the limit: the distance within which 999 of 1000 points have their sixth
+/// neighbour (or their last, in smaller clouds); balls of that radius about random points leave hardly a hole. Holes in
+/// a scan are not detected. Throws InputError for an unusable shape (require_usable()).
 double gap_size(const Shape& shape, double limit = std::numeric_limits<double>::infinity());
 
-/// How far apart the points of a cloud are: the median distance to the sixth neighbour, on a regular surface about 1.4
-/// times the mean distance. 0 for a mesh. Throws InputError where the shape is unusable (validity.h).
+/// The spacing of a cloud's points: the median distance to the sixth neighbour, on a regular surface about 1.4 times
+/// the mean distance. 0 for a mesh. Throws InputError for an unusable shape (require_usable()).
 double point_spacing(const Shape& shape);
 
 }  // namespace shapegauge

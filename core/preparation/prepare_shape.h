@@ -6,14 +6,15 @@
 namespace shapegauge {
 
 /// The surface area, or the sum of a point cloud's point_weights(), in the shape's units squared. Throws InputError
-/// where it is zero or not finite, or the shape unusable (validity.h).
+/// where it is zero or not finite, and for an unusable shape (require_usable()).
 double positive_area(const Shape& shape);
 
-/// The shape scaled about the origin so that its positive_area(), which it throws as, is 1 (the design, section 3).
+/// The shape scaled about the origin to a positive_area() of 1 (docs/definitions.md#scale). Throws what positive_area()
+/// throws.
 Shape scaled_to_unit_area(Shape shape);
 
-/// To be raised with every change of what prepare_shape() makes of a shape: what a cache holds of earlier versions is
-/// then computed anew.
+/// Raised with every change of what prepare_shape() makes of a shape, which makes cached results of earlier versions
+/// stale.
 inline constexpr int preparation_version = 1;
 
 /// What a shape is scaled by before it is compared with others.
@@ -36,8 +37,8 @@ struct PreparedShape {
   double area = 0;       ///< what was scaled to 1, in units of the shape given, squared
 };
 
-/// The shape without its noise, if so wanted, and scaled about the origin to a unit of area. Throws InputError as
-/// positive_area() and tube_area() do, and where the shape is unusable (validity.h).
+/// Removes noise, if so wanted, and scales the shape about the origin to unit area. Throws InputError as
+/// positive_area() and tube_area() do, and for an unusable shape (require_usable()).
 PreparedShape prepare_shape(Shape shape, const PreparationOptions& options);
 
 }  // namespace shapegauge

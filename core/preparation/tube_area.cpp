@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -16,8 +17,8 @@ namespace {
 
 constexpr double finest_cube = 1.0 / 256;  // of the diagonal
 
-/// The volume of the tube in a cube and its parts, down to the smallest: of those, the share that the tube of a plane
-/// would fill, parallel to a side and as far from the centre as the surface is.
+/// The volume of the tube in a cube and its parts, down to the smallest: of those, the fraction that the tube of a
+/// plane would fill, parallel to a side and as far from the centre as the surface is.
 class TubeVolume {
  public:
   TubeVolume(const TriangleBVH& tree, double r)
@@ -69,12 +70,11 @@ double dawson_ratio(double s_squared) {
 
 /// The area A with A (1 - D(s) / s) = tube, s^2 = n pi r^2 / A: both sides grow with A, so the fixed point is unique.
 double corrected_for_gaps(double tube, double points, double r) {
-  constexpr double pi = 3.14159265358979323846;
   constexpr int rounds = 50;
   double area = tube;
   for (int i = 0; i < rounds; ++i) {
     // A cloud too sparse for the tube to close at all would send the area to infinity.
-    area = std::min(tube / (1 - dawson_ratio(points * pi * r * r / area)), 2 * tube);
+    area = std::min(tube / (1 - dawson_ratio(points * std::numbers::pi * r * r / area)), 2 * tube);
   }
   return area;
 }
@@ -83,10 +83,7 @@ double corrected_for_gaps(double tube, double points, double r) {
 
 double tube_area(const Shape& shape, const TubeAreaOptions& options) {
   const double r = options.radius;
-  if (!(r > 0 && r <= 1)) {
-    throw InputError(
-        fmt::format("the tube's radius is {}: it must be a fraction of the diagonal, above 0, at most 1", r));
-  }
+  require_in_bounds("the tube's radius, a fraction of the diagonal,", r, TubeAreaOptions::radius_bounds);
   require_usable(shape);
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {

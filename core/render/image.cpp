@@ -35,6 +35,12 @@ constexpr std::array<std::array<double, 3>, 18> viridis = {{{0.267004, 0.004874,
                                                             {0.845561, 0.887322, 0.099702},
                                                             {0.993248, 0.906157, 0.143936}}};
 
+constexpr int channels = 4;
+
+std::size_t byte_count(int width, int height) {
+  return static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
 }  // namespace
 
 Colour colour_of(double t) {
@@ -60,25 +66,6 @@ std::vector<Colour> colours_of(const Eigen::VectorXd& values, double lowest, dou
   return colours;
 }
 
-namespace {
-
-constexpr int channels = 4;
-
-std::size_t byte_count(int width, int height) {
-  return static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-}
-
-/// Copies the image into a larger one, its top left corner at the given pixel.
-void paste(const Image& image, int left, int top, Image& target) {
-  for (int row = 0; row < image.height; ++row) {
-    const auto source = image.pixels.begin() + static_cast<std::ptrdiff_t>(byte_count(image.width, row));
-    const std::size_t begin = byte_count(target.width, top + row) + byte_count(left, 1);
-    std::copy_n(source, byte_count(image.width, 1), target.pixels.begin() + static_cast<std::ptrdiff_t>(begin));
-  }
-}
-
-}  // namespace
-
 std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0 || image.pixels.size() != byte_count(image.width, image.height)) {
     throw std::invalid_argument(
@@ -101,26 +88,6 @@ std::string encode_png(const Image& image) {
 
 void write_png(const std::filesystem::path& path, const Image& image) {
   write_file_atomically(path, encode_png(image));
-}
-
-Image contact_sheet(const std::vector<Image>& images, int columns) {
-  if (columns < 1) throw std::invalid_argument("a contact sheet needs at least one column");
-  int cell_width = 0;
-  int cell_height = 0;
-  for (const Image& image : images) {
-    cell_width = std::max(cell_width, image.width);
-    cell_height = std::max(cell_height, image.height);
-  }
-  const int count = static_cast<int>(images.size());
-  Image sheet;
-  sheet.width = std::min(columns, count) * cell_width;
-  sheet.height = (count + columns - 1) / columns * cell_height;
-  sheet.pixels.assign(byte_count(sheet.width, sheet.height), 255);
-  for (int i = 0; i < count; ++i) {
-    paste(images[i], i % columns * cell_width + (cell_width - images[i].width) / 2,
-          i / columns * cell_height + (cell_height - images[i].height) / 2, sheet);
-  }
-  return sheet;
 }
 
 }  // namespace shapegauge

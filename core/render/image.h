@@ -33,8 +33,4 @@ std::string encode_png(const Image& image);
 /// Writes the image as a PNG file, whole or not at all. Throws InputError where the file cannot be written.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// The images side by side, row by row, on white; each is centred in a cell of the size of the largest. Throws
-/// std::invalid_argument for no columns.
-Image contact_sheet(const std::vector<Image>& images, int columns);
-
 }  // namespace shapegauge

@@ -211,19 +211,6 @@ std::vector<Colour> colours_of_splats(const std::vector<Colour>& colours) {
   return result;
 }
 
-}  // namespace
-
-Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
-                   const RenderOptions& options) {
-  check(shape, colours, site);
-  check(options);
-  if (!is_cloud(shape)) return draw(shape, colours, site, RaysAtEdges::hit, options);
-  // Splats overlap: what slips between the triangles of one meets another.
-  return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, RaysAtEdges::may_slip, options);
-}
-
-namespace {
-
 /// Below this skewness (third moment by the cube of the standard deviation) an axis counts as balanced: rounding must
 /// not decide the view.
 constexpr double balanced_skewness = 1e-3;
@@ -251,39 +238,6 @@ Eigen::Vector3d pointed(const Eigen::Vector3d& axis, double variance, double thi
   const bool balanced = std::abs(third_moment) <= balanced_skewness * std::pow(variance, 1.5);
   return (balanced ? axis[largest] : third_moment) < 0 ? Eigen::Vector3d(-axis) : axis;
 }
-
-}  // namespace
-
-RenderOptions principal_view(const Shape& shape, RenderOptions options) {
-  double mass = 0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    mass += weight;
-    centre += weight * point;
-  });
-  if (!(mass > 0) || !std::isfinite(mass) || !centre.allFinite()) return options;
-  centre /= mass;
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Vector3d arm = point - centre;
-    second += (weight / mass * arm) * arm.transpose();
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
-  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
-  Eigen::Vector3d third = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Array3d along = to_axes * (point - centre);
-    third += (weight / mass * along * along * along).matrix();
-  });
-  Eigen::Matrix3d axes;
-  for (int k = 0; k < 3; ++k)
-    axes.col(k) = pointed(principal.eigenvectors().col(k), principal.eigenvalues()[k], third[k]);
-  options.up = axes.col(1);
-  options.towards_viewer = axes.col(0) + 0.35 * axes.col(2) + 0.45 * axes.col(1);
-  return options;
-}
-
-namespace {
 
 /// Radius of a splat in radii of the disc that has the point's area. Of a plane with random points, exp(-2.25^2) or
 /// 0.6 % stays uncovered.
@@ -321,6 +275,44 @@ void add_splat(Shape& mesh, Eigen::Index i, const Eigen::Vector3d& centre, const
 }
 
 }  // namespace
+
+Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
+                   const RenderOptions& options) {
+  check(shape, colours, site);
+  check(options);
+  if (!is_cloud(shape)) return draw(shape, colours, site, RaysAtEdges::hit, options);
+  // Splats overlap: what slips between the triangles of one meets another.
+  return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, RaysAtEdges::may_slip, options);
+}
+
+RenderOptions principal_view(const Shape& shape, RenderOptions options) {
+  double mass = 0;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    mass += weight;
+    centre += weight * point;
+  });
+  if (!(mass > 0) || !std::isfinite(mass) || !centre.allFinite()) return options;
+  centre /= mass;
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    const Eigen::Vector3d arm = point - centre;
+    second += (weight / mass * arm) * arm.transpose();
+  });
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
+  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
+  Eigen::Vector3d third = Eigen::Vector3d::Zero();
+  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
+    const Eigen::Array3d along = to_axes * (point - centre);
+    third += (weight / mass * along * along * along).matrix();
+  });
+  Eigen::Matrix3d axes;
+  for (int k = 0; k < 3; ++k)
+    axes.col(k) = pointed(principal.eigenvectors().col(k), principal.eigenvalues()[k], third[k]);
+  options.up = axes.col(1);
+  options.towards_viewer = axes.col(0) + 0.35 * axes.col(2) + 0.45 * axes.col(1);
+  return options;
+}
 
 Shape splats(const Shape& cloud) {
   const UnitFrame frame = unit_frame(cloud);

@@ -20,7 +20,7 @@ struct RenderOptions {
   bool transparent = false;                         ///< transparent background instead of white
 };
 
-/// Picture of a shape in parallel projection, lit from above the viewer's left shoulder. Both sides of a triangle are
+/// Renders a shape in parallel projection, lit from above the viewer's left shoulder. Both sides of a triangle are
 /// drawn alike; edges up to 40 degrees are shaded smoothly. `colours` has one colour a triangle, or one a vertex to
 /// blend within triangles, as `site` says. Of a point cloud, splats() are drawn, each in the colour of its vertex. The
 /// same input gives the same bytes, on any number of threads. Throws InputError where there is nothing to draw, the
@@ -28,14 +28,14 @@ struct RenderOptions {
 Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
                    const RenderOptions& options = {});
 
-/// The options with a view that follows the shape when it is moved or turned: its longest principal axis lies across
+/// The options with a view that moves and turns with the shape: its longest principal axis lies across
 /// the image, its shortest points roughly at the viewer, who looks a little from the side and from above. The axes are
 /// those of the second moments of the surface, or of a cloud's points; each points to where the shape reaches out
 /// further (positive third moment), an axis about which the shape is balanced along its largest coordinate. The
 /// options are returned as they are where the shape has no finite extent.
 RenderOptions principal_view(const Shape& shape, RenderOptions options = {});
 
-/// Triangles that each point becomes.
+/// The number of triangles of a splat.
 constexpr int triangles_per_splat = 4;
 
 /// A mesh that looks like the surface a point cloud lies on: at each point a hexagon in the tangent plane, so large

@@ -11,15 +11,9 @@ namespace shapegauge {
 namespace {
 
 void check(const ConeSdfOptions& options) {
-  if (!(options.opening_angle_degrees > 0 && options.opening_angle_degrees < 180)) {
-    throw InputError(
-        fmt::format("the opening angle of the cone is {} degrees; it must be greater than 0 and less than "
-                    "180",
-                    options.opening_angle_degrees));
-  }
-  if (options.rays < 1 || options.rays > 1'000'000) {
-    throw InputError(fmt::format("the number of rays in the cone is {}; it must be 1 to 1000000", options.rays));
-  }
+  require_in_bounds("the opening angle of the cone, in degrees,", options.opening_angle_degrees,
+                    ConeSdfOptions::opening_angle_degrees_bounds);
+  require_in_bounds("the number of rays in the cone", options.rays, ConeSdfOptions::rays_bounds);
   if (options.postprocess && options.engine != ConeSdfEngine::cgal) {
     throw InputError("the post-processing of the conventional SDF is CGAL's: choose the cgal engine, or do without it");
   }

@@ -3,13 +3,13 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
-/// To be raised with every change of cone_sdf() that changes a value: what a cache holds of earlier versions is then
-/// computed anew.
+/// Raised with every change of cone_sdf() that changes a value, which makes cached results of earlier versions stale.
 inline constexpr int cone_sdf_version = 2;
 
 /// Who casts the rays: CGAL's own `sdf_values` (the reference) or the same definition on Embree.
@@ -17,6 +17,9 @@ enum class ConeSdfEngine { embree, cgal };
 
 /// Settings of the conventional SDF: a cone of rays about the inward normal.
 struct ConeSdfOptions {
+  static constexpr Bounds opening_angle_degrees_bounds{.low = 0, .high = 180, .low_open = true, .high_open = true};
+  static constexpr Bounds rays_bounds{.low = 1, .high = 10'000};
+
   ConeSdfEngine engine = ConeSdfEngine::embree;
   double opening_angle_degrees = 60;
   int rays = 25;
@@ -32,7 +35,8 @@ struct ConeSdfResult {
   double query_seconds = 0;  ///< all samples
 };
 
-/// Conventional SDF at the given samples of the shape (Shapira et al. 2008, with the choices of CGAL 5.5).
+/// Conventional SDF at the given samples of the shape (Shapira et al. 2008, with the choices of CGAL 5.5;
+/// docs/definitions.md#conventional-sdf).
 ///
 /// From each sample, rays go out in a cone about the inward normal, denser near its axis; they pass through the
 /// triangles that touch the sample. Of each ray the nearest hit counts, and only if the ray leaves the shape there (the
@@ -43,7 +47,8 @@ struct ConeSdfResult {
 /// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
 /// then says where, not what. With embree, what is closer to the sample than 2^-22 diagonals touches it. The same input
 /// gives the same bytes on any number of threads. Throws InputError for options out of range, a shape without triangles
-/// or otherwise unusable (validity.h), samples that are not the shape's, and a mesh that the cgal engine cannot use.
+/// or otherwise unusable (require_usable()), samples that are not the shape's, and a mesh that the cgal engine cannot
+/// use.
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

@@ -65,25 +65,6 @@ double median_absolute_deviation(std::span<const double> sorted, double centre) 
   return sorted.size() % 2 == 1 ? upper : (largest_of_closest(sorted, centre, half) + upper) / 2;
 }
 
-}  // namespace
-
-double mean_without_outliers(std::span<double> values) {
-  constexpr double accepted_deviations = 1.5;
-  sort_by_merge_exchange(values);
-  const double centre = median(values);
-  const double limit = accepted_deviations * median_absolute_deviation(values, centre);
-  double sum = 0;
-  int count = 0;
-  for (const double value : values) {
-    if (std::abs(value - centre) > limit) continue;
-    sum += value;
-    ++count;
-  }
-  return count > 0 ? sum / count : centre;
-}
-
-namespace {
-
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
@@ -247,6 +228,21 @@ class Cones {
 };
 
 }  // namespace
+
+double mean_without_outliers(std::span<double> values) {
+  constexpr double accepted_deviations = 1.5;
+  sort_by_merge_exchange(values);
+  const double centre = median(values);
+  const double limit = accepted_deviations * median_absolute_deviation(values, centre);
+  double sum = 0;
+  int count = 0;
+  for (const double value : values) {
+    if (std::abs(value - centre) > limit) continue;
+    sum += value;
+    ++count;
+  }
+  return count > 0 ? sum / count : centre;
+}
 
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;

@@ -4,12 +4,12 @@
 
 #include "shapegauge/core/sdf/cone_sdf.h"
 
-/// What the engines of cone_sdf() have between them. Not for users of the library.
+/// What cone_sdf() and its engines share. Not for users of the library. The engines are compiled apart: CGAL's flags
+/// must not reach Embree's.
 namespace shapegauge {
 
-/// Mean of the values that lie within 1.5 median absolute deviations of their median: what the conventional SDF makes
-/// of the distances of its rays (CGAL 5.5). Both medians are the mean of the two in the middle where the values are
-/// even in number. Sorts the values, of which there must be one at least.
+/// Mean of the values within 1.5 median absolute deviations of their median (as in CGAL 5.5). Of an even number of
+/// values the median is the mean of the two in the middle. Sorts the values, of which there must be at least one.
 double mean_without_outliers(std::span<double> values);
 
 /// The cgal engine of cone_sdf(), which has checked the options: one value per triangle, on one thread. Throws

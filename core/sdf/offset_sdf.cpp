@@ -94,8 +94,8 @@ Answer answer_at(const OffsetExterior& exterior, bool of_cloud, const Eigen::Vec
 }
 
 void check(const OffsetSdfOptions& options) {
-  if (options.offset >= 1e-6 && options.offset <= 1e6) return;
-  throw InputError(fmt::format("the offset is {}: it must be a fraction of the diagonal, 1e-6 to 1e6", options.offset));
+  require_in_bounds("the offset, a fraction of the bounding-box diagonal,", options.offset,
+                    OffsetSdfOptions::offset_bounds);
 }
 
 UnitFrame unit_frame_of(const Shape& shape) {

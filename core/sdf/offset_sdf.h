@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
@@ -16,7 +17,9 @@ inline constexpr int offset_sdf_version = 3;
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
-  double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal; 1e-6 to 1e6
+  static constexpr Bounds offset_bounds{.low = 1e-6, .high = 10};
+
+  double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal
   bool parallel = true;  ///< spread the samples over the threads of the calling TBB arena
 };
 

@@ -41,17 +41,6 @@ class Places {
   std::vector<std::int32_t> slots_;
 };
 
-}  // namespace
-
-std::vector<std::int32_t> merged_by_place(const Points& vertices) {
-  Places places(vertices);
-  std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
-  for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
-  return merged;
-}
-
-namespace {
-
 /// The uses by (low, high, triangle).
 std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
   CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
@@ -64,7 +53,24 @@ std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertic
   return std::move(counted.values);
 }
 
+/// Whether there are edges, and all of them satisfy a condition.
+template <typename Condition>
+bool all_edges(const Shape& shape, Condition condition) {
+  require_usable(shape);
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
+  bool all = !uses.empty();
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { all = all && condition(edge); });
+  return all;
+}
+
 }  // namespace
+
+std::vector<std::int32_t> merged_by_place(const Points& vertices) {
+  Places places(vertices);
+  std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
+  for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
+  return merged;
+}
 
 std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
   std::vector<EdgeUse> uses;
@@ -87,20 +93,6 @@ std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::
   }
   return sorted(uses, merged.size());
 }
-
-namespace {
-
-/// Whether there are edges, and all of them satisfy a condition.
-template <typename Condition>
-bool all_edges(const Shape& shape, Condition condition) {
-  require_usable(shape);
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
-  bool all = !uses.empty();
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { all = all && condition(edge); });
-  return all;
-}
-
-}  // namespace
 
 bool is_watertight(const Shape& shape) {
   return all_edges(shape, [](std::span<const EdgeUse> edge) { return edge.size() % 2 == 0; });

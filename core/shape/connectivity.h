@@ -12,14 +12,14 @@
 
 namespace shapegauge {
 
-/// Values in the order of their keys, those of the same key in the order given.
+/// Values sorted by key, stably.
 template <typename Value>
 struct CountedByKey {
   std::vector<Value> values;
   std::vector<std::size_t> first;  ///< of each key, and the number of values at the end
 };
 
-/// Sorts by keys from 0 to keys - 1, of which most have few values, in linear time. key(value) gives the key.
+/// Counting sort by keys from 0 to keys - 1, in linear time. key(value) gives the key.
 template <typename Value, typename Key>
 CountedByKey<Value> counted_by_key(const std::vector<Value>& values, std::size_t keys, Key key) {
   CountedByKey<Value> result{std::vector<Value>(values.size()), std::vector<std::size_t>(keys + 1, 0)};
@@ -30,7 +30,7 @@ CountedByKey<Value> counted_by_key(const std::vector<Value>& values, std::size_t
   return result;
 }
 
-/// Numbers from 0 on, in sets that are joined two by two.
+/// Disjoint sets of the numbers from 0 on (union-find).
 class DisjointSets {
  public:
   [[nodiscard]] std::size_t size() const { return parent_.size(); }
@@ -40,7 +40,7 @@ class DisjointSets {
     while (parent_.size() < size) parent_.push_back(static_cast<std::int32_t>(parent_.size()));
   }
 
-  /// The least number of the set that i is in.
+  /// The least number in the set of i.
   std::int32_t find(std::int32_t i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
@@ -57,14 +57,14 @@ class DisjointSets {
   std::vector<std::int32_t> parent_;
 };
 
-/// For each vertex the index of the first vertex at exactly the same place: its own, unless an earlier one is there.
+/// For each vertex, the index of the first vertex at exactly the same place, which may be its own.
 std::vector<std::int32_t> merged_by_place(const Points& vertices);
 
-/// A side of a triangle, and the edge that it lies on: two places of vertices, named by merged_by_place.
+/// A half-edge: a side of a triangle, and the edge that it lies on. Vertices are named as by merged_by_place().
 struct EdgeUse {
   std::int32_t low;       ///< the edge's lesser vertex
   std::int32_t high;      ///< the edge's greater vertex
-  std::int32_t triangle;  ///< of which it is a side
+  std::int32_t triangle;  ///< whose side it is
   std::int8_t corner;     ///< at which the side begins; it leads to the next one
   bool forward;           ///< whether it leads from the lesser vertex to the greater
 
@@ -85,13 +85,13 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
   }
 }
 
-/// Whether the triangles separate an inside from an outside by parity: every edge belongs to an even number of
-/// triangles, vertices at the same place taken as one and triangles of no area left out. Orientation plays no part. A
-/// shape without triangles is not closed. Throws InputError where the shape is unusable (validity.h).
+/// Whether the triangles separate an inside from an outside by ray parity: every edge belongs to an even number of
+/// triangles. Vertices at the same place are merged, triangles without area are left out, and orientation plays no
+/// part. False without triangles. Throws InputError for an unusable shape (require_usable()).
 bool is_watertight(const Shape& shape);
 
-/// Whether the triangles are oriented alike besides: every edge is run through as often one way as the other. Then, of
-/// any ray from outside, as many crossings lead in as out, however parts overlap.
+/// Whether the shape is watertight and consistently oriented: every edge is traversed equally often both ways. Then any
+/// ray from outside crosses the surface inwards as often as outwards, however parts overlap.
 bool is_watertight_and_oriented(const Shape& shape);
 
 }  // namespace shapegauge

@@ -57,47 +57,6 @@ void find(const Tree& tree, const Points& points, Eigen::Index i, PointNeighbour
                          [](double d) { return std::sqrt(d); });
 }
 
-}  // namespace
-
-PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
-  const Eigen::Index n = points.rows();
-  k = std::clamp<Eigen::Index>(k, 0, std::max<Eigen::Index>(n - 1, 0));
-  PointNeighbours result;
-  result.indices.resize(n, k);
-  result.distances.resize(n, k);
-  if (k == 0) return result;
-  const PointSource source{points};
-  const Tree tree(3, source);
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
-    for (Eigen::Index i = block.begin(); i != block.end(); ++i) find(tree, points, i, result);
-  });
-  return result;
-}
-
-Points unsigned_point_normals(const Points& points) {
-  constexpr Eigen::Index neighbours = 12;
-  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
-  Points normals = Points::Zero(points.rows(), 3);
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
-    // Relative to the farthest neighbour, so that products neither overflow nor vanish.
-    const Eigen::Index count = nearest.indices.cols();
-    const double reach = count > 0 ? nearest.distances(i, count - 1) : 0;
-    if (!(reach > 0)) return;
-    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, neighbours + 1, 3> around(count + 1, 3);
-    around.row(count).setZero();
-    for (Eigen::Index k = 0; k < count; ++k) {
-      around.row(k) = (points.row(nearest.indices(i, k)) - points.row(i)) / reach;
-    }
-    around.rowwise() -= around.colwise().mean().eval();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(around.transpose() * around);
-    normals.row(i) = solver.eigenvectors().col(0).transpose();
-  });
-  return normals;
-}
-
-namespace {
-
 // More neighbours see around corners and through thin parts. Of a regular grid whole shells lie at one distance, which
 // makes single numbers of neighbours err by up to a third, their mean by a tenth.
 constexpr Eigen::Index fewest_neighbours = 5;
@@ -169,6 +128,43 @@ Eigen::VectorXd capped(const Eigen::VectorXd& weights, const PointNeighbours& ne
 }
 
 }  // namespace
+
+PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
+  const Eigen::Index n = points.rows();
+  k = std::clamp<Eigen::Index>(k, 0, std::max<Eigen::Index>(n - 1, 0));
+  PointNeighbours result;
+  result.indices.resize(n, k);
+  result.distances.resize(n, k);
+  if (k == 0) return result;
+  const PointSource source{points};
+  const Tree tree(3, source);
+  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
+    for (Eigen::Index i = block.begin(); i != block.end(); ++i) find(tree, points, i, result);
+  });
+  return result;
+}
+
+Points unsigned_point_normals(const Points& points) {
+  constexpr Eigen::Index neighbours = 12;
+  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
+  Points normals = Points::Zero(points.rows(), 3);
+  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+    // Relative to the farthest neighbour, so that products neither overflow nor vanish.
+    const Eigen::Index count = nearest.indices.cols();
+    const double reach = count > 0 ? nearest.distances(i, count - 1) : 0;
+    if (!(reach > 0)) return;
+    Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, neighbours + 1, 3> around(count + 1, 3);
+    around.row(count).setZero();
+    for (Eigen::Index k = 0; k < count; ++k) {
+      around.row(k) = (points.row(nearest.indices(i, k)) - points.row(i)) / reach;
+    }
+    around.rowwise() -= around.colwise().mean().eval();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(around.transpose() * around);
+    normals.row(i) = solver.eigenvectors().col(0).transpose();
+  });
+  return normals;
+}
 
 Eigen::VectorXd point_weights(const Points& points) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(points.rows());

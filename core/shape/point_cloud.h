@@ -15,14 +15,14 @@ struct PointNeighbours {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances;
 };
 
-/// Finds the neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is lowered to n - 1 where
-/// there are no more. Of neighbours at the same distance, any may be the k-th: the tree decides, the same way for the
-/// same points in the same order.
+/// Finds the neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is lowered to n - 1 for
+/// smaller clouds. Ties at the k-th distance are broken by the tree, the same way for the same points in the same
+/// order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 
-/// For each point of a cloud the direction along which it and its 12 nearest neighbours spread the least, a unit vector
-/// of either sign: the normal of the surface that they lie on, but for its side (Hoppe et al. 1992). Zero where the
-/// neighbours are all at one place. Runs in the calling TBB arena.
+/// Unoriented normals of a cloud: for each point the direction of least variance of it and its 12 nearest neighbours
+/// (Hoppe et al. 1992), a unit vector of either sign; zero where the neighbours are all at one place. Runs in the
+/// calling TBB arena.
 Points unsigned_point_normals(const Points& points);
 
 /// The area that each point of a cloud stands for, estimated from its nearest neighbours: the mean over k = 5 to 12 of

@@ -39,27 +39,6 @@ Eigen::RowVector3d point_on(const Shape& mesh, Eigen::Index triangle, RandomNumb
          root * along * mesh.vertices.row(corners[2]);
 }
 
-}  // namespace
-
-SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random) {
-  if (count < 1) throw InputError(fmt::format("the number of points must be at least 1, not {}", count));
-  const Eigen::VectorXd areas = running_areas(mesh);
-  const double total = areas.size() > 0 ? areas[areas.size() - 1] : 0;
-  const double part = total / static_cast<double>(count);
-  SurfacePoints result{Points(count, 3), std::vector<std::int32_t>(static_cast<std::size_t>(count))};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double area = part * random.uniform(static_cast<double>(i), static_cast<double>(i + 1));
-    // The first sum beyond it is of a triangle that has an area; rounding must not lead past the last one that has.
-    const double below_total = std::min(area, std::nextafter(total, 0.0));
-    const auto triangle = std::upper_bound(areas.begin(), areas.end(), below_total) - areas.begin();
-    result.points.row(i) = point_on(mesh, triangle, random);
-    result.triangles[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(triangle);
-  }
-  return result;
-}
-
-namespace {
-
 using Corners = std::array<Eigen::Vector3d, 3>;
 
 Corners corners_of(const Shape& shape, Eigen::Index triangle) {
@@ -189,18 +168,13 @@ Samples sample_vertices(const Shape& shape) {
   return samples;
 }
 
-/// So many of the numbers below n, in order, each choice as likely as any other (Knuth 1997, algorithm 3.4.2 S).
-std::vector<Eigen::Index> random_choice(Eigen::Index n, Eigen::Index count, RandomNumbers& random) {
-  std::vector<Eigen::Index> chosen;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto wanted = static_cast<double>(count - std::ssize(chosen));
-    if (random.uniform(0, static_cast<double>(n - i)) < wanted) chosen.push_back(i);
-  }
-  return chosen;
-}
-
 Samples some_of(const Samples& all, Eigen::Index count, RandomNumbers& random) {
-  const std::vector<Eigen::Index> chosen = random_choice(all.points.rows(), count, random);
+  const auto n = static_cast<std::size_t>(all.points.rows());
+  const std::vector<bool> marks = random_subset(n, static_cast<std::size_t>(count), random);
+  std::vector<Eigen::Index> chosen;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (marks[i]) chosen.push_back(static_cast<Eigen::Index>(i));
+  }
   Samples some = empty_samples(all.site, std::ssize(chosen));
   some.points = all.points(chosen, Eigen::all);
   some.normals = all.normals(chosen, Eigen::all);
@@ -212,6 +186,23 @@ Samples some_of(const Samples& all, Eigen::Index count, RandomNumbers& random) {
 }
 
 }  // namespace
+
+SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random) {
+  if (count < 1) throw InputError(fmt::format("the number of points must be at least 1, not {}", count));
+  const Eigen::VectorXd areas = running_areas(mesh);
+  const double total = areas.size() > 0 ? areas[areas.size() - 1] : 0;
+  const double part = total / static_cast<double>(count);
+  SurfacePoints result{Points(count, 3), std::vector<std::int32_t>(static_cast<std::size_t>(count))};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double area = part * random.uniform(static_cast<double>(i), static_cast<double>(i + 1));
+    // The first sum beyond it is of a triangle that has an area; rounding must not lead past the last one that has.
+    const double below_total = std::min(area, std::nextafter(total, 0.0));
+    const auto triangle = std::upper_bound(areas.begin(), areas.end(), below_total) - areas.begin();
+    result.points.row(i) = point_on(mesh, triangle, random);
+    result.triangles[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(triangle);
+  }
+  return result;
+}
 
 Samples sample_shape(const Shape& shape, SampleSite site) {
   require_usable(shape);

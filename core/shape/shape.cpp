@@ -36,6 +36,12 @@ Eigen::VectorXd triangle_areas(const Shape& shape) {
 
 double surface_area(const Shape& shape) { return triangle_areas(shape).sum(); }
 
+std::vector<bool> used_vertices(const Shape& shape) {
+  std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));
+  for (const std::int32_t vertex : shape.triangles.reshaped()) used[static_cast<std::size_t>(vertex)] = true;
+  return used;
+}
+
 std::optional<std::string> defect_of(const Shape& shape) {
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
     if (!shape.vertices.row(i).allFinite()) {

@@ -41,7 +41,7 @@ namespace fs = std::filesystem;
 
 Cache::Cache(fs::path folder, bool recompute) : folder_(std::move(folder)), recompute_(recompute) {}
 
-std::optional<nlohmann::json> Cache::find_value(EntryKind kind, const std::string& key) {
+std::optional<nlohmann::json> Cache::lookup_value(EntryKind kind, const std::string& key) {
   if (folder_.empty() || recompute_) return std::nullopt;
   const fs::path path = entry_path(folder_, kind, key);
   std::error_code ignored;
@@ -85,10 +85,10 @@ void Cache::report_damaged(EntryKind kind, const std::string& key) {
   if (damaged_++ == 0) first_damaged_ = entry_path(folder_, kind, key);
 }
 
-void Cache::count(EntryKind kind, bool taken) {
+void Cache::count(EntryKind kind, bool hit) {
   const std::scoped_lock lock(mutex_);
   CacheUse& use = uses_.at(static_cast<std::size_t>(kind));
-  ++(taken ? use.taken : use.computed);
+  ++(hit ? use.hits : use.computed);
 }
 
 CacheReport Cache::report() const {

@@ -40,37 +40,38 @@ std::string encode_entry(EntryKind kind, std::string_view key, std::string_view 
 /// checksum, another key.
 std::optional<std::string> decode_entry(EntryKind kind, std::string_view key, std::string_view bytes);
 
-/// Of how many results of one kind a run took from the cache and how many it computed.
+/// How many results of one kind a run found in the cache, and how many it computed.
 struct CacheUse {
-  std::size_t taken = 0;
+  std::size_t hits = 0;
   std::size_t computed = 0;
 };
 
-/// What a run made of the cache.
+/// How a run used the cache.
 struct CacheReport {
   std::filesystem::path folder;  ///< empty: there was none
   std::array<CacheUse, number_of_entry_kinds> uses;
 };
 
-/// Results kept on disk under keys that stand for all that they depend on (cache_keys.h).
+/// A store of results on disk, each under a key that stands for all that the result depends on
+/// (runner/cache_records.h).
 ///
-/// Each is a file of its own that is there whole or not at all, checked when it is read. Several threads and several
-/// runs may use one folder. Trouble with the disk is never an error: what cannot be found is computed, what cannot be
-/// kept is not kept, and warnings() says so.
+/// Every entry is one file, written as a whole or not at all and verified when it is read. Safe to use from several
+/// threads and several processes. Disk errors never fail a run: what cannot be looked up is computed, what cannot be
+/// stored is not, and warnings() says so.
 class Cache {
  public:
-  /// Finds nothing and keeps nothing.
+  /// No cache: finds nothing and stores nothing.
   Cache() = default;
-  /// A cache in the folder, which is made when the first entry is kept; of an empty path: none. With `recompute` it
-  /// finds nothing and keeps what is computed in place of what was there.
+  /// A cache in the folder, which is made when the first entry is stored; of an empty path: none. With `recompute` it
+  /// finds nothing, and stores what is computed in place of what was there.
   explicit Cache(std::filesystem::path folder, bool recompute = false);
 
-  /// What `read` makes of the value under the key; nothing where there is none or where it is damaged, which becomes a
-  /// warning. `read` throws nlohmann::json::exception for a value that is not of its form.
+  /// Looks up the value under the key, as `read` makes it; nothing where there is none or where it is damaged, which is
+  /// a warning. `read` throws nlohmann::json::exception for a value that is not of its form.
   template <typename Read>
-  auto find(EntryKind kind, const std::string& key, const Read& read)
+  auto lookup(EntryKind kind, const std::string& key, const Read& read)
       -> std::optional<std::invoke_result_t<Read, const nlohmann::json&>> {
-    const std::optional<nlohmann::json> value = find_value(kind, key);
+    const std::optional<nlohmann::json> value = lookup_value(kind, key);
     if (!value) return std::nullopt;
     try {
       return read(*value);
@@ -80,19 +81,19 @@ class Cache {
     }
   }
 
-  /// Keeps a value under the key. Binary values and numbers come back bit by bit.
+  /// Stores a value under the key. Binary values and numbers come back bit by bit.
   void store(EntryKind kind, const std::string& key, const nlohmann::json& value);
 
-  /// Counts a result as taken from the cache or as computed, for the report.
-  void count(EntryKind kind, bool taken);
+  /// Counts a result as found in the cache or as computed, for the report.
+  void count(EntryKind kind, bool hit);
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] CacheReport report() const;
-  /// One line each: damaged entries, a disk that cannot be written to.
+  /// One line each, for damaged entries and for a folder that cannot be written to.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:
-  std::optional<nlohmann::json> find_value(EntryKind kind, const std::string& key);
+  std::optional<nlohmann::json> lookup_value(EntryKind kind, const std::string& key);
   void report_damaged(EntryKind kind, const std::string& key);
 
   std::filesystem::path folder_;

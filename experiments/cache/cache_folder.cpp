@@ -16,27 +16,11 @@ namespace shapegauge {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr std::string_view tag =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder is a cache of shapegauge; see `shapegauge cache --help`. It can be removed at any time.\n";
-
-}  // namespace
-
-void write_cache_tag(const std::filesystem::path& cache) {
-  if (!std::filesystem::exists(cache / cache_tag_name)) write_file_atomically(cache / cache_tag_name, tag);
-}
-
-bool has_cache_tag(const std::filesystem::path& cache) {
-  try {
-    return read_file_bytes(cache / cache_tag_name, tag.size() + 1) == tag;
-  } catch (const InputError&) {
-    return false;
-  }
-}
-
-namespace fs = std::filesystem;
-
-namespace {
 
 /// The value of an environment variable; nullptr where it is not set.
 const char* variable(const char* name) {
@@ -50,40 +34,6 @@ fs::path folder_in(const char* name) {
   const fs::path path = value == nullptr ? "" : value;
   return path.is_absolute() ? path : fs::path();
 }
-
-}  // namespace
-
-fs::path default_cache_folder() {
-  if (const char* named = variable("SHAPEGAUGE_CACHE")) return named;
-  if (const fs::path caches = folder_in("XDG_CACHE_HOME"); !caches.empty()) return caches / "shapegauge";
-  const fs::path home = folder_in("HOME");
-  return home.empty() ? fs::path() : home / ".cache" / "shapegauge";
-}
-
-std::uintmax_t parse_size(std::string_view text, std::string_view name) {
-  std::uintmax_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  constexpr std::string_view units = "KMGT";
-  std::uintmax_t factor = 1;
-  if (unit.size() == 1 && units.find(unit.front()) != std::string_view::npos) {
-    for (std::size_t i = 0; i <= units.find(unit.front()); ++i) factor *= 1000;
-  }
-  const bool known_unit = unit.empty() || factor > 1;
-  if (error != std::errc() || !known_unit || number > std::numeric_limits<std::uintmax_t>::max() / factor) {
-    throw InputError(fmt::format("{} must be a size such as 500M or 10G, not \"{}\"", name, printable(text, 100)));
-  }
-  return number * factor;
-}
-
-std::uintmax_t cache_limit() {
-  const char* given = variable("SHAPEGAUGE_CACHE_LIMIT");
-  return parse_size(given == nullptr ? "10G" : given, "SHAPEGAUGE_CACHE_LIMIT");
-}
-
-namespace fs = std::filesystem;
-
-namespace {
 
 constexpr std::size_t digits_of_folder = 2;
 constexpr std::size_t digits_of_key = 64;
@@ -140,6 +90,46 @@ void remove_empty_folders(const fs::path& cache) {
 }
 
 }  // namespace
+
+void write_cache_tag(const std::filesystem::path& cache) {
+  if (!std::filesystem::exists(cache / cache_tag_name)) write_file_atomically(cache / cache_tag_name, tag);
+}
+
+bool has_cache_tag(const std::filesystem::path& cache) {
+  try {
+    return read_file_bytes(cache / cache_tag_name, tag.size() + 1) == tag;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+fs::path default_cache_folder() {
+  if (const char* named = variable("SHAPEGAUGE_CACHE")) return named;
+  if (const fs::path caches = folder_in("XDG_CACHE_HOME"); !caches.empty()) return caches / "shapegauge";
+  const fs::path home = folder_in("HOME");
+  return home.empty() ? fs::path() : home / ".cache" / "shapegauge";
+}
+
+std::uintmax_t parse_size(std::string_view text, std::string_view name) {
+  std::uintmax_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  constexpr std::string_view units = "KMGT";
+  std::uintmax_t factor = 1;
+  if (unit.size() == 1 && units.find(unit.front()) != std::string_view::npos) {
+    for (std::size_t i = 0; i <= units.find(unit.front()); ++i) factor *= 1000;
+  }
+  const bool known_unit = unit.empty() || factor > 1;
+  if (error != std::errc() || !known_unit || number > std::numeric_limits<std::uintmax_t>::max() / factor) {
+    throw InputError(fmt::format("{} must be a size such as 500M or 10G, not \"{}\"", name, printable(text, 100)));
+  }
+  return number * factor;
+}
+
+std::uintmax_t cache_limit() {
+  const char* given = variable("SHAPEGAUGE_CACHE_LIMIT");
+  return parse_size(given == nullptr ? "10G" : given, "SHAPEGAUGE_CACHE_LIMIT");
+}
 
 fs::path entry_path(const fs::path& cache, EntryKind kind, const std::string& key) {
   return cache / key.substr(0, digits_of_folder) / fmt::format("{}.{}", key.substr(digits_of_folder), name_of(kind));

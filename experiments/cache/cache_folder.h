@@ -13,7 +13,7 @@
 
 namespace shapegauge {
 
-/// The file that tells programs for backups that a folder is a cache (https://bford.info/cachedir/).
+/// The file that marks a folder as a cache for backup programs (https://bford.info/cachedir/).
 inline constexpr std::string_view cache_tag_name = "CACHEDIR.TAG";
 
 /// Writes that file, where it is absent. Throws InputError where it cannot be written.
@@ -46,8 +46,8 @@ struct CacheFile {
   std::filesystem::file_time_type last_used;
 };
 
-/// All files that caches write in the folder, and no others whatever the folder holds. Empty for a folder that is not
-/// there. Throws InputError where it cannot be read.
+/// Lists the files that caches have written in the folder, and no others. Empty where there is no such folder. Throws
+/// InputError where it cannot be read.
 std::vector<CacheFile> cache_files(const std::filesystem::path& cache);
 
 /// How much a cache holds.
@@ -65,12 +65,12 @@ struct CacheContents {
 /// Counts what cache_files() finds.
 CacheContents cache_contents(const std::filesystem::path& cache);
 
-/// Removes all that a cache has written in the folder, and the folder where nothing else is in it. Returns what was
+/// Removes all files that caches have written in the folder, and the folder if it is empty then. Returns what was
 /// there. Throws InputError where something cannot be removed.
 CacheContents clear_cache(const std::filesystem::path& cache);
 
-/// Removes what a killed run has left unfinished, and, of the entries, those that were not used for longest, until the
-/// others are within the limit. What cannot be read or removed stays.
+/// Removes files that a killed run left unfinished, then the least recently used entries until the rest is within
+/// the limit. Files that cannot be read or removed stay.
 void trim_cache(const std::filesystem::path& cache, std::uintmax_t limit);
 
 }  // namespace shapegauge

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
@@ -17,6 +18,7 @@ namespace shapegauge {
 namespace {
 
 using Json = nlohmann::json;
+namespace fs = std::filesystem;
 
 Json to_json(const GeneratedModel& generated) {
   return {{"class", generated.model_class},
@@ -35,41 +37,12 @@ Json to_json(const ComparedShape& shape) {
   return json;
 }
 
-}  // namespace
-
-Json to_json(const Comparison& comparison) {
-  Json json{{"name", comparison.name},
-            {"seed", comparison.seed},
-            {"preparation", to_json(comparison.preparation)},
-            {"on_error", comparison.on_error == OnError::stop ? "stop" : "skip"},
-            {"signatures", to_json(comparison.signatures)},
-            {"distance", comparison.distance}};
-  for (const ComparedShape& shape : comparison.shapes) json["shapes"].push_back(to_json(shape));
-  if (!comparison.description.empty()) json["description"] = comparison.description;
-  if (comparison.reference) {
-    json["reference"] = comparison.shapes[*comparison.reference].name;
-    json["registered"] = comparison.registered;
-  }
-  return json;
-}
-
-namespace {
-
-using Json = nlohmann::json;
-namespace fs = std::filesystem;
-
 GeneratedModel generated_of(const Json& settings) {
-  GeneratedModel generated;
-  generated.model_class = settings.at("class");
-  generated.model = settings.value("model", generated.model);
-  generated.faces = settings.value("faces", generated.faces);
-  generated.seed = settings.value("seed", generated.seed);
-  const std::vector<std::string> classes = generated_class_names();
-  if (std::ranges::find(classes, generated.model_class) == classes.end()) {
-    throw ConfigurationError{"class", fmt::format("there is no class \"{}\"{}", generated.model_class,
-                                                  suggestion(generated.model_class, classes))};
-  }
-  return generated;
+  const ParameterValues values = read_parameters(generated_model_parameters(), settings);
+  return {.model_class = std::string(values.word("class")),
+          .model = static_cast<int>(values.integer("model")),
+          .faces = static_cast<int>(values.integer("faces")),
+          .seed = static_cast<std::uint64_t>(values.integer("seed"))};
 }
 
 ComparedShape shape_of(const Json& settings, const fs::path& folder) {
@@ -122,15 +95,31 @@ Comparison checked_comparison(const Json& document, const fs::path& folder) {
     throw ConfigurationError{"registered", "needs a \"reference\" that the shapes are compared with"};
   }
   comparison.registered = document.value("registered", comparison.reference.has_value());
-  comparison.seed = document.value("seed", comparison.seed);
+  comparison.seed = read_seed(document);
   if (document.contains("preparation")) comparison.preparation = read_preparation(document["preparation"]);
-  comparison.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
+  comparison.on_error = read_on_error(document);
   comparison.distance = document.value("distance", comparison.distance);
   comparison.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
   return comparison;
 }
 
 }  // namespace
+
+Json to_json(const Comparison& comparison) {
+  Json json{{"name", comparison.name},
+            {"seed", comparison.seed},
+            {"preparation", to_json(comparison.preparation)},
+            {"on_error", comparison.on_error == OnError::stop ? "stop" : "skip"},
+            {"signatures", to_json(comparison.signatures)},
+            {"distance", comparison.distance}};
+  for (const ComparedShape& shape : comparison.shapes) json["shapes"].push_back(to_json(shape));
+  if (!comparison.description.empty()) json["description"] = comparison.description;
+  if (comparison.reference) {
+    json["reference"] = comparison.shapes[*comparison.reference].name;
+    json["registered"] = comparison.registered;
+  }
+  return json;
+}
 
 Comparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);

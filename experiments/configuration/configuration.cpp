@@ -1,8 +1,9 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
 #include <utility>
-
-#include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
 
@@ -49,7 +50,86 @@ Json report_to_json(const Configuration& configuration) {
            {{"of", configuration.signatures[report.pictured_signature].name}, {"range", {range.low, range.high}}}}};
 }
 
+Json evaluation_to_json(const Configuration& configuration) {
+  Json measures = Json::array();
+  for (const Measure& measure : configuration.measures) measures.push_back(measure.name);
+  return {{"measures", std::move(measures)},
+          {"ties", name_of(configuration.ties)},
+          {"minimum_class_size", configuration.minimum_class_size}};
+}
+
+constexpr std::array<std::string_view, 2> reactions{"stop", "skip"};
+constexpr std::array<std::string_view, 2> scales{"area", "tube_area"};
+
 }  // namespace
+
+std::span<const Parameter> experiment_parameters() {
+  static const std::array parameters{
+      Parameter{.name = "seed",
+                .kind = ParameterKind::integer,
+                .default_value = std::int64_t{1},
+                .bounds = seed_bounds,
+                .description = "Of the perturbations: what is drawn for a model depends on it and on the model's id "
+                               "(of a comparison: the shape's name)."},
+      Parameter{
+          .name = "on_error",
+          .kind = ParameterKind::choice,
+          .default_value = reactions[0],
+          .choices = reactions,
+          .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."}};
+  return parameters;
+}
+
+std::span<const Parameter> histogram_parameters() {
+  static const std::array parameters{
+      Parameter{.name = "bins",
+                .kind = ParameterKind::integer,
+                .default_value = std::int64_t{HistogramOptions{}.bins},
+                .bounds = {.low = 1, .high = 100'000},
+                .description = "Number of bins."},
+      Parameter{.name = "smoothing_bins",
+                .default_value = HistogramOptions{}.smoothing_bins,
+                .bounds = {.low = 0, .high = 1000},
+                .description = "Standard deviation, in bins, of a Gaussian that smooths the histogram; at most the "
+                               "number of bins; 0: none."}};
+  return parameters;
+}
+
+std::span<const Parameter> evaluation_parameters() {
+  static const std::vector<std::string> names = ties_names();
+  static const std::vector<std::string_view> ties(names.begin(), names.end());
+  static const std::array parameters{
+      Parameter{.name = "ties",
+                .kind = ParameterKind::choice,
+                .default_value = ties[0],
+                .choices = ties,
+                .description = "Order of models at equal distance: by index, relevant ones first or last, or the mean "
+                               "over all orders."},
+      Parameter{
+          .name = "minimum_class_size",
+          .kind = ParameterKind::integer,
+          .default_value = std::int64_t{2},
+          .bounds = {.low = 2, .high = 1'000'000},
+          .description = "Models of smaller classes are never queries (the Princeton benchmark's own table: 3)."}};
+  return parameters;
+}
+
+std::span<const Parameter> preparation_parameters() {
+  static const std::array parameters{
+      Parameter{.name = "denoise",
+                .kind = ParameterKind::boolean,
+                .default_value = PreparationOptions{}.denoise,
+                .description = "Smooth the meshes whose vertices are noisy beyond doubt, as much as their noise asks "
+                               "for; clean meshes and clouds stay as they are."},
+      Parameter{.name = "scale",
+                .kind = ParameterKind::choice,
+                .default_value = scales[0],
+                .choices = scales,
+                .description = "area: to unit surface area, a cloud to unit estimated area; tube_area: to unit area as "
+                               "the volume of a tube about the surface tells it, which holds under noise, cracks and "
+                               "sampling."}};
+  return parameters;
+}
 
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<std::size_t> order;
@@ -99,18 +179,6 @@ Json to_json(const GeneratorOptions& generator) {
           {"seed", generator.seed}};
 }
 
-namespace {
-
-Json evaluation_to_json(const Configuration& configuration) {
-  Json measures = Json::array();
-  for (const Measure& measure : configuration.measures) measures.push_back(measure.name);
-  return {{"measures", std::move(measures)},
-          {"ties", name_of(configuration.ties)},
-          {"minimum_class_size", configuration.minimum_class_size}};
-}
-
-}  // namespace
-
 Json to_json(const Configuration& configuration) {
   Json json{{"name", configuration.name},
             {"dataset", dataset_to_json(configuration)},
@@ -127,14 +195,7 @@ Json to_json(const Configuration& configuration) {
   return json;
 }
 
-PreparationOptions read_preparation(const nlohmann::json& settings) {
-  PreparationOptions preparation;
-  preparation.denoise = settings.value("denoise", preparation.denoise);
-  if (settings.value("scale", "area") == "tube_area") preparation.scale = ScaleEstimate::tube_area;
-  return preparation;
-}
-
-nlohmann::json to_json(const PreparationOptions& preparation) {
+Json to_json(const PreparationOptions& preparation) {
   return {{"denoise", preparation.denoise}, {"scale", preparation.scale == ScaleEstimate::area ? "area" : "tube_area"}};
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
@@ -17,7 +19,7 @@
 
 namespace shapegauge {
 
-/// Where the range of a histogram comes from (the design, section 3).
+/// Where the range of a histogram comes from (docs/definitions.md#histograms).
 enum class HistogramRange { per_shape, dataset, fixed };
 
 /// How a field becomes a histogram.
@@ -75,7 +77,16 @@ struct Configuration {
   ReportConfiguration report;
 };
 
-/// The index of a signature that concatenates itself, by whatever way round; nothing where there is none.
+/// The settings that are parameters, by the section of the configuration that has them: of the experiment itself, of a
+/// signature's "histogram", and of "evaluation" and "preparation". Those of "generate" are the generator's.
+/// @{
+std::span<const Parameter> experiment_parameters();
+std::span<const Parameter> histogram_parameters();
+std::span<const Parameter> evaluation_parameters();
+std::span<const Parameter> preparation_parameters();
+/// @}
+
+/// The index of a signature that concatenates itself, directly or through others; nothing where there is none.
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures);
 
 /// The signatures' indices, parts before the signatures that concatenate them. None may be a part of itself.
@@ -94,10 +105,7 @@ nlohmann::json to_json(const GeneratorOptions& generator);
 /// absolute.
 nlohmann::json to_json(const Configuration& configuration);
 
-/// The options of a configuration's "preparation", which the schema has accepted.
-PreparationOptions read_preparation(const nlohmann::json& settings);
-
-/// The options in that form.
+/// The options in the form of a configuration's "preparation".
 nlohmann::json to_json(const PreparationOptions& preparation);
 
 }  // namespace shapegauge

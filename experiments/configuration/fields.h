@@ -5,34 +5,40 @@
 #include <cstddef>
 #include <functional>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
+class OffsetSdfSolver;
+
 /// A shape that fields are computed of, one after the other, and what they share. Keeps a reference to the shape.
 class FieldSource {
  public:
-  explicit FieldSource(const Shape& shape) : shape_(&shape) {}
+  explicit FieldSource(const Shape& shape);
+  ~FieldSource();
+  FieldSource(const FieldSource&) = delete;
+  FieldSource& operator=(const FieldSource&) = delete;
+  FieldSource(FieldSource&&) = delete;
+  FieldSource& operator=(FieldSource&&) = delete;
 
   [[nodiscard]] const Shape& shape() const { return *shape_; }
 
-  /// Made when it is first asked for; throws what its constructor throws.
-  const OffsetSdfSolver& offset_sdf_solver() {
-    if (!offset_sdf_solver_) offset_sdf_solver_.emplace(*shape_);
-    return *offset_sdf_solver_;
-  }
+  /// Built when it is first asked for; throws what its constructor throws.
+  const OffsetSdfSolver& offset_sdf_solver();
 
  private:
   const Shape* shape_;
-  std::optional<OffsetSdfSolver> offset_sdf_solver_;
+  std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
 };
 
 /// Where a field takes its samples.
@@ -52,27 +58,30 @@ nlohmann::json to_json(const SamplePlan& plan);
 /// The samples of a shape that the plan asks for (sample_shape, sample_surface_of).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
-/// How many samples had which outcome, by the outcome's name. "total" is always there; "undecided" and "missing" are
+/// Number of samples by outcome. "total" is always there; "undecided" and "missing" are
 /// the outcomes that a run warns about.
 using FieldOutcomes = std::map<std::string, std::size_t>;
 
 /// The values of a field on one shape.
 struct FieldValues {
-  Eigen::VectorXd values;  ///< one a sample; NaN where there is none
-  Points normals = {};     ///< of fields that estimate them: outward unit normals, one a sample; else empty
-  FieldOutcomes outcomes;
-  std::optional<double> offset;  ///< r as a fraction of the diagonal, where the field chose it for the shape
-  double build_seconds = 0;      ///< spatial structures, those shared with other fields of the shape included
-  double query_seconds = 0;      ///< all samples
+  Eigen::VectorXd values;             ///< one a sample; NaN where there is none
+  Points normals = {};                ///< of fields that estimate them: outward unit normals, one a sample; else empty
+  FieldOutcomes outcomes = {};        ///< where a field gives none: "total" and "missing", counted from the values
+  std::optional<double> offset = {};  ///< r as a fraction of the diagonal, where the field chose it for the shape
+  double build_seconds = 0;           ///< spatial structures, those shared with other fields of the shape included
+  double query_seconds = 0;           ///< all samples
 };
+
+/// Computes the values at the samples of a shape. parallel: spread the samples over the threads of the calling TBB
+/// arena; the values may not depend on it.
+using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bool parallel)>;
 
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.
 struct Field {
   nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
   nlohmann::json versions;  ///< of the algorithms that the values depend on besides the samples, by name
   SamplePlan samples;
-  /// The values at the samples of a shape; parallel: spread the samples over the threads of the calling TBB arena.
-  std::function<FieldValues(FieldSource&, const Samples&, bool parallel)> compute;
+  FieldFunction compute;
 };
 
 /// What a run did with a field, over all models used.
@@ -80,21 +89,37 @@ struct FieldReport {
   nlohmann::json settings;
   FieldOutcomes outcomes;  ///< sums
   double seconds = 0;      ///< sum over the models, whatever ran at the same time
+  std::size_t models = 0;
+  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()): it leaks into them
 };
 
-/// A kind of field that configurations can name.
+/// How a field of given settings is computed, and the versions of the algorithms behind it: a version is raised with
+/// every change of a value, so that caches give none of the old ones.
+struct FieldComputation {
+  nlohmann::json versions;  ///< {"name": number, ...}
+  FieldFunction compute;
+};
+
+/// A type of field that configurations can name.
 struct FieldType {
-  std::string_view name;
-  /// The field of the given settings, which the schema has accepted. Throws InputError where they contradict each
-  /// other.
-  Field (*make)(const nlohmann::json& settings);
+  std::string name;         ///< the value of "type"
+  std::string description;  ///< one sentence
+  /// Its settings besides "type" and "at". Names, choices and descriptions are referred to, not copied.
+  std::vector<Parameter> parameters;
+  /// Throws InputError where settings contradict each other.
+  std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
 };
 
-/// All kinds of fields. A new one is one file in this folder, one line in field_registry.cpp, and the description of
-/// its settings in configs/experiment.schema.json.
+/// All types of fields. A new one of the library is a function and an entry in fields.cpp (docs/extending.md).
 std::span<const FieldType> field_types();
 
-/// The field that the settings describe, by their "type". Throws InputError for a type that is not in field_types().
+/// Adds a type of field for the rest of the program: configurations, their schema and make_field() know it then. Throws
+/// std::invalid_argument for a name that is empty or taken, for a parameter "type" or "at", and without a `make`. Not
+/// to be called while other threads use field types.
+void register_field(FieldType type);
+
+/// The field that the settings describe, by their "type". Throws InputError for a type that is not in field_types(),
+/// and for settings that the type does not take.
 Field make_field(const nlohmann::json& settings);
 
 }  // namespace shapegauge

@@ -59,38 +59,6 @@ class Strictness {
   std::vector<std::set<std::string>> keys_;
 };
 
-}  // namespace
-
-nlohmann::json parse_json(std::string_view text, const std::string& source) {
-  try {
-    return nlohmann::json::parse(text, Strictness(source));
-  } catch (const nlohmann::json::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: not valid JSON: {}", source,
-                                 position_of(text, error.byte > 0 ? error.byte - 1 : 0),
-                                 printable(plain_message(error.what()), 200)));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: not valid JSON: {}", source, printable(plain_message(error.what()), 200)));
-  }
-}
-
-std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::string& source) {
-  nlohmann::json parsed = nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false);
-  if (parsed.is_discarded()) return std::nullopt;
-  return std::optional<nlohmann::json>(std::move(parsed));
-}
-
-nlohmann::json read_json(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path) || !file) {
-    throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parse_json(text.str(), path.string());
-}
-
-namespace {
-
 std::string value_of_variable(const std::string& name) {
   const char* value = std::getenv(name.c_str());
   if (value == nullptr || *value == '\0') {
@@ -99,28 +67,6 @@ std::string value_of_variable(const std::string& name) {
   }
   return value;
 }
-
-}  // namespace
-
-std::string expand_variables(std::string_view text) {
-  std::string expanded;
-  for (std::size_t begin = text.find("${"); begin != std::string_view::npos; begin = text.find("${")) {
-    const std::size_t end = text.find('}', begin);
-    if (end == std::string_view::npos) throw InputError(fmt::format("\"{}\" has a ${{ without its }}", text));
-    expanded += text.substr(0, begin);
-    expanded += value_of_variable(std::string(text.substr(begin + 2, end - begin - 2)));
-    text.remove_prefix(end + 1);
-  }
-  return expanded.append(text);
-}
-
-std::filesystem::path path_value(const nlohmann::json& object, const std::string& key,
-                                 const std::filesystem::path& folder) {
-  const std::string expanded = at(key, [&] { return expand_variables(object.at(key).get<std::string>()); });
-  return (folder / expanded).lexically_normal();
-}
-
-namespace {
 
 [[noreturn]] void fail(std::string_view assignment, std::string_view message) {
   throw InputError(fmt::format("--set {}: {}", printable(assignment, 100), message));
@@ -157,6 +103,52 @@ bool is_utf8(std::string_view text) {
 }
 
 }  // namespace
+
+nlohmann::json parse_json(std::string_view text, const std::string& source) {
+  try {
+    return nlohmann::json::parse(text, Strictness(source));
+  } catch (const nlohmann::json::parse_error& error) {
+    throw InputError(fmt::format("{}:{}: not valid JSON: {}", source,
+                                 position_of(text, error.byte > 0 ? error.byte - 1 : 0),
+                                 printable(plain_message(error.what()), 200)));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: not valid JSON: {}", source, printable(plain_message(error.what()), 200)));
+  }
+}
+
+std::optional<nlohmann::json> parse_if_json(std::string_view text, const std::string& source) {
+  nlohmann::json parsed = nlohmann::json::parse(text, Strictness(source), /*allow_exceptions=*/false);
+  if (parsed.is_discarded()) return std::nullopt;
+  return std::optional<nlohmann::json>(std::move(parsed));
+}
+
+nlohmann::json read_json(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path) || !file) {
+    throw InputError(fmt::format("{}: no such file, or it cannot be read", path.string()));
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return parse_json(text.str(), path.string());
+}
+
+std::string expand_variables(std::string_view text) {
+  std::string expanded;
+  for (std::size_t begin = text.find("${"); begin != std::string_view::npos; begin = text.find("${")) {
+    const std::size_t end = text.find('}', begin);
+    if (end == std::string_view::npos) throw InputError(fmt::format("\"{}\" has a ${{ without its }}", text));
+    expanded += text.substr(0, begin);
+    expanded += value_of_variable(std::string(text.substr(begin + 2, end - begin - 2)));
+    text.remove_prefix(end + 1);
+  }
+  return expanded.append(text);
+}
+
+std::filesystem::path path_value(const nlohmann::json& object, const std::string& key,
+                                 const std::filesystem::path& folder) {
+  const std::string expanded = at(key, [&] { return expand_variables(object.at(key).get<std::string>()); });
+  return (folder / expanded).lexically_normal();
+}
 
 void apply_override(nlohmann::json& document, std::string_view assignment) {
   if (!is_utf8(assignment)) fail(assignment, "the bytes are not UTF-8");

@@ -5,124 +5,60 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
-#include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
 
 namespace shapegauge {
 
-/// The perturbation types that are a function of core/perturbation each, by their settings:
-/// "vertex_noise": `amplitude` and `distribution` of vertex_noise;
-Perturbation vertex_noise_step(const nlohmann::json& settings);
-/// "remove_faces": `fraction` of remove_faces;
-Perturbation remove_faces_step(const nlohmann::json& settings);
-/// "holes": `number` and `radius` of punch_holes;
-Perturbation holes_step(const nlohmann::json& settings);
-/// "decimate": `faces` of decimate;
-Perturbation decimate_step(const nlohmann::json& settings);
-/// "sample_points": `points` and `with_normals` of sample_surface;
-Perturbation sample_points_step(const nlohmann::json& settings);
-/// "vertex_cloud": vertex_cloud, without settings;
-Perturbation vertex_cloud_step(const nlohmann::json& settings);
-/// "flip_orientation": `fraction` of flip_orientation;
-Perturbation flip_orientation_step(const nlohmann::json& settings);
-/// "motion": `scale` of random_motion.
-Perturbation motion_step(const nlohmann::json& settings);
-
-/// The perturbation type "one_of": applies one of the lists of steps in `choices`: with `assign` "random" one drawn at
-/// random for each model, with "in_turn" that of the model's index in the data set modulo their number.
-Perturbation one_of_step(const nlohmann::json& settings);
+namespace {
 
 using Json = nlohmann::json;
 
-Perturbation vertex_noise_step(const Json& settings) {
-  VertexNoiseOptions options;
-  options.amplitude = settings.at("amplitude");
-  const bool uniform = settings.value("distribution", "uniform") == "uniform";
-  options.distribution = uniform ? NoiseDistribution::uniform : NoiseDistribution::gaussian;
-  return {.settings = {{"type", "vertex_noise"},
-                       {"amplitude", options.amplitude},
-                       {"distribution", uniform ? "uniform" : "gaussian"}},
-          .apply = [options](Shape shape, PerturbationContext& context) {
-            return vertex_noise(std::move(shape), options, context.random);
-          }};
-}
+constexpr std::array<std::string_view, 2> assignments{"random", "in_turn"};
 
-Perturbation remove_faces_step(const Json& settings) {
-  const double fraction = settings.at("fraction");
-  return {.settings = {{"type", "remove_faces"}, {"fraction", fraction}},
-          .apply = [fraction](Shape shape, PerturbationContext& context) {
-            return remove_faces(std::move(shape), fraction, context.random);
-          }};
-}
+constexpr std::array one_of_parameters{
+    Parameter{.name = "assign",
+              .kind = ParameterKind::choice,
+              .default_value = assignments[0],
+              .choices = assignments,
+              .description = "random: drawn for each model; in_turn: by the model's place in the data set."}};
 
-Perturbation holes_step(const Json& settings) {
-  PunchHolesOptions options;
-  options.number = settings.value("number", options.number);
-  options.radius = settings.value("radius", options.radius);
-  return {.settings = {{"type", "holes"}, {"number", options.number}, {"radius", options.radius}},
-          .apply = [options](Shape shape, PerturbationContext& context) {
-            return punch_holes(std::move(shape), options, context.random);
-          }};
-}
+constexpr PerturbationType one_of_type{.name = "one_of",
+                                       .description = "Gives each model one of the lists of steps in its `choices`.",
+                                       .parameters = one_of_parameters,
+                                       .has_choices = true};
 
-Perturbation decimate_step(const Json& settings) {
-  const Eigen::Index faces = settings.at("faces");
-  return {.settings = {{"type", "decimate"}, {"faces", faces}},
-          .apply = [faces](const Shape& shape, PerturbationContext& /*context*/) { return decimate(shape, faces); }};
-}
-
-Perturbation sample_points_step(const Json& settings) {
-  SampleSurfaceOptions options;
-  options.points = settings.value("points", options.points);
-  options.with_normals = settings.value("with_normals", options.with_normals);
-  return {.settings = {{"type", "sample_points"}, {"points", options.points}, {"with_normals", options.with_normals}},
-          .apply = [options](const Shape& shape, PerturbationContext& context) {
-            return sample_surface(shape, options, context.random);
-          }};
-}
-
-Perturbation vertex_cloud_step(const Json& /*settings*/) {
-  return {.settings = {{"type", "vertex_cloud"}},
-          .apply = [](const Shape& shape, PerturbationContext& /*context*/) { return vertex_cloud(shape); }};
-}
-
-Perturbation flip_orientation_step(const Json& settings) {
-  const double fraction = settings.value("fraction", 1.0);
-  return {.settings = {{"type", "flip_orientation"}, {"fraction", fraction}},
-          .apply = [fraction](Shape shape, PerturbationContext& context) {
-            return flip_orientation(std::move(shape), fraction, context.random);
-          }};
-}
-
-Perturbation motion_step(const Json& settings) {
-  const double scale = settings.value("scale", 1.0);
-  return {.settings = {{"type", "motion"}, {"scale", scale}},
-          .apply = [scale](Shape shape, PerturbationContext& context) {
-            return random_motion(std::move(shape), scale, context.random);
-          }};
-}
-
-Perturbation one_of_step(const nlohmann::json& settings) {
-  const bool in_turn = settings.value("assign", "random") == "in_turn";
+Perturbation one_of(const Json& settings) {
+  const ParameterValues values = read_parameters(one_of_parameters, settings);
+  const bool in_turn = values.word("assign") == "in_turn";
   std::vector<std::vector<Perturbation>> choices;
-  nlohmann::json filled_in = nlohmann::json::array();
-  for (const nlohmann::json& choice : settings.at("choices")) {
-    filled_in.push_back(to_json(choices.emplace_back(make_perturbations(choice))));
+  Perturbation step{.settings = to_json(values), .versions = {{one_of_type.name, 1}}, .apply = {}};
+  step.settings["choices"] = Json::array();
+  for (const Json& choice : settings.at("choices")) {
+    choices.push_back(make_perturbations(choice));
+    step.settings["choices"].push_back(to_json(choices.back()));
+    for (const Perturbation& chosen : choices.back()) step.versions.update(chosen.versions);
   }
-  return {.settings = {{"type", "one_of"}, {"assign", in_turn ? "in_turn" : "random"}, {"choices", filled_in}},
-          .apply = [in_turn, choices = std::move(choices)](Shape shape, PerturbationContext& context) {
-            const auto drawn = static_cast<std::size_t>(context.random.uniform(0, static_cast<double>(choices.size())));
-            const std::size_t choice = in_turn ? context.model % choices.size() : std::min(drawn, choices.size() - 1);
-            context.chosen->push_back(choice);
-            return apply_perturbations(std::move(shape), choices[choice], context);
-          }};
+  step.apply = [in_turn, choices = std::move(choices)](Shape shape, PerturbationContext& context) {
+    const auto drawn = static_cast<std::size_t>(context.random.uniform(0, static_cast<double>(choices.size())));
+    const std::size_t choice = in_turn ? context.model % choices.size() : std::min(drawn, choices.size() - 1);
+    context.chosen->push_back(choice);
+    return apply_perturbations(std::move(shape), choices[choice], context);
+  };
+  return step;
 }
 
-namespace {
+Perturbation of_shape(const ShapePerturbation& type, const Json& settings) {
+  const ParameterValues values = read_parameters(type.parameters, settings);
+  return {.settings = to_json(values),
+          .versions = {{type.name, type.version}},
+          .apply = [apply = type.apply, values](Shape shape, PerturbationContext& context) {
+            return apply(std::move(shape), values, context.random);
+          }};
+}
 
 /// 64-bit FNV-1a: the same number everywhere, which std::hash does not promise.
 std::uint64_t stable_hash(std::string_view text) {
@@ -154,37 +90,37 @@ PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps
   return perturbed;
 }
 
-std::span<const PerturbationType> perturbation_types() {
-  static constexpr std::array types{
-      PerturbationType{"vertex_noise", vertex_noise_step},
-      PerturbationType{"remove_faces", remove_faces_step},
-      PerturbationType{"holes", holes_step},
-      PerturbationType{"decimate", decimate_step},
-      PerturbationType{"sample_points", sample_points_step},
-      PerturbationType{"vertex_cloud", vertex_cloud_step},
-      PerturbationType{"flip_orientation", flip_orientation_step},
-      PerturbationType{"motion", motion_step},
-      PerturbationType{"one_of", one_of_step},
-  };
+std::vector<PerturbationType> perturbation_types() {
+  std::vector<PerturbationType> types;
+  for (const ShapePerturbation& type : shape_perturbations()) {
+    types.push_back({.name = type.name, .description = type.description, .parameters = type.parameters});
+  }
+  types.push_back(one_of_type);
   return types;
 }
 
-Perturbation make_perturbation(const nlohmann::json& settings) {
-  const std::string type = settings.at("type");
-  for (const PerturbationType& known : perturbation_types()) {
-    if (known.name == type) return known.make(settings);
+Perturbation make_perturbation(const Json& settings) {
+  const std::string name = settings.at("type");
+  const auto known = shape_perturbations();
+  const auto type = std::ranges::find(known, name, &ShapePerturbation::name);
+  if (type == known.end() && name != one_of_type.name) {
+    std::vector<std::string> names;
+    for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
+    throw InputError(fmt::format("there is no perturbation of type \"{}\"{}", name, suggestion(name, names)));
   }
-  throw InputError(fmt::format("there is no perturbation of type \"{}\"", type));
+  Perturbation step = type == known.end() ? one_of(settings) : of_shape(*type, settings);
+  step.settings["type"] = name;
+  return step;
 }
 
-std::vector<Perturbation> make_perturbations(const nlohmann::json& list) {
+std::vector<Perturbation> make_perturbations(const Json& list) {
   std::vector<Perturbation> steps;
-  for (const nlohmann::json& settings : list) steps.push_back(make_perturbation(settings));
+  for (const Json& settings : list) steps.push_back(make_perturbation(settings));
   return steps;
 }
 
-nlohmann::json to_json(const std::vector<Perturbation>& steps) {
-  nlohmann::json list = nlohmann::json::array();
+Json to_json(const std::vector<Perturbation>& steps) {
+  Json list = Json::array();
   for (const Perturbation& step : steps) list.push_back(step.settings);
   return list;
 }

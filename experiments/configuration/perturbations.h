@@ -8,14 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
-
-/// To be raised with every change of what any perturbation makes of a shape: what a cache holds of earlier versions is
-/// then computed anew.
-inline constexpr int perturbations_version = 1;
 
 /// What a perturbation may depend on besides the shape.
 struct PerturbationContext {
@@ -27,6 +24,7 @@ struct PerturbationContext {
 /// A step that a configuration asks for: how shapes are changed before anything is computed of them.
 struct Perturbation {
   nlohmann::json settings;  ///< type and all settings, defaults filled in
+  nlohmann::json versions;  ///< of the step's type, and of the types of the steps that it may choose
   std::function<Shape(Shape, PerturbationContext&)> apply;
 };
 
@@ -44,25 +42,26 @@ struct PerturbedShape {
 PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps, std::uint64_t seed,
                              std::string_view id, std::size_t model);
 
-/// A kind of perturbation that configurations can name.
+/// A type of perturbation that configurations can name.
 struct PerturbationType {
-  std::string_view name;
-  /// The step of the given settings, which the schema has accepted.
-  Perturbation (*make)(const nlohmann::json& settings);
+  std::string_view name;         ///< the value of "type"
+  std::string_view description;  ///< one sentence
+  std::span<const Parameter> parameters;
+  bool has_choices = false;  ///< has the setting "choices", too: lists of steps
 };
 
-/// All kinds of perturbations. A new one is a function in core/perturbation, one line in perturbation_registry.cpp, and
-/// the description of its settings in configs/experiment.schema.json.
-std::span<const PerturbationType> perturbation_types();
+/// All types of perturbations: those of shape_perturbations(), to which register_shape_perturbation() adds, and
+/// "one_of", which gives each model one of several lists of steps.
+std::vector<PerturbationType> perturbation_types();
 
 /// The step that the settings describe, by their "type". Throws InputError for a type that is not in
-/// perturbation_types().
+/// perturbation_types(), and for settings that the type does not take.
 Perturbation make_perturbation(const nlohmann::json& settings);
 
 /// The steps of a list.
 std::vector<Perturbation> make_perturbations(const nlohmann::json& list);
 
-/// The settings of the steps, defaults filled in, in the form that make_perturbations takes.
+/// The settings of the steps, defaults filled in, in the form that make_perturbations() takes.
 nlohmann::json to_json(const std::vector<Perturbation>& steps);
 
 }  // namespace shapegauge

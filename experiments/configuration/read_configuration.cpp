@@ -12,20 +12,17 @@
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 
 namespace shapegauge {
 
-/// The setting "report" of a retrieval experiment with these signatures, or what stands for its absence (null). The
-/// schema holds for it. Throws ConfigurationError for pictures of a signature that is not there or has no field of its
-/// own, and for a range of no width.
-ReportConfiguration read_report(const nlohmann::json& setting, const std::vector<SignatureConfiguration>& signatures);
-
 namespace {
 
 using Json = nlohmann::json;
+namespace fs = std::filesystem;
 
 bool has_field(const SignatureConfiguration& signature) { return signature.field.has_value(); }
 
@@ -51,8 +48,8 @@ Interval picture_range(const Json& range) {
                            fmt::format("the first value must be less than the second, not {}", range.dump())};
 }
 
-}  // namespace
-
+/// The setting "report" of a retrieval experiment with these signatures. Throws ConfigurationError for pictures of a
+/// signature that is not there or has no field of its own, and for a range of no width.
 ReportConfiguration read_report(const Json& setting, const std::vector<SignatureConfiguration>& signatures) {
   ReportConfiguration report;
   const auto first = std::ranges::find_if(signatures, has_field);
@@ -66,14 +63,11 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   return report;
 }
 
-namespace {
-
-using Json = nlohmann::json;
-
 HistogramConfiguration histogram_of(const Json& settings) {
   HistogramConfiguration histogram;
-  histogram.options.bins = settings.value("bins", histogram.options.bins);
-  histogram.options.smoothing_bins = settings.value("smoothing_bins", histogram.options.smoothing_bins);
+  const ParameterValues values = read_parameters(histogram_parameters(), settings);
+  histogram.options.bins = static_cast<int>(values.integer("bins"));
+  histogram.options.smoothing_bins = values.number("smoothing_bins");
   if (histogram.options.smoothing_bins > histogram.options.bins) {
     throw ConfigurationError{"smoothing_bins",
                              fmt::format("the smoothing must be at most the number of bins ({}), not {}",
@@ -142,26 +136,6 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
   return signature;
 }
 
-}  // namespace
-
-std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
-  const std::vector<std::string> names = unique_names(settings);
-  std::vector<SignatureConfiguration> signatures;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
-  }
-  if (const auto cyclic = part_of_itself(signatures)) {
-    throw ConfigurationError{fmt::format("{}.concatenate", *cyclic),
-                             fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
-  }
-  return signatures;
-}
-
-namespace {
-
-using Json = nlohmann::json;
-namespace fs = std::filesystem;
-
 DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
   DatasetLocation location;
   location.layout = dataset.at("layout");
@@ -186,17 +160,13 @@ GeneratorOptions generator_of(const Json& dataset) {
       throw ConfigurationError{key, "does not go with \"generate\"; remove one of the two"};
     }
   }
-  const Json& settings = dataset.at("generate");
-  GeneratorOptions options;
-  options.classes = settings.value("classes", options.classes);
-  options.models_per_class = settings.value("models_per_class", options.models_per_class);
-  options.faces = settings.value("faces", options.faces);
-  options.seed = settings.value("seed", options.seed);
-  const std::size_t known = generated_class_names().size();
-  if (static_cast<std::size_t>(options.classes) > known) {
-    throw ConfigurationError{"generate.classes", fmt::format("there are {} classes, not {}", known, options.classes)};
-  }
-  return options;
+  return at("generate", [&] {
+    const ParameterValues values = read_parameters(generator_parameters(), dataset.at("generate"));
+    return GeneratorOptions{.classes = static_cast<int>(values.integer("classes")),
+                            .models_per_class = static_cast<int>(values.integer("models_per_class")),
+                            .faces = static_cast<int>(values.integer("faces")),
+                            .seed = static_cast<std::uint64_t>(values.integer("seed"))};
+  });
 }
 
 std::vector<Protocol> protocols_of(const Json& setting) {
@@ -211,8 +181,9 @@ std::vector<Protocol> protocols_of(const Json& setting) {
 }
 
 void read_evaluation(const Json& setting, Configuration& configuration) {
-  configuration.minimum_class_size = setting.value("minimum_class_size", configuration.minimum_class_size);
-  configuration.ties = ties_of(setting.value("ties", name_of(configuration.ties))).value();
+  const ParameterValues values = read_parameters(evaluation_parameters(), setting);
+  configuration.minimum_class_size = static_cast<int>(values.integer("minimum_class_size"));
+  configuration.ties = ties_of(values.word("ties")).value();
   if (!setting.contains("measures")) return;
   try {
     configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
@@ -221,6 +192,7 @@ void read_evaluation(const Json& setting, Configuration& configuration) {
   }
 }
 
+/// The schema has accepted the document.
 Configuration checked_configuration(const Json& document, const fs::path& folder) {
   Configuration configuration;
   configuration.name = document.at("name");
@@ -231,14 +203,14 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   } else {
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
-  configuration.seed = document.value("seed", configuration.seed);
+  configuration.seed = read_seed(document);
   if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
   if (document.contains("perturbations")) configuration.perturbations = make_perturbations(document["perturbations"]);
   if (document.contains("protocol")) configuration.protocols = protocols_of(document["protocol"]);
   configuration.measures = default_measures(configuration.protocols);
   if (document.contains("evaluation"))
     at("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
-  configuration.on_error = document.value("on_error", "stop") == "skip" ? OnError::skip : OnError::stop;
+  configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
   configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
   configuration.report =
@@ -247,6 +219,34 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
 }
 
 }  // namespace
+
+std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
+  const std::vector<std::string> names = unique_names(settings);
+  std::vector<SignatureConfiguration> signatures;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
+  }
+  if (const auto cyclic = part_of_itself(signatures)) {
+    throw ConfigurationError{fmt::format("{}.concatenate", *cyclic),
+                             fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
+  }
+  return signatures;
+}
+
+PreparationOptions read_preparation(const Json& settings) {
+  const ParameterValues values = read_parameters(preparation_parameters(), settings);
+  return {.denoise = values.boolean("denoise"),
+          .scale = values.word("scale") == "tube_area" ? ScaleEstimate::tube_area : ScaleEstimate::area};
+}
+
+OnError read_on_error(const Json& experiment) {
+  return read_parameters(experiment_parameters(), experiment).word("on_error") == "skip" ? OnError::skip
+                                                                                         : OnError::stop;
+}
+
+std::uint64_t read_seed(const Json& experiment) {
+  return static_cast<std::uint64_t>(read_parameters(experiment_parameters(), experiment).integer("seed"));
+}
 
 Configuration configuration_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);

@@ -1,7 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,10 +10,6 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 
 namespace shapegauge {
-
-/// The signatures of a configuration's "signatures", which the schema has accepted. Throws ConfigurationError for two
-/// of the same name, `concatenate` that points nowhere or to itself, and settings that contradict each other.
-std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
 
 /// Reads the configuration file of a retrieval experiment, applies the overrides (see apply_override), and checks
 /// everything that can be checked without looking at the data: the schema, unique names, `concatenate` that points
@@ -25,12 +22,30 @@ Configuration read_configuration(const std::filesystem::path& path, std::span<co
 nlohmann::json read_configuration_document(const std::filesystem::path& path,
                                            std::span<const std::string> overrides = {});
 
-/// Whether the document is one of a comparison of shapes (experiments/comparison) and not of a retrieval experiment.
+/// Whether the document is one of a comparison of shapes (comparison.h) and not of a retrieval experiment.
 bool is_comparison(const nlohmann::json& document);
 
 /// The same for a document that was read already. `source` is what messages call it; relative paths are relative to
 /// `folder`.
 Configuration configuration_from_json(const nlohmann::json& document, const std::string& source,
                                       const std::filesystem::path& folder);
+
+/// Parts that retrieval experiments and comparisons share; the schema has accepted them.
+/// @{
+
+/// The signatures of a configuration's "signatures", which the schema has accepted. Throws ConfigurationError for two
+/// of the same name, `concatenate` that points nowhere or to itself, and settings that contradict each other.
+std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settings);
+
+/// The options of a configuration's "preparation".
+PreparationOptions read_preparation(const nlohmann::json& settings);
+
+/// The setting "on_error" of an experiment.
+OnError read_on_error(const nlohmann::json& experiment);
+
+/// The setting "seed" of an experiment.
+std::uint64_t read_seed(const nlohmann::json& experiment);
+
+/// @}
 
 }  // namespace shapegauge

@@ -1,197 +1,171 @@
 #include "shapegauge/experiments/configuration/schema.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <optional>
-#include <string_view>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validator.hpp>
-#include <vector>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
 
-#include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/metrics/measures.h"
+#include "shapegauge/metrics/protocol.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
 
+std::string_view base_schema();  // base_schema.cpp.in
+
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
-/// The value of a key, or an empty value where the key is absent.
-const Json& part(const Json& schema, const char* key) {
-  static const Json none;
-  const auto found = schema.find(key);
-  return found == schema.end() ? none : *found;
+template <typename Types>
+std::vector<ParameterGroup> groups_of(const Types& types) {
+  std::vector<ParameterGroup> groups;
+  for (const auto& type : types) groups.push_back({type.name, type.description, type.parameters});
+  return groups;
 }
 
-bool has_type(const Json& instance, const std::string& type) {
-  return (type == "object" && instance.is_object()) || (type == "array" && instance.is_array()) ||
-         (type == "string" && instance.is_string()) || (type == "number" && instance.is_number()) ||
-         (type == "integer" && instance.is_number_integer()) || (type == "boolean" && instance.is_boolean());
+template <typename Types>
+std::vector<std::string> names_of(const Types& types) {
+  std::vector<std::string> names;
+  for (const auto& type : types) names.emplace_back(type.name);
+  return names;
 }
 
-/// Whether the instance meets a condition of the simple kinds that the schema uses.
-bool meets(const Json& instance, const Json& condition) {
-  if (condition.contains("type") && !has_type(instance, condition["type"])) return false;
-  for (const Json& key : part(condition, "required")) {
-    if (!instance.is_object() || !instance.contains(key.get<std::string>())) return false;
-  }
-  const auto allowed = part(condition, "properties").items();
-  return std::all_of(allowed.begin(), allowed.end(), [&](const auto& property) {
-    return !property.value().contains("const") || !instance.is_object() || !instance.contains(property.key()) ||
-           instance[property.key()] == property.value()["const"];
-  });
-}
-
-/// Adds the schema and all that applies to the instance along with it.
-void collect(const Json& root, const Json& schema, const Json& instance, std::vector<const Json*>& found) {
-  if (schema.contains("$ref")) {
-    const std::string reference = schema["$ref"];
-    return collect(root, root.at(Json::json_pointer(reference.substr(1))), instance, found);
-  }
-  found.push_back(&schema);
-  for (const Json& conjunct : part(schema, "allOf")) collect(root, conjunct, instance, found);
-  if (schema.contains("if")) {
-    const char* branch = meets(instance, schema["if"]) ? "then" : "else";
-    if (schema.contains(branch)) collect(root, schema[branch], instance, found);
+/// Adds the parameters to the schema of an object.
+void add_parameters(std::span<const Parameter> parameters, Json& object) {
+  for (const Parameter& parameter : parameters) {
+    object["properties"][std::string(parameter.name)] = schema_of(parameter);
+    if (parameter.required()) object["required"].push_back(parameter.name);
   }
 }
 
-std::vector<const Json*> children(const Json& root, const std::vector<const Json*>& schemas, const std::string& key,
-                                  const Json& instance) {
-  std::vector<const Json*> found;
-  for (const Json* schema : schemas) {
-    if (schema->contains("properties") && (*schema)["properties"].contains(key)) {
-      collect(root, (*schema)["properties"][key], instance, found);
-    } else if (schema->contains("items")) {
-      collect(root, (*schema)["items"], instance, found);
-    }
-  }
-  return found;
+/// The schema of the settings of one type of field or perturbation.
+Json schema_of(const ParameterGroup& type) {
+  Json schema{{"description", type.description},
+              {"type", "object"},
+              {"additionalProperties", false},
+              {"required", {"type"}},
+              {"properties", {{"type", {{"const", type.name}}}}}};
+  add_parameters(type.parameters, schema);
+  return schema;
 }
 
-void add_once(std::vector<std::string>& words, const std::string& word) {
-  if (std::ranges::find(words, word) == words.end()) words.push_back(word);
+/// Adds to the schema of a field or perturbation its "type" and, for each, the settings.
+void add_types(const std::vector<ParameterGroup>& types, const std::vector<Json>& schemas, Json& schema) {
+  schema["type"] = "object";
+  schema["required"] = {"type"};
+  schema["properties"]["type"]["enum"] = names_of(types);
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const Json condition{{"required", {"type"}}, {"properties", {{"type", {{"const", types[i].name}}}}}};
+    schema["allOf"].push_back({{"if", condition}, {"then", schemas[i]}});
+  }
+}
+
+void add_fields(Json& schema) {
+  std::vector<Json> schemas;
+  for (const ParameterGroup& type : field_groups()) {
+    schemas.push_back(schema_of(type));
+    schemas.back()["properties"]["at"] = {{"$ref", "#/definitions/site"}};
+  }
+  add_types(field_groups(), schemas, schema);
+}
+
+void add_perturbations(Json& schema) {
+  std::vector<Json> schemas;
+  for (const PerturbationType& type : perturbation_types()) {
+    schemas.push_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
+    if (!type.has_choices) continue;
+    schemas.back()["required"].push_back("choices");
+    schemas.back()["properties"]["choices"] = {
+        {"type", "array"}, {"minItems", 1}, {"items", {{"$ref", "#/definitions/perturbations"}}}};
+  }
+  add_types(perturbation_groups(), schemas, schema);
+}
+
+std::string reference_table(const ParameterGroup& group) {
+  if (group.description.empty()) return markdown_table(group.parameters);
+  const std::string heading = fmt::format("`\"type\": \"{}\"`. {}\n", group.name, group.description);
+  return group.parameters.empty() ? heading : heading + "\n" + markdown_table(group.parameters);
+}
+
+std::string reference_tables(std::string_view name) {
+  if (name != "fields" && name != "perturbations") {
+    const std::vector<ParameterGroup> sections = section_groups();
+    return reference_table(*std::ranges::find(sections, name, &ParameterGroup::name));
+  }
+  std::string tables;
+  for (const ParameterGroup& group : name == "fields" ? field_groups() : perturbation_groups()) {
+    tables += (tables.empty() ? "" : "\n") + reference_table(group);
+  }
+  return tables;
 }
 
 }  // namespace
 
-SchemaHints schema_hints(const Json& schema, const Json& document, const std::vector<std::string>& path) {
-  const Json* instance = &document;
-  std::vector<const Json*> schemas;
-  collect(schema, schema, document, schemas);
-  for (const std::string& key : path) {
-    instance = instance->is_array() ? &instance->at(std::stoul(key)) : &instance->at(key);
-    schemas = children(schema, schemas, key, *instance);
+std::vector<ParameterGroup> field_groups() { return groups_of(field_types()); }
+
+std::vector<ParameterGroup> perturbation_groups() { return groups_of(perturbation_types()); }
+
+std::vector<ParameterGroup> section_groups() {
+  return {{.name = "experiment", .description = {}, .parameters = experiment_parameters()},
+          {.name = "generate", .description = {}, .parameters = generator_parameters()},
+          {.name = "generated_shape", .description = {}, .parameters = generated_model_parameters()},
+          {.name = "preparation", .description = {}, .parameters = preparation_parameters()},
+          {.name = "histogram", .description = {}, .parameters = histogram_parameters()},
+          {.name = "evaluation", .description = {}, .parameters = evaluation_parameters()}};
+}
+
+const Parameter& registered_parameter(std::string_view group, std::string_view name) {
+  for (const auto& groups : {field_groups(), perturbation_groups(), section_groups()}) {
+    const auto found = std::ranges::find(groups, group, &ParameterGroup::name);
+    if (found == groups.end()) continue;
+    const auto parameter = std::ranges::find(found->parameters, name, &Parameter::name);
+    if (parameter != found->parameters.end()) return *parameter;
   }
-  SchemaHints hints;
-  for (const Json* found : schemas) {
-    for (const auto& [key, value] : part(*found, "properties").items()) {
-      if (!key.starts_with('$')) add_once(hints.keys, key);
-    }
-    for (const Json& word : part(*found, "enum")) add_once(hints.words, word);
-    if (found->contains("type")) add_once(hints.types, (*found)["type"]);
+  throw std::invalid_argument(fmt::format("there is no parameter {} of {}", name, group));
+}
+
+std::string experiment_schema() {
+  Json schema = Json::parse(base_schema());
+  Json& definitions = schema["definitions"];
+  for (const ParameterGroup& section : section_groups()) {
+    if (section.name != "experiment") add_parameters(section.parameters, definitions[std::string(section.name)]);
   }
-  return hints;
-}
-
-namespace {
-
-using Json = nlohmann::json;
-using Error = valijson::ValidationResults::Error;
-
-constexpr std::string_view unknown_key = "Object contains a property";
-constexpr std::string_view missing_key = "Missing required property";
-
-/// What the validator says about a failure inside, once more, at the levels above it.
-bool is_echo(const Error& error) {
-  return error.description.starts_with("Failed to validate") &&
-         error.description.find("uniqueness") == std::string::npos;
-}
-
-/// Keys and indices from the root: the validator writes <root>, ["key"] and [index].
-std::vector<std::string> path_of(const Error& error) {
-  std::vector<std::string> path;
-  for (const std::string& step : error.context) {
-    if (!step.starts_with('[')) continue;
-    const std::string inner = step.substr(1, step.size() - 2);
-    path.push_back(inner.starts_with('"') ? inner.substr(1, inner.size() - 2) : inner);
+  for (const char* experiment : {"retrieval_experiment", "comparison_experiment"}) {
+    add_parameters(experiment_parameters(), definitions[experiment]);
   }
-  return path;
+  add_fields(definitions["field"]);
+  add_perturbations(definitions["perturbation"]);
+  definitions["layout"]["enum"] = names_of(dataset_layouts());
+  definitions["protocol"]["enum"] = protocol_names();
+  definitions["distance"]["enum"] = distance_names();
+  definitions["evaluation"]["properties"]["measures"]["description"] =
+      fmt::format("Measures, as NN or P@10; without it those of the protocols. There are {}.",
+                  fmt::join(names_of(measure_definitions()), ", "));
+  return schema.dump(2) + "\n";
 }
 
-/// The last word in single quotes.
-std::string quoted_word(const std::string& description) {
-  const std::size_t end = description.rfind('\'');
-  const std::size_t begin =
-      description.find(": '") == std::string::npos ? description.find('\'') + 1 : description.find(": '") + 3;
-  return description.substr(begin, end - begin);
-}
-
-std::string wrong_value(const Json& value, const SchemaHints& hints) {
-  if (!value.is_string()) {
-    return fmt::format("must be one of \"{}\", not {}", fmt::join(hints.words, "\", \""), printable(value.dump(), 60));
+std::string with_reference_tables(std::string_view page) {
+  constexpr std::string_view opening = "<!-- table: ";
+  constexpr std::string_view closing = " -->\n";
+  constexpr std::string_view ending = "<!-- end -->\n";
+  std::string filled;
+  for (auto begin = page.find(opening); begin != std::string_view::npos; begin = page.find(opening)) {
+    const std::size_t name = begin + opening.size();
+    const std::size_t table = page.find(closing, name) + closing.size();
+    filled += page.substr(0, table);
+    filled += "\n" + reference_tables(page.substr(name, table - closing.size() - name)) + "\n";
+    page.remove_prefix(page.find(ending, table));
   }
-  return fmt::format("unknown word {}{}", printable(value.dump(), 60),
-                     suggestion(value.get<std::string>(), hints.words));
-}
-
-/// "Expected number greater than 0.000000" -> "must be a number greater than 0".
-std::string wrong_number(std::string description, const Json& value) {
-  const std::size_t space = description.rfind(' ');
-  const double limit = std::stod(description.substr(space + 1));
-  description = description.substr(std::string_view("Expected number ").size(),
-                                   space - std::string_view("Expected number ").size());
-  return fmt::format("must be a number {} {:g}, not {}", description, limit, printable(value.dump(), 60));
-}
-
-std::string describe(const Error& error, const Json& value, const SchemaHints& hints) {
-  const std::string& text = error.description;
-  if (text.starts_with(unknown_key)) {
-    const std::string key = quoted_word(text);
-    return fmt::format("unknown key \"{}\"{}", printable(key, 60), suggestion(key, hints.keys));
-  }
-  if (text.starts_with(missing_key)) return fmt::format("the key \"{}\" is missing", quoted_word(text));
-  if (text.find("enum values") != std::string::npos) return wrong_value(value, hints);
-  if (text.find("'type' constraint") != std::string::npos) {
-    return fmt::format("must be of type {}, not {} ({})", fmt::join(hints.types, " or "), value.type_name(),
-                       printable(value.dump(), 60));
-  }
-  if (text.starts_with("Expected number")) return wrong_number(text, value);
-  return fmt::format("{} (found {})", text.substr(0, text.find_last_not_of('.') + 1), printable(value.dump(), 60));
-}
-
-/// Rank of an error: the larger, the more it tells.
-std::size_t weight(const Error& error) {
-  return (error.description.starts_with(unknown_key) ? 1000 : 0) + error.context.size();
-}
-
-}  // namespace
-
-void check_against_schema(const Json& configuration, const std::string& source) {
-  const Json rules = Json::parse(experiment_schema());
-  valijson::Schema schema;
-  valijson::SchemaParser(valijson::SchemaParser::kDraft7)
-      .populateSchema(valijson::adapters::NlohmannJsonAdapter(rules), schema);
-  valijson::ValidationResults results;
-  valijson::Validator validator;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(configuration), &results)) return;
-
-  std::optional<Error> worst;
-  for (const Error& error : results) {
-    if (!is_echo(error) && (!worst || weight(error) > weight(*worst))) worst = error;
-  }
-  if (!worst) throw InputError(fmt::format("{}: does not match the schema of an experiment", source));
-  const std::vector<std::string> path = path_of(*worst);
-  const Json* value = &configuration;
-  for (const std::string& key : path) value = value->is_array() ? &value->at(std::stoul(key)) : &value->at(key);
-  const std::string place = path.empty() ? "" : fmt::format("{}: ", fmt::join(path, "."));
-  const std::string message = describe(*worst, *value, schema_hints(rules, configuration, path));
-  throw InputError(fmt::format("{}: {}{}", source, printable(place, 200), printable(message, 500)));
+  return filled.append(page);
 }
 
 }  // namespace shapegauge

@@ -1,27 +1,41 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/parameter.h"
+
 namespace shapegauge {
 
-/// The JSON Schema (draft 7) of an experiment's configuration: the text of configs/experiment.schema.json.
-std::string_view experiment_schema();
-
-/// What a schema allows at one place of a document, as far as an error message can use it.
-struct SchemaHints {
-  std::vector<std::string> keys;   ///< properties that are known there
-  std::vector<std::string> words;  ///< values of an enumeration of strings
-  std::vector<std::string> types;  ///< JSON Schema's names of types
+/// Something in a configuration that has parameters: a type of field or of perturbation, or a section of the document.
+struct ParameterGroup {
+  std::string_view name;         ///< "offset_sdf", "histogram"
+  std::string_view description;  ///< empty for a section
+  std::span<const Parameter> parameters;
 };
 
-/// Collects the hints at the path (keys and indices from the root) of the document. Understands what the project's own
-/// schema uses: $ref within the schema, properties, items, allOf, and if-then-else whose condition is the presence of a
-/// key, the type of the value, or a constant value of a key.
-SchemaHints schema_hints(const nlohmann::json& schema, const nlohmann::json& document,
-                         const std::vector<std::string>& path);
+/// The types of fields and of perturbations, and the sections.
+/// @{
+std::vector<ParameterGroup> field_groups();
+std::vector<ParameterGroup> perturbation_groups();
+std::vector<ParameterGroup> section_groups();
+/// @}
+
+/// The parameter of a group, such as "offset" of "offset_sdf", with its default and its legal values. Throws
+/// std::invalid_argument where there is none.
+const Parameter& registered_parameter(std::string_view group, std::string_view name);
+
+/// The JSON Schema (draft 7) of an experiment's configuration: the structure (base_schema.json), filled in with the
+/// fields, perturbations, distances, protocols and layouts that the registries have at the moment.
+/// configs/experiment.schema.json is this text, for editors.
+std::string experiment_schema();
+
+/// The text of docs/configuration.md with its tables filled in: what stands between a line `<!-- NAME -->` and the next
+/// line `<!-- end -->` is replaced by the tables of the group of that name, or of all `fields` or `perturbations`.
+std::string with_reference_tables(std::string_view page);
 
 /// Holds a configuration to the experiment schema. Throws InputError for the first thing that is wrong, most telling
 /// first: an unknown key, with the nearest known one; then what is deepest in the document. The message gives the

@@ -1,11 +1,10 @@
 #include "shapegauge/experiments/datasets/dataset.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 
-#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/files/model_ids.h"
 
 namespace shapegauge {
@@ -29,9 +28,8 @@ std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
 }  // namespace
 
 bool is_model_file(const fs::path& path) {
-  static constexpr std::array<std::string_view, 7> extensions{".off", ".obj", ".ply", ".stl", ".xyz", ".pwn", ".pts"};
-  const std::string extension = lower_case(path.extension().string());
-  return !is_hidden(path) && std::ranges::find(extensions, extension) != extensions.end();
+  const std::string name = path.filename().string();
+  return !is_hidden(path) && without_shape_extension(name) != name;
 }
 
 std::vector<fs::path> model_files(const fs::path& folder) {

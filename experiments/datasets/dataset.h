@@ -27,8 +27,8 @@ struct Dataset {
   std::vector<std::string> classes;
 };
 
-/// Whether the name ends like that of a shape file (.off, .obj, .ply, .stl, .xyz, .pwn, .pts, in any case) and is not
-/// hidden. A .txt file may be anything, and is not counted.
+/// Whether the name ends in one of unambiguous_shape_extensions(), in any case, and is not hidden. A .txt file may be
+/// anything, and is not counted.
 bool is_model_file(const std::filesystem::path& path);
 
 /// The shape files right in the folder, in natural order of their names.

@@ -1,19 +1,23 @@
 #include "shapegauge/experiments/datasets/labels.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <unordered_map>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/files/model_ids.h"
+#include "shapegauge/experiments/files/npy.h"
 
 namespace shapegauge {
 
@@ -46,12 +50,6 @@ class Collector {
   std::unordered_map<std::string, std::string> class_of_model_;
 };
 
-std::optional<std::size_t> column_of(const CsvRow& header, std::string_view name) {
-  const auto found = std::ranges::find(header.cells, name);
-  if (found == header.cells.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - header.cells.begin());
-}
-
 struct Roles {
   bool query = true;
   bool target = true;
@@ -66,42 +64,134 @@ Roles roles_of(const std::string& split, const std::string& where) {
 }
 
 ModelLabels all_are_both(Classification classification, const fs::path& path) {
-  std::vector<std::string> models = models_in_file_order(classification);
+  const std::vector<std::string> models = models_in_file_order(classification);
   return {.classification = std::move(classification),
           .queries = models,
           .targets = models,
+          .models = models,
           .separate_sets = false,
+          .listed = false,
+          .without_ids = false,
           .source = path.string()};
 }
 
-ModelLabels read_table(const fs::path& path) {
-  const std::string source = path.string();
-  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(path), source);
-  const auto id = rows.empty() ? std::nullopt : column_of(rows[0], "id");
-  const auto name = rows.empty() ? std::nullopt : column_of(rows[0], "class");
-  if (!id || !name) throw InputError(fmt::format("{}: the first row must name the columns id and class", source));
-  const auto split = column_of(rows[0], "split");
+// The separator of a table: the first of tab, semicolon and comma that its first line has; a line end where it has
+// none.
+char separator_of(std::string_view text) {
+  for (const std::string_view line : split_lines(text)) {
+    if (trim(line).empty()) continue;
+    for (const char separator : {'\t', ';', ','}) {
+      if (line.find(separator) != std::string_view::npos) return separator;
+    }
+    break;
+  }
+  return '\n';
+}
+
+// Where a table has what.
+struct LabelColumns {
+  std::optional<std::size_t> id;
+  std::optional<std::size_t> name;
+  std::optional<std::size_t> split;
+  bool named = false;  // the first row says so
+};
+
+LabelColumns columns_of(const CsvRow& first, const std::string& source) {
+  static constexpr std::array ids = {"id", "name", "model", "file", "filename"};
+  static constexpr std::array names = {"class", "label", "category"};
+  LabelColumns columns;
+  for (std::size_t i = 0; i < first.cells.size(); ++i) {
+    const std::string cell = lower_case(first.cells[i]);
+    if (!columns.id && std::ranges::find(ids, cell) != ids.end()) columns.id = i;
+    if (!columns.name && std::ranges::find(names, cell) != names.end()) columns.name = i;
+    if (!columns.split && cell == "split") columns.split = i;
+  }
+  columns.named = columns.id || columns.name;
+  const bool two = first.cells.size() == 2;
+  if (!columns.named && two) return {.id = 0, .name = 1, .split = std::nullopt, .named = false};
+  if (columns.id && columns.name) return columns;
+  throw InputError(fmt::format(
+      "{}: the first row must name the columns id and class (and may name split), unless there are two columns only",
+      source));
+}
+
+void check_cells(const CsvRow& row, std::size_t columns, const LabelColumns& where_is, const std::string& where) {
+  if (row.cells.size() != columns) {
+    throw InputError(fmt::format("{}: {} cells where the first row has {}", where, row.cells.size(), columns));
+  }
+  if (row.cells[*where_is.id].empty() || row.cells[*where_is.name].empty()) {
+    throw InputError(fmt::format("{}: the {} is empty", where, row.cells[*where_is.id].empty() ? "id" : "class"));
+  }
+}
+
+ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string& source) {
+  if (rows.empty()) throw InputError(fmt::format("{}: there are no models", source));
+  const LabelColumns columns = columns_of(rows.front(), source);
   Collector collector(source);
   ModelLabels labels;
-  for (std::size_t i = 1; i < rows.size(); ++i) {
+  for (std::size_t i = columns.named ? 1 : 0; i < rows.size(); ++i) {
     const std::string where = fmt::format("{}:{}", source, rows[i].line);
     const std::vector<std::string>& cells = rows[i].cells;
-    if (cells.size() != rows[0].cells.size()) {
-      throw InputError(
-          fmt::format("{}: {} cells where the first row has {}", where, cells.size(), rows[0].cells.size()));
-    }
-    if (cells[*id].empty() || cells[*name].empty()) {
-      throw InputError(fmt::format("{}: the {} is empty", where, cells[*id].empty() ? "id" : "class"));
-    }
-    collector.add(cells[*id], cells[*name], where);
-    const Roles roles = split ? roles_of(cells[*split], where) : Roles{};
-    if (roles.query) labels.queries.push_back(cells[*id]);
-    if (roles.target) labels.targets.push_back(cells[*id]);
+    check_cells(rows[i], rows.front().cells.size(), columns, where);
+    collector.add(cells[*columns.id], cells[*columns.name], where);
+    labels.models.push_back(cells[*columns.id]);
+    const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
+    if (roles.query) labels.queries.push_back(cells[*columns.id]);
+    if (roles.target) labels.targets.push_back(cells[*columns.id]);
     if (!roles.query || !roles.target) labels.separate_sets = true;
   }
   labels.classification = collector.result();
+  labels.listed = true;
   labels.source = source;
   return labels;
+}
+
+// Labels of models that have no ids, in their order.
+ModelLabels labels_in_order(const std::vector<std::string>& names, const std::string& source) {
+  Collector collector(source);
+  ModelLabels labels;
+  for (const std::string& name : names) {
+    labels.models.push_back(std::to_string(labels.models.size()));
+    collector.add(labels.models.back(), name, source);
+  }
+  labels.classification = collector.result();
+  labels.queries = labels.targets = labels.models;
+  labels.listed = true;
+  labels.without_ids = true;
+  labels.source = source;
+  return labels;
+}
+
+ModelLabels read_label_array(const fs::path& path) {
+  const DistanceMatrix numbers = parse_npy_table(read_plain_bytes(path), path.string());
+  if (numbers.rows() != 1 && numbers.cols() != 1) {
+    throw InputError(fmt::format("{}: labels are an array of one dimension, not {} x {}", path.string(), numbers.rows(),
+                                 numbers.cols()));
+  }
+  std::vector<std::string> names;
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) {
+    const double number = numbers.data()[i];
+    if (!(std::abs(number) < 1e15) || number != std::floor(number)) {
+      throw InputError(
+          fmt::format("{}: entry {} (counted from 0) is {}: labels are whole numbers", path.string(), i, number));
+    }
+    names.push_back(fmt::format("{:.0f}", number));
+  }
+  return labels_in_order(names, path.string());
+}
+
+ModelLabels read_list(const fs::path& path) {
+  if (format_extension(path) == ".npy") return read_label_array(path);
+  const std::string text = read_plain_bytes(path);
+  const char separator = separator_of(text);
+  if (separator != '\n') return parse_label_table(parse_csv(text, path.string(), separator), path.string());
+  std::vector<std::string> names;
+  for (const std::string_view line : split_lines(text)) {
+    if (!trim(line).empty()) names.emplace_back(trim(line));
+  }
+  const bool header = !names.empty() && (names.front() == "class" || names.front() == "label");
+  if (header) names.erase(names.begin());
+  return labels_in_order(names, path.string());
 }
 
 Classification read_folders(const fs::path& path) {
@@ -140,25 +230,38 @@ Classification at_level(const Classification& classification, std::size_t level,
   return collector.result();
 }
 
+// Models without ids, under ids that no models of another file have.
+ModelLabels told_apart(ModelLabels labels, std::string_view role) {
+  if (!labels.without_ids) return labels;
+  for (std::string& model : labels.models) model = fmt::format("{} {}", role, model);
+  for (ModelClass& known : labels.classification.classes) {
+    for (std::string& model : known.models) model = fmt::format("{} {}", role, model);
+  }
+  return labels;
+}
+
 }  // namespace
 
 ModelLabels read_labels(const fs::path& path, std::size_t level) {
-  if (path.extension() == ".csv") {
-    ModelLabels labels = read_table(path);
-    labels.classification = at_level(labels.classification, level, labels.source);
-    return labels;
+  if (fs::is_directory(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);
+  if (lower_case(path.extension().string()) == ".cla") {
+    return all_are_both(at_level(read_classification(path), level, path.string()), path);
   }
-  const Classification read = fs::is_directory(path) ? read_folders(path) : read_classification(path);
-  return all_are_both(at_level(read, level, path.string()), path);
+  ModelLabels labels = read_list(path);
+  labels.classification = at_level(labels.classification, level, labels.source);
+  return labels;
 }
 
 ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path& targets, std::size_t level) {
-  const ModelLabels of_queries = read_labels(queries, level);
-  const ModelLabels of_targets = read_labels(targets, level);
+  const ModelLabels of_queries = told_apart(read_labels(queries, level), "query");
+  const ModelLabels of_targets = told_apart(read_labels(targets, level), "target");
   ModelLabels labels{.classification = of_queries.classification,
-                     .queries = models_in_file_order(of_queries.classification),
-                     .targets = models_in_file_order(of_targets.classification),
+                     .queries = of_queries.models,
+                     .targets = of_targets.models,
+                     .models = of_queries.models,
                      .separate_sets = true,
+                     .listed = of_queries.listed && of_targets.listed,
+                     .without_ids = false,
                      .source = fmt::format("{} and {}", queries.string(), targets.string())};
   std::unordered_map<std::string, std::string> class_of_query;
   for (const ModelClass& known : of_queries.classification.classes) {
@@ -175,6 +278,7 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
       const auto known = class_of_query.find(canonical_model_id(model));
       if (known == class_of_query.end()) {
         same->models.push_back(model);
+        labels.models.push_back(model);
       } else if (known->second != added.name) {
         throw InputError(fmt::format("{}: model {} is of class {} here and of {} in {}", targets.string(),
                                      quoted_word(model), quoted_word(added.name), quoted_word(known->second),

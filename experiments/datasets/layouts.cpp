@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <map>
 #include <set>
 
@@ -117,9 +118,9 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
   for (const fs::path& folder : subfolders(location.root)) {
     const std::vector<fs::path> files = class_files(folder, location.split);
     if (files.empty()) {
-      throw InputError(
-          fmt::format("{}: no models (OFF, OBJ, PLY, STL, XYZ, PWN or PTS) in this class{}", folder.string(),
-                      location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split)));
+      throw InputError(fmt::format(
+          "{}: no models ({}) in this class{}", folder.string(), fmt::join(unambiguous_shape_extensions(), ", "),
+          location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split)));
     }
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
@@ -208,8 +209,8 @@ Dataset find_dataset(const DatasetLocation& location) {
   require_folder(location.root);
   Dataset dataset = dataset_layout(location.layout).find(location);
   if (dataset.models.empty()) {
-    throw InputError(fmt::format("{}: no models (OFF, OBJ, PLY, STL, XYZ, PWN or PTS) in the layout \"{}\"",
-                                 location.root.string(), location.layout));
+    throw InputError(fmt::format("{}: no models ({}) in the layout \"{}\"", location.root.string(),
+                                 fmt::join(unambiguous_shape_extensions(), ", "), location.layout));
   }
   return dataset;
 }

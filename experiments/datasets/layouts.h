@@ -17,8 +17,7 @@ struct DatasetLayout {
   std::string_view usual_classification;  ///< the file beside the models that says their classes; empty: none
 };
 
-/// All layouts. A new one is one file in this folder, one line in dataset_layouts.cpp, and its name in
-/// configs/experiment.schema.json.
+/// All layouts.
 std::span<const DatasetLayout> dataset_layouts();
 
 /// The layout of that name. Throws InputError where there is none.

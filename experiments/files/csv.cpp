@@ -9,61 +9,99 @@ namespace shapegauge {
 
 namespace {
 
-// Takes a cell in quotation marks from the front of the line, up to the comma behind it or the end.
-std::string take_quoted_cell(std::string_view& line, const std::string& where) {
-  std::string cell;
-  std::size_t position = 1;
-  while (true) {
-    const std::size_t quote = line.find('"', position);
-    if (quote == std::string_view::npos) {
-      throw InputError(where + ": the quotation mark in front of " + quoted_word(line.substr(1)) + " is not closed");
+class CsvParser {
+ public:
+  CsvParser(std::string_view text, const std::string& source, char separator)
+      : rest_(without_byte_order_mark(text)), source_(source), separator_(separator), cell_ends_({separator, '\n'}) {}
+
+  std::vector<CsvRow> rows() {
+    std::vector<CsvRow> rows;
+    while (!rest_.empty()) {
+      CsvRow row = take_row();
+      const bool blank = row.cells.size() == 1 && row.cells.front().empty() && !quoted_;
+      if (!blank) rows.push_back(std::move(row));
     }
-    cell += line.substr(position, quote - position);
-    position = quote + 1;
-    if (!line.substr(position).starts_with('"')) break;
-    cell += '"';
-    ++position;
+    return rows;
   }
-  const std::size_t comma = std::min(line.find(',', position), line.size());
-  const std::string_view rest = trim(line.substr(position, comma - position));
-  if (!rest.empty()) {
-    throw InputError(where + ": " + quoted_word(rest) + " follows a closing quotation mark; put a comma between them");
+
+ private:
+  CsvRow take_row() {
+    CsvRow row{.cells = {}, .line = line_};
+    quoted_ = false;
+    while (true) {
+      skip_blanks();
+      row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : take_plain_cell());
+      const bool more = rest_.starts_with(separator_);
+      if (!more) ++line_;
+      rest_.remove_prefix(rest_.empty() ? 0 : 1);
+      if (!more) return row;
+    }
   }
-  line.remove_prefix(comma);
-  return cell;
-}
+
+  void skip_blanks() {
+    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+  }
+
+  // Blanks that are the separator are none.
+  [[nodiscard]] bool is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
+
+  // Up to the separator or the line end behind it, which stays.
+  std::string_view take_to_cell_end() {
+    std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
+    rest_.remove_prefix(cell.size());
+    const bool line_ends = rest_.empty() || rest_.front() == '\n';
+    if (line_ends && cell.ends_with('\r')) cell.remove_suffix(1);
+    while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
+    return cell;
+  }
+
+  std::string take_plain_cell() { return std::string(take_to_cell_end()); }
+
+  std::string take_quoted_cell() {
+    quoted_ = true;
+    const std::size_t first_line = line_;
+    std::string cell;
+    while (true) {
+      const std::size_t quote = rest_.find('"', 1);
+      if (quote == std::string_view::npos) {
+        fail(first_line,
+             "the quotation mark in front of " + quoted_word(cell.empty() ? rest_.substr(1) : cell) + " is not closed");
+      }
+      const std::string_view part = rest_.substr(1, quote - 1);
+      cell += part;
+      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
+      rest_.remove_prefix(quote + 1);
+      if (!rest_.starts_with('"')) break;
+      cell += '"';
+    }
+    skip_blanks();
+    const std::string_view behind = take_to_cell_end();
+    if (!behind.empty()) {
+      fail(line_, quoted_word(behind) + " follows a closing quotation mark; put a separator between them");
+    }
+    return cell;
+  }
+
+  [[noreturn]] void fail(std::size_t line, const std::string& message) const {
+    throw InputError(source_ + ':' + std::to_string(line) + ": " + message);
+  }
+
+  std::string_view rest_;
+  const std::string& source_;
+  char separator_;
+  std::string cell_ends_;
+  std::size_t line_ = 1;
+  bool quoted_ = false;  // the row that is being read has a quoted cell
+};
 
 }  // namespace
 
-std::vector<std::string> split_csv_line(std::string_view line, const std::string& where) {
-  std::vector<std::string> cells;
-  while (true) {
-    line = trim(line);
-    if (line.starts_with('"')) {
-      cells.push_back(take_quoted_cell(line, where));
-    } else {
-      const std::size_t comma = std::min(line.find(','), line.size());
-      cells.emplace_back(trim(line.substr(0, comma)));
-      line.remove_prefix(comma);
-    }
-    if (line.empty()) return cells;
-    line.remove_prefix(1);
-  }
-}
-
-std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source) {
-  std::vector<CsvRow> rows;
-  std::size_t number = 0;
-  for (const std::string_view line : split_lines(text)) {
-    ++number;
-    if (trim(line).empty()) continue;
-    rows.push_back({split_csv_line(line, source + ':' + std::to_string(number)), number});
-  }
-  return rows;
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator) {
+  return CsvParser(text, source, separator).rows();
 }
 
 std::string csv_cell(std::string_view text) {
-  const bool plain = text.find_first_of(",\"") == std::string_view::npos && text == trim(text);
+  const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos && text == trim(text);
   if (plain) return std::string(text);
   std::string cell = "\"";
   for (const char c : text) cell.append(c == '"' ? 2 : 1, c);

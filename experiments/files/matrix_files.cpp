@@ -2,64 +2,88 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <iterator>
-#include <limits>
+#include <memory>
 #include <optional>
-#include <stdexcept>
+#include <span>
 #include <string_view>
+#include <system_error>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <unistd.h>
 #include <unordered_set>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/experiments/files/mat_file.h"
 #include "shapegauge/experiments/files/npy.h"
 
 namespace shapegauge {
 
-void NumberRows::add_number(std::string_view word, std::size_t line) {
-  const auto number = parse_number(word);
-  if (!number) {
-    throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row)", *source_, line, quoted_word(word),
-                                 numbers_.size() - row_begin_ + 1));
-  }
-  numbers_.push_back(*number);
-}
-
-void NumberRows::end_row(std::size_t line) {
-  const std::size_t length = numbers_.size() - row_begin_;
-  if (length == 0) throw InputError(fmt::format("{}:{}: the row has no numbers", *source_, line));
-  if (rows_ == 0) {
-    columns_ = length;
-    first_line_ = line;
-  }
-  if (length != columns_) {
-    throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line, length,
-                                 first_line_, columns_));
-  }
-  if (shape_ == TableShape::square && rows_ == columns_) {
-    throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
-                                 *source_, line, rows_ + 1, columns_));
-  }
-  ++rows_;
-  row_begin_ = numbers_.size();
-}
-
-DistanceMatrix NumberRows::matrix() const {
-  if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
-  if (shape_ == TableShape::square && rows_ != columns_) {
-    throw InputError(
-        fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
-                    "cut off",
-                    *source_, rows_, columns_));
-  }
-  return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
-                                          static_cast<Eigen::Index>(columns_));
-}
-
 namespace {
+
+// Puts a matrix together from the rows of a text file and refuses what does not fit, with file and line.
+class NumberRows {
+ public:
+  NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
+
+  // Adds the next number to the row that is being read.
+  void add_number(std::string_view word, std::size_t line) {
+    const auto number = parse_number(word);
+    if (!number) {
+      throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row)", *source_, line,
+                                   quoted_word(word), numbers_.size() - row_begin_ + 1));
+    }
+    numbers_.push_back(*number);
+  }
+
+  void end_row(std::size_t line) {
+    const std::size_t length = numbers_.size() - row_begin_;
+    if (length == 0) throw InputError(fmt::format("{}:{}: the row has no numbers", *source_, line));
+    if (rows_ == 0) {
+      columns_ = length;
+      first_line_ = line;
+    }
+    if (length != columns_) {
+      throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line,
+                                   length, first_line_, columns_));
+    }
+    if (shape_ == TableShape::square && rows_ == columns_) {
+      throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
+                                   *source_, line, rows_ + 1, columns_));
+    }
+    ++rows_;
+    row_begin_ = numbers_.size();
+  }
+
+  [[nodiscard]] DistanceMatrix matrix() const {
+    if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
+    if (shape_ == TableShape::square && rows_ != columns_) {
+      throw InputError(
+          fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
+                      "cut off",
+                      *source_, rows_, columns_));
+    }
+    return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
+                                            static_cast<Eigen::Index>(columns_));
+  }
+
+ private:
+  const std::string* source_;
+  TableShape shape_;
+  std::vector<double> numbers_;
+  std::size_t rows_ = 0;
+  std::size_t columns_ = 0;
+  std::size_t first_line_ = 0;
+  std::size_t row_begin_ = 0;
+};
 
 void check_ids(const std::vector<std::string>& ids, const std::string& where) {
   std::unordered_set<std::string_view> seen;
@@ -155,31 +179,7 @@ LabelledTable parse_csv_table(std::string_view text, const std::string& source) 
 }
 
 LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
-  return parse_csv_matrix(read_file_bytes(path), path.string());
-}
-
-void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
-  const bool has_ids = !matrix.ids.empty();
-  if (has_ids && matrix.ids.size() != static_cast<std::size_t>(matrix.distances.rows())) {
-    throw std::invalid_argument(
-        fmt::format("{} ids for a matrix of {} rows", matrix.ids.size(), matrix.distances.rows()));
-  }
-  check_ids(matrix.ids, "cannot write " + path.string());
-  std::vector<std::string> cells;
-  for (const std::string& id : matrix.ids) {
-    if (id.find_first_of("\r\n") != std::string::npos) {
-      throw InputError(fmt::format("cannot write {}: the id {} contains a line break", path.string(), quoted_word(id)));
-    }
-    cells.push_back(csv_cell(id));
-  }
-  std::string text;
-  if (has_ids) text = fmt::format("id,{}\n", fmt::join(cells, ","));
-  for (Eigen::Index row = 0; row < matrix.distances.rows(); ++row) {
-    if (has_ids) text += cells[static_cast<std::size_t>(row)] + ',';
-    const auto numbers = matrix.distances.row(row);
-    fmt::format_to(std::back_inserter(text), "{}\n", fmt::join(numbers.begin(), numbers.end(), ","));
-  }
-  write_file_atomically(path, text);
+  return parse_csv_matrix(read_plain_bytes(path), path.string());
 }
 
 namespace {
@@ -192,41 +192,31 @@ std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_
   return static_cast<Eigen::Index>(size);
 }
 
-}  // namespace
-
-DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
-  const auto size = size_of_square(bytes.size(), sizeof(float));
-  if (size) return matrix_of_bytes<float>(bytes, *size, *size, std::endian::little, false);
+Eigen::Index psb_matrix_size(std::size_t bytes, const std::string& source) {
+  if (const auto size = size_of_square(bytes, sizeof(float))) return *size;
   // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
-  if (const auto size_in_doubles = size_of_square(bytes.size(), sizeof(double))) {
+  if (const auto size_in_doubles = size_of_square(bytes, sizeof(double))) {
     throw InputError(
         fmt::format("{}: {} bytes are no square matrix of float32, which the format has; this looks like "
                     "float64 ({} x {}): convert it, or save it as .npy",
-                    source, bytes.size(), *size_in_doubles, *size_in_doubles));
+                    source, bytes, *size_in_doubles, *size_in_doubles));
   }
   throw InputError(
       fmt::format("{}: {} bytes are no square matrix of float32 (4 N^2 bytes); the file is cut off or another format",
-                  source, bytes.size()));
+                  source, bytes));
+}
+
+}  // namespace
+
+DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
+  const Eigen::Index size = psb_matrix_size(bytes.size(), source);
+  DistanceMatrix matrix(size, size);
+  float32_format().decode(bytes.data(), static_cast<std::size_t>(matrix.size()), matrix.data());
+  return matrix;
 }
 
 DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
-  return parse_psb_matrix(read_file_bytes(path), path.string());
-}
-
-void write_psb_matrix(const std::filesystem::path& path, const DistanceMatrix& matrix) {
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(matrix.size()) * sizeof(float));
-  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
-    const double distance = matrix.data()[i];
-    if (std::isfinite(distance) && std::abs(distance) > static_cast<double>(std::numeric_limits<float>::max())) {
-      throw InputError(
-          fmt::format("cannot write {}: the distance in row {}, column {} (counted from 0) is {}, beyond "
-                      "float32; write .npy instead",
-                      path.string(), i / matrix.cols(), i % matrix.cols(), distance));
-    }
-    append_number(bytes, static_cast<float>(distance));
-  }
-  write_file_atomically(path, bytes);
+  return parse_psb_matrix(read_plain_bytes(path), path.string());
 }
 
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
@@ -247,10 +237,12 @@ DistanceMatrix parse_text_matrix(std::string_view text, const std::string& sourc
 }
 
 DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
-  return parse_text_matrix(read_file_bytes(path), path.string());
+  return parse_text_matrix(read_plain_bytes(path), path.string());
 }
 
 namespace {
+
+DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_plain_bytes(path), path.string()); }
 
 template <DistanceMatrix (*read)(const std::filesystem::path&)>
 LabelledDistances without_ids(const std::filesystem::path& path) {
@@ -258,17 +250,38 @@ LabelledDistances without_ids(const std::filesystem::path& path) {
 }
 
 LabelledTable npy_table(const std::filesystem::path& path) {
-  return {.numbers = parse_npy_table(read_file_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+  return {.numbers = parse_npy_table(read_plain_bytes(path), path.string()), .row_ids = {}, .column_ids = {}};
+}
+
+DistanceMatrix read_npz(const std::filesystem::path& path) {
+  return parse_npy(array_in_npz(read_plain_bytes(path), path.string()), path.string());
+}
+
+LabelledTable npz_table(const std::filesystem::path& path) {
+  return {.numbers = parse_npy_table(array_in_npz(read_plain_bytes(path), path.string()), path.string()),
+          .row_ids = {},
+          .column_ids = {}};
+}
+
+DistanceMatrix read_square_mat(const std::filesystem::path& path) {
+  DistanceMatrix matrix = read_mat(path);
+  if (matrix.rows() == matrix.cols()) return matrix;
+  throw InputError(fmt::format("{}: a distance matrix is square, but this one is {} x {}", path.string(), matrix.rows(),
+                               matrix.cols()));
+}
+
+LabelledTable mat_table(const std::filesystem::path& path) {
+  return {.numbers = read_mat(path), .row_ids = {}, .column_ids = {}};
 }
 
 LabelledTable text_table(const std::filesystem::path& path) {
-  return {.numbers = parse_text_matrix(read_file_bytes(path), path.string(), TableShape::any),
+  return {.numbers = parse_text_matrix(read_plain_bytes(path), path.string(), TableShape::any),
           .row_ids = {},
           .column_ids = {}};
 }
 
 LabelledTable csv_table(const std::filesystem::path& path) {
-  return parse_csv_table(read_file_bytes(path), path.string());
+  return parse_csv_table(read_plain_bytes(path), path.string());
 }
 
 LabelledTable psb_table(const std::filesystem::path& path) {
@@ -284,20 +297,15 @@ struct Format {
 constexpr std::array formats = {
     Format{".matrix", without_ids<read_psb_matrix>, psb_table},
     Format{".npy", without_ids<read_npy>, npy_table},
+    Format{".npz", without_ids<read_npz>, npz_table},
+    Format{".mat", without_ids<read_square_mat>, mat_table},
     Format{".csv", read_csv_matrix, csv_table},
     Format{".txt", without_ids<read_text_matrix>, text_table},
     Format{".dat", without_ids<read_text_matrix>, text_table},
 };
 
-std::string lower_case(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
 const Format& format_of(const std::filesystem::path& path) {
-  const auto* const found = std::ranges::find(formats, lower_case(path.extension().string()), &Format::extension);
+  const auto* const found = std::ranges::find(formats, format_extension(path), &Format::extension);
   if (found != formats.end()) return *found;
   std::string known;
   for (const Format& format : formats) known.append(known.empty() ? "" : ", ").append(format.extension);
@@ -305,11 +313,19 @@ const Format& format_of(const std::filesystem::path& path) {
                                path.string(), known));
 }
 
-void refuse_nan(const DistanceMatrix& numbers, std::string_view what, const std::filesystem::path& path) {
+struct MatrixPlace {
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;
+};
+
+// `first`: the place in the whole matrix of the first of the numbers.
+void refuse_nan(const DistanceMatrix& numbers, const MatrixPlace& first, std::string_view what,
+                const std::filesystem::path& path) {
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {
     if (!std::isnan(numbers.data()[i])) continue;
     throw InputError(fmt::format("{}: the {} in row {}, column {} (counted from 0) is not a number (NaN)",
-                                 path.string(), what, i / numbers.cols(), i % numbers.cols()));
+                                 path.string(), what, first.row + i / numbers.cols(),
+                                 first.column + i % numbers.cols()));
   }
 }
 
@@ -317,14 +333,110 @@ void refuse_nan(const DistanceMatrix& numbers, std::string_view what, const std:
 
 LabelledDistances read_distance_matrix(const std::filesystem::path& path) {
   LabelledDistances result = format_of(path).read(path);
-  refuse_nan(result.distances, "distance", path);
+  refuse_nan(result.distances, {}, "distance", path);
   return result;
 }
 
 LabelledTable read_number_table(const std::filesystem::path& path) {
   LabelledTable result = format_of(path).read_table(path);
-  refuse_nan(result.numbers, "number", path);
+  refuse_nan(result.numbers, {}, "number", path);
   return result;
+}
+
+namespace {
+
+// A file whose bytes are read at any place.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY)) {
+    if (descriptor_ < 0) fail();
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(descriptor_); }
+
+  void read(std::span<char> bytes, std::size_t offset) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      if (count == 0) throw InputError(fmt::format("{}: the file became shorter while it was read", path_.string()));
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+      offset += static_cast<std::size_t>(count);
+    }
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw InputError(fmt::format("cannot read {}: {}", path_.string(), std::generic_category().message(errno)));
+  }
+
+  std::filesystem::path path_;
+  int descriptor_;
+};
+
+DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const MatrixBlock& block) {
+  DistanceMatrix numbers(block.rows, block.columns);
+  const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
+  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
+    std::vector<char> bytes(row_bytes);
+    for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
+      const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
+      file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
+      table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
+    }
+  });
+  refuse_nan(numbers, {block.first_row, block.first_column}, "distance", file.path());
+  return numbers;
+}
+
+// How a file is read by blocks; nothing where it cannot be.
+std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableShape shape) {
+  const std::string extension = lower_case(path.extension().string());
+  const bool psb = extension == ".matrix";
+  if ((!psb && extension != ".npy") || !std::filesystem::is_regular_file(path)) return std::nullopt;
+  const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
+  constexpr std::size_t longest_usual_header = 1 << 17;
+  const std::string beginning = read_file_bytes(path, longest_usual_header);  // refuses what is empty or unreadable
+  if (psb) {
+    const Eigen::Index size = psb_matrix_size(bytes, path.string());
+    return NpyTable{.rows = size, .columns = size, .numbers = float32_format()};
+  }
+  const NpyTable table = parse_npy_table_header(beginning, bytes, shape == TableShape::square, path.string());
+  if (table.column_by_column) return std::nullopt;
+  return table;
+}
+
+}  // namespace
+
+OpenMatrix open_matrix(LabelledTable table) {
+  const auto shared = std::make_shared<const LabelledTable>(std::move(table));
+  const auto read = [shared](const MatrixBlock& block) -> DistanceMatrix {
+    return shared->numbers.block(block.first_row, block.first_column, block.rows, block.columns);
+  };
+  return {.rows = shared->numbers.rows(),
+          .columns = shared->numbers.cols(),
+          .read = read,
+          .row_ids = shared->row_ids,
+          .column_ids = shared->column_ids};
+}
+
+OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape) {
+  if (const auto layout = block_layout(path, shape)) {
+    const auto file = std::make_shared<const OpenFile>(path);
+    return {.rows = layout->rows, .columns = layout->columns, .read = [file, layout](const MatrixBlock& block) {
+              return read_block(*file, *layout, block);
+            }};
+  }
+  if (shape == TableShape::any) return open_matrix(read_number_table(path));
+  LabelledDistances square = read_distance_matrix(path);
+  return open_matrix({.numbers = std::move(square.distances), .row_ids = square.ids, .column_ids = square.ids});
+}
+
+DistanceMatrix whole_matrix(const OpenMatrix& matrix) {
+  return matrix.read({.first_row = 0, .rows = matrix.rows, .first_column = 0, .columns = matrix.columns});
 }
 
 }  // namespace shapegauge

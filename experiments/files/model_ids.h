@@ -10,12 +10,9 @@ namespace shapegauge {
 /// with std::ranges::sort.
 bool natural_less(std::string_view a, std::string_view b);
 
-/// The one form of a model's id, by which ids from different files are compared: the extension of a shape file (.off,
-/// .obj, .ply, .stl, .xyz, .pwn, .pts, in any case) and a `T` before a whole number are dropped, so that `12`, `T12`
-/// and `T12.off` are all "12". Other ids stay as they are.
+/// The one form of a model's id, by which ids from different files are compared: the extension of a shape file
+/// (without_shape_extension()) and a `T` before a whole number are dropped, so that `12`, `T12` and `T12.off` are all
+/// "12". Other ids stay as they are.
 std::string canonical_model_id(std::string_view id);
-
-/// Whether two ids mean the same model: their canonical forms are equal.
-bool same_model(std::string_view a, std::string_view b);
 
 }  // namespace shapegauge

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <fmt/format.h>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -189,65 +192,115 @@ std::string shape_as_text(const NpyHeader& header) {
   return fmt::format("({})", printable(fmt::format("{}", fmt::join(header.shape, ", ")), 60));
 }
 
-struct Size {
-  Eigen::Index rows = 0;
-  Eigen::Index columns = 0;
+template <typename Number, std::endian order>
+void decode(const char* bytes, std::size_t count, double* numbers) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), bytes + i * sizeof(Number), sizeof(Number));
+    if constexpr (order != std::endian::native) std::ranges::reverse(raw);
+    numbers[i] = static_cast<double>(std::bit_cast<Number>(raw));
+  }
+}
+
+template <typename Number>
+NumberFormat format_in(std::endian order) {
+  return {.bytes = sizeof(Number),
+          .decode = order == std::endian::big ? decode<Number, std::endian::big> : decode<Number, std::endian::little>};
+}
+
+// IEEE 754 binary16.
+struct Half {
+  std::uint16_t bits = 0;
+
+  explicit operator double() const {
+    const int exponent = (bits >> 10) & 0x1F;
+    const int fraction = bits & 0x3FF;
+    const double sign = (bits >> 15) != 0 ? -1.0 : 1.0;
+    if (exponent == 0x1F) {
+      return fraction == 0 ? sign * std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+    }
+    return sign * (exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(fraction + 0x400, exponent - 25));
+  }
 };
 
-// Checks that the data is a matrix of numbers of that many bytes, and gives its size.
-Size checked_size(const NpyHeader& header, std::size_t data_bytes, std::size_t bytes_per_number,
-                  const std::string& source) {
-  const std::uint64_t rows = header.shape.at(0);
+NumberFormat format_of(const NpyHeader& header, const std::string& source) {
+  struct Kind {
+    std::string_view name;
+    NumberFormat (*format)(std::endian);
+  };
+  static constexpr std::array kinds = {
+      Kind{"f8", format_in<double>},        Kind{"f4", format_in<float>},         Kind{"f2", format_in<Half>},
+      Kind{"i1", format_in<std::int8_t>},   Kind{"i2", format_in<std::int16_t>},  Kind{"i4", format_in<std::int32_t>},
+      Kind{"i8", format_in<std::int64_t>},  Kind{"u1", format_in<std::uint8_t>},  Kind{"u2", format_in<std::uint16_t>},
+      Kind{"u4", format_in<std::uint32_t>}, Kind{"u8", format_in<std::uint64_t>}, Kind{"b1", format_in<std::uint8_t>},
+  };
+  const std::string_view type = header.type;
+  const auto* const kind = std::ranges::find(kinds, type.substr(std::min<std::size_t>(1, type.size())), &Kind::name);
+  const bool known_order = type.find_first_of("<>|=") == 0;
+  if (known_order && kind != kinds.end()) {
+    return kind->format(type.starts_with('>')   ? std::endian::big
+                        : type.starts_with('=') ? std::endian::native
+                                                : std::endian::little);
+  }
+  throw InputError(
+      fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
+}
+
+void check_shape(const NpyHeader& header, bool square, const std::string& source) {
+  const std::vector<std::uint64_t>& shape = header.shape;
+  if (square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
+    throw InputError(
+        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
+  }
+  const bool table = shape.size() == 1 || shape.size() == 2;
+  if (!table || std::ranges::find(shape, std::uint64_t{0}) != shape.end()) {
+    throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
+                                 shape_as_text(header)));
+  }
+}
+
+DistanceMatrix decoded(std::string_view bytes, const NpyTable& table) {
+  const bool turned = table.column_by_column;
+  DistanceMatrix matrix(turned ? table.columns : table.rows, turned ? table.rows : table.columns);
+  table.numbers.decode(bytes.data() + table.data_begin, static_cast<std::size_t>(matrix.size()), matrix.data());
+  if (turned) matrix.transposeInPlace();
+  return matrix;
+}
+
+}  // namespace
+
+NumberFormat float32_format() { return format_in<float>(std::endian::little); }
+
+NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
+                                const std::string& source) {
+  const NpyHeader header = parse_npy_header(beginning, source);
+  check_shape(header, square, source);
+  const NumberFormat numbers = format_of(header, source);
+  const std::size_t data_bytes = file_size - header.data_begin;
+  const std::uint64_t rows = header.shape[0];
   const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];
   // Compared by division: the claimed size may be so large that the product does not fit into a number.
-  const bool fits = rows <= data_bytes / bytes_per_number / columns && rows * columns * bytes_per_number == data_bytes;
+  const bool fits = rows <= data_bytes / numbers.bytes / columns && rows * columns * numbers.bytes == data_bytes;
   if (!fits) {
     throw InputError(
         fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
                     "type {} has; the file is cut off or damaged",
                     source, data_bytes, shape_as_text(header), header.type));
   }
-  return {static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns)};
+  return {.rows = static_cast<Eigen::Index>(rows),
+          .columns = static_cast<Eigen::Index>(columns),
+          .numbers = numbers,
+          .column_by_column = header.column_by_column,
+          .data_begin = header.data_begin};
 }
-
-template <typename Number>
-DistanceMatrix decode(std::string_view data, const NpyHeader& header, std::endian order, const std::string& source) {
-  const Size size = checked_size(header, data.size(), sizeof(Number), source);
-  return matrix_of_bytes<Number>(data, size.rows, size.columns, order, header.column_by_column);
-}
-
-DistanceMatrix decode(std::string_view bytes, const NpyHeader& header, const std::string& source) {
-  const std::string_view data = bytes.substr(header.data_begin);
-  if (header.type == "<f8") return decode<double>(data, header, std::endian::little, source);
-  if (header.type == "<f4") return decode<float>(data, header, std::endian::little, source);
-  if (header.type == ">f8") return decode<double>(data, header, std::endian::big, source);
-  if (header.type == ">f4") return decode<float>(data, header, std::endian::big, source);
-  throw InputError(fmt::format("{}: numbers of type {} are not supported; save the array as float32 or float64", source,
-                               quoted_word(header.type)));
-}
-
-}  // namespace
 
 DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
-  const NpyHeader header = parse_npy_header(bytes, source);
-  if (header.shape.size() != 2 || header.shape[0] != header.shape[1] || header.shape[0] == 0) {
-    throw InputError(
-        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
-  }
-  return decode(bytes, header, source);
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), true, source));
 }
 
 DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source) {
-  const NpyHeader header = parse_npy_header(bytes, source);
-  const bool table = header.shape.size() == 1 || header.shape.size() == 2;
-  if (!table || std::ranges::find(header.shape, std::uint64_t{0}) != header.shape.end()) {
-    throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
-                                 shape_as_text(header)));
-  }
-  return decode(bytes, header, source);
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), false, source));
 }
-
-DistanceMatrix read_npy(const std::filesystem::path& path) { return parse_npy(read_file_bytes(path), path.string()); }
 
 namespace {
 

@@ -11,26 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/core/io/scanner.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
-
-/// The matrix of the given size whose entries lie one after the other in the bytes, row by row or column by column.
-/// There are exactly rows * columns * sizeof(Number) bytes.
-template <typename Number>
-DistanceMatrix matrix_of_bytes(std::string_view bytes, Eigen::Index rows, Eigen::Index columns, std::endian order,
-                               bool column_by_column) {
-  DistanceMatrix matrix(column_by_column ? columns : rows, column_by_column ? rows : columns);
-  ByteScanner scanner(bytes, order);
-  for (Eigen::Index i = 0; i < matrix.size(); ++i) {
-    Number value = 0;
-    scanner.read(value);
-    matrix.data()[i] = static_cast<double>(value);
-  }
-  if (column_by_column) matrix.transposeInPlace();
-  return matrix;
-}
 
 /// Appends the number's bytes, little-endian.
 template <typename Number>
@@ -48,6 +31,24 @@ struct NpyHeader {
   std::size_t data_begin = 0;  ///< where the data begins, in bytes from the beginning of the file
 };
 
+/// How numbers lie in a file: their size in bytes, and what makes `count` of them doubles.
+struct NumberFormat {
+  std::size_t bytes = 0;
+  void (*decode)(const char* bytes, std::size_t count, double* numbers) = nullptr;
+};
+
+/// Little-endian float32.
+NumberFormat float32_format();
+
+/// A matrix in a file: its size, and how and where its numbers lie.
+struct NpyTable {
+  Eigen::Index rows = 0;
+  Eigen::Index columns = 0;
+  NumberFormat numbers;
+  bool column_by_column = false;
+  std::size_t data_begin = 0;
+};
+
 /// Parses the header of the bytes of a `.npy` file. Throws InputError with `source`, the byte and what is wrong: no
 /// `.npy` file, another version, cut off, a dictionary that is not understood.
 NpyHeader parse_npy_header(std::string_view bytes, const std::string& source);
@@ -58,15 +59,18 @@ std::string npy_header_of_matrix(std::size_t rows, std::size_t columns);
 /// The header (version 1.0) of so many little-endian float64 in one dimension.
 std::string npy_header_of_vector(std::size_t size);
 
-/// Reads a square matrix from a NumPy `.npy` file: versions 1 to 3 of the format, float32 or float64, little- or
-/// big-endian, C or Fortran order. Throws InputError: absent or unreadable file, another type or shape, a header that
-/// is not understood, data of another length than the shape says.
-DistanceMatrix read_npy(const std::filesystem::path& path);
+/// Checks the header of an array of numbers against the size of its file. `beginning` holds at least the header. An
+/// array of one dimension is one column. Throws InputError: another type or shape, a header that is not understood,
+/// data of another length than the shape says; where it must be `square`, any other matrix.
+NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
+                                const std::string& source);
 
-/// The same for the bytes of a file; `source` stands in front of messages.
+/// Reads a square matrix from the bytes of a NumPy `.npy` file: versions 1 to 3 of the format, floating-point
+/// numbers of 16, 32 or 64 bits, integers or booleans, little- or big-endian, C or Fortran order. Throws InputError as
+/// parse_npy_table_header.
 DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
 
-/// Reads any matrix, square or not, in the same way. An array of one dimension is one column.
+/// Reads any matrix, square or not, in the same way.
 DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source);
 
 /// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where

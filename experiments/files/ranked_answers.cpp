@@ -4,12 +4,13 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 
 namespace shapegauge {
 
@@ -48,6 +49,12 @@ void expect_words(const WordLine& line, std::size_t count, std::string_view form
   throw InputError(fmt::format("{}: {} words where a line is \"{}\"", line.where, line.words.size(), form));
 }
 
+// Whether the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
+bool begins_like_a_run(std::string_view text) {
+  const std::vector<std::string_view> words = words_of(text.substr(0, text.find('\n')), " \t\r");
+  return words.size() == 6 && (words[1] == "Q0" || words[1] == "q0");
+}
+
 // Gives each query its place, and refuses a model that a query has already.
 class Queries {
  public:
@@ -72,6 +79,7 @@ class Queries {
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
   RankedAnswers result;
   Queries queries;
+  std::set<std::string> tags;
   for (const WordLine& line : word_lines(text, source, " \t")) {
     expect_words(line, 6, "query Q0 model rank score tag");
     const auto score = parse_number(line.words[4]);
@@ -82,7 +90,9 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
     queries.add_model(place, line.words[2], line.where);
     if (place == result.answers.size()) result.answers.push_back({std::string(line.words[0]), {}});
     result.answers[place].models.emplace_back(line.words[2], -*score);
+    tags.emplace(line.words[5]);
   }
+  if (tags.size() == 1) result.name = *tags.begin();
   return result;
 }
 
@@ -117,21 +127,31 @@ Judgements parse_qrels(std::string_view text, const std::string& source) {
     }
     const std::size_t place = queries.place_of(line.words[0]);
     queries.add_model(place, line.words[2], line.where);
-    if (place == result.queries.size()) result.queries.push_back({std::string(line.words[0]), {}});
-    if (grade > 0) result.queries[place].relevant.emplace_back(line.words[2]);
+    if (place == result.queries.size()) result.queries.push_back({std::string(line.words[0]), {}, {}, {}});
+    Judgements::Judged& judged = result.queries[place];
+    if (grade > 0) {
+      judged.relevant.emplace_back(line.words[2]);
+      judged.grades.push_back(grade);
+    } else {
+      judged.irrelevant.emplace_back(line.words[2]);
+    }
     result.graded = result.graded || grade > 1;
   }
   return result;
 }
 
 bool is_ranked_answers_file(const std::filesystem::path& path) {
-  const auto extension = path.extension();
-  return extension == ".run" || extension == ".trec" || extension == ".lists";
+  const std::string extension = format_extension(path);
+  if (extension == ".run" || extension == ".trec" || extension == ".lists") return true;
+  return extension == ".txt" && begins_like_a_run(read_plain_bytes(path));
 }
 
 RankedAnswers read_ranked_answers(const std::filesystem::path& path) {
-  const std::string text = read_file_bytes(path);
-  return path.extension() == ".lists" ? parse_ranked_lists(text, path.string()) : parse_trec_run(text, path.string());
+  const std::string text = read_plain_bytes(path);
+  return format_extension(path) == ".lists" ? parse_ranked_lists(text, path.string())
+                                            : parse_trec_run(text, path.string());
 }
+
+Judgements read_qrels(const std::filesystem::path& path) { return parse_qrels(read_plain_bytes(path), path.string()); }
 
 }  // namespace shapegauge

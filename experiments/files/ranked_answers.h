@@ -15,6 +15,7 @@ struct RankedAnswers {
     std::vector<std::pair<std::string, double>> models;  ///< id and distance
   };
   std::vector<Answer> answers;  ///< in the order in which the queries come first
+  std::string name;             ///< of a TREC run: its tag, if all lines have the same
 };
 
 /// Which models are relevant to which queries.
@@ -22,6 +23,8 @@ struct Judgements {
   struct Judged {
     std::string query;
     std::vector<std::string> relevant;
+    std::vector<int> grades;              ///< of the relevant, above 0
+    std::vector<std::string> irrelevant;  ///< judged, and not relevant
   };
   std::vector<Judged> queries;
   bool graded = false;  ///< there were grades above 1
@@ -41,10 +44,14 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
 /// lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
-/// Whether the name ends like that of a TREC run (.run, .trec) or of ranked lists (.lists).
+/// Whether a file holds a TREC run (.run, .trec, or .txt with a first line like one) or ranked lists (.lists); each may
+/// be compressed, with `.gz` behind.
 bool is_ranked_answers_file(const std::filesystem::path& path);
 
 /// Reads a TREC run or ranked lists, as the name's extension tells.
 RankedAnswers read_ranked_answers(const std::filesystem::path& path);
+
+/// Reads TREC judgements, compressed or not.
+Judgements read_qrels(const std::filesystem::path& path);
 
 }  // namespace shapegauge

@@ -51,6 +51,13 @@ Table with_cells(Table table, const std::function<std::string(const std::string&
   return table;
 }
 
+// A cell on one line.
+std::string plain_cell(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
 std::string markdown_cell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -161,7 +168,7 @@ std::string to_csv(const Table& table) {
 }
 
 std::string to_plain_text(const Table& table) {
-  const Table marked = with_emphases(table, with_plain_mark);
+  const Table marked = with_emphases(with_cells(table, plain_cell), with_plain_mark);
   const std::vector<std::size_t> widths = column_widths(marked);
   std::string text = line(marked.header, widths, marked.text_columns, "  ") + "\n";
   for (const Row& row : marked.rows) text += line(row, widths, marked.text_columns, "  ") + "\n";

@@ -7,17 +7,7 @@
 
 namespace shapegauge {
 
-namespace {
-
-// A class's place also seeds its models: append, do not reorder.
-constexpr std::array skeletons = {&dog,    &human, &hand,  &octopus, &spider,   &bird,     &snake, &glasses,
-                                  &pliers, &ant,   &shark, &lamp,    &dinosaur, &flamingo, &crab,  &horse};
-
-}  // namespace
-
-std::size_t class_count() { return skeletons.size(); }
-
-Skeleton class_skeleton(std::size_t index) { return skeletons.at(index)(); }
+// The classes: each a skeleton in its rest pose, of about the size of 2 to 4 units.
 
 namespace {
 
@@ -44,8 +34,6 @@ void add_ant_legs(Skeleton& s, int thorax) {
                                  {4, {hinge_towards(out, up, -30, 20)}}}});
   }
 }
-
-}  // namespace
 
 Skeleton ant() {
   Skeleton s{"ant", {}};
@@ -114,8 +102,6 @@ Skeleton bird() {
   return s;
 }
 
-namespace {
-
 void add_crab_legs(Skeleton& s, int shell) {
   const Eigen::Vector3d up(0, 0, 1);
   int pair = 0;
@@ -138,8 +124,6 @@ void add_crab_legs(Skeleton& s, int shell) {
                                  {3, {hinge_towards(out, up, -25, 25)}}}});
   }
 }
-
-}  // namespace
 
 Skeleton crab() {
   Skeleton s{"crab", {}};
@@ -346,8 +330,6 @@ Skeleton glasses() {
   return s;
 }
 
-namespace {
-
 // A finger from its knuckle, in a direction in the plane of the palm; z is the back of the hand.
 Limb finger(const std::string& kind, int palm, const Eigen::Vector3d& knuckle, const Eigen::Vector3d& direction,
             double length, double radius) {
@@ -362,8 +344,6 @@ Limb finger(const std::string& kind, int palm, const Eigen::Vector3d& knuckle, c
           .curls = true,
           .blend = 0.35};
 }
-
-}  // namespace
 
 Skeleton hand() {
   Skeleton s{"hand", {}};
@@ -660,5 +640,15 @@ Skeleton spider() {
                     .joints = {{0, {yaw(-12, 12)}}, {1, {pitch(-30, 30)}}}});
   return s;
 }
+
+// A class's place also seeds its models: append, do not reorder.
+constexpr std::array skeletons = {&dog,    &human, &hand,  &octopus, &spider,   &bird,     &snake, &glasses,
+                                  &pliers, &ant,   &shark, &lamp,    &dinosaur, &flamingo, &crab,  &horse};
+
+}  // namespace
+
+std::size_t class_count() { return skeletons.size(); }
+
+Skeleton class_skeleton(std::size_t index) { return skeletons.at(index)(); }
 
 }  // namespace shapegauge

@@ -1,6 +1,5 @@
 #include "shapegauge/experiments/generator/generate_dataset.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
@@ -8,97 +7,57 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <regex>
-#include <stdexcept>
 #include <system_error>
 #include <tbb/parallel_for.h>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/generator/articulated_body.h"
 #include "shapegauge/experiments/generator/class_skeletons.h"
-#include "shapegauge/experiments/generator/implicit_surface.h"
-#include "shapegauge/experiments/generator/mesh_implicit_surface.h"
-#include "shapegauge/experiments/generator/pose.h"
-#include "shapegauge/experiments/generator/skeleton.h"
 
 namespace shapegauge {
 
 namespace {
 
-// Whether a triangle is a thousand times longer than high.
-bool has_degenerate_triangle(const Shape& shape) {
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));
-    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(f, 1));
-    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(f, 2));
-    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    if ((b - a).cross(c - a).norm() <= 1e-3 * longest) return true;
-  }
-  return false;
+constexpr Parameter seed_parameter{.name = "seed",
+                                   .kind = ParameterKind::integer,
+                                   .default_value = std::int64_t{1},
+                                   .bounds = seed_bounds,
+                                   .description = "The same seed makes the same shapes."};
+
+constexpr Parameter faces_parameter{.name = "faces",
+                                    .kind = ParameterKind::integer,
+                                    .default_value = std::int64_t{GeneratorOptions{}.faces},
+                                    .bounds = {.low = 1000, .high = 100'000},
+                                    .description = "Triangles of a model, approximately."};
+
+constexpr int most_models = 1000;
+
+/// The classes' names, in their order.
+const std::vector<std::string>& class_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (std::size_t c = 0; c < class_count(); ++c) all.push_back(class_skeleton(c).name);
+    return all;
+  }();
+  return names;
 }
 
-}  // namespace
-
-ArticulatedBody make_body(const Skeleton& skeleton, int faces) {
-  const ImplicitSurface surface(skeleton);
-  const Shape mesh = mesh_implicit_surface(surface, faces);
-  ArticulatedBody body;
-  body.skeleton = skeleton;
-  body.rest = {mesh.vertices, bones_of(skeleton)};
-  body.triangles = mesh.triangles;
-  body.weights = bone_weights(mesh, surface, body.rest.tree);
-  body.labels = limb_labels(mesh, body.weights, body.rest.tree);
-  return body;
-}
-
-Shape draw_model(const ArticulatedBody& body, RandomNumbers& random) {
-  constexpr int attempts = 60;
-  constexpr double shrinkage = 0.96;
-  const RestPose individual = draw_individual(body.skeleton, body.rest, body.weights, random);
-  double amplitude = 1;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    const std::vector<RigidMotion> motions = draw_pose(body.skeleton, individual.tree, amplitude, random);
-    Shape model{skinned(individual.points, body.weights, motions), body.triangles};
-    if (!has_degenerate_triangle(model) && !self_intersects(model)) return model;
-    amplitude *= shrinkage;
-  }
-  throw std::runtime_error("no pose of the generated class " + body.skeleton.name + " is free of self-intersections");
-}
-
+/// Draws that model of a class's body: an individual in a pose.
 Shape draw_numbered_model(const ArticulatedBody& body, std::size_t class_index, std::size_t model, std::uint64_t seed) {
   RandomNumbers random(seed, (class_index << 32U) + model);
   return draw_model(body, random);
 }
 
-Shape generate_model(const GeneratedModel& wanted) {
-  const std::vector<std::string> classes = generated_class_names();
-  const auto found = std::ranges::find(classes, wanted.model_class);
-  if (found == classes.end()) throw InputError(fmt::format("there is no class \"{}\" to generate", wanted.model_class));
-  if (wanted.model < 0 || wanted.faces < 1000 || wanted.faces > 100000) {
-    throw InputError(
-        fmt::format("cannot generate model {} with {} faces; choose a model from 0 and 1000 to 100000 faces",
-                    wanted.model, wanted.faces));
-  }
-  const auto class_index = static_cast<std::size_t>(found - classes.begin());
-  const ArticulatedBody body = make_body(class_skeleton(class_index), wanted.faces);
-  return draw_numbered_model(body, class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
-}
-
-namespace {
-
-void check_option(const char* name, int value, int least, int most) {
-  if (value >= least && value <= most) return;
-  throw InputError(
-      fmt::format("cannot generate a data set with {} = {}; choose from {} to {}", name, value, least, most));
-}
-
 void check_options(const GeneratorOptions& options) {
-  check_option("classes", options.classes, 1, static_cast<int>(class_count()));
-  check_option("models per class", options.models_per_class, 1, 1000);
-  check_option("faces", options.faces, 1000, 100000);
+  require_in_bounds("the number of classes", options.classes, {.low = 1, .high = static_cast<double>(class_count())});
+  require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
+  require_in_bounds("the number of faces", options.faces, faces_parameter.bounds);
 }
 
 bool belongs_to_dataset(const std::filesystem::path& file) {
@@ -200,10 +159,49 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
 
 }  // namespace
 
-std::vector<std::string> generated_class_names() {
-  std::vector<std::string> names;
-  for (std::size_t c = 0; c < class_count(); ++c) names.push_back(class_skeleton(c).name);
-  return names;
+std::vector<std::string> generated_class_names() { return class_names(); }
+
+std::span<const Parameter> generator_parameters() {
+  const GeneratorOptions usual;
+  static const std::vector<Parameter> parameters{{.name = "classes",
+                                                  .kind = ParameterKind::integer,
+                                                  .default_value = std::int64_t{usual.classes},
+                                                  .bounds = {.low = 1, .high = static_cast<double>(class_count())},
+                                                  .description = "Number of classes."},
+                                                 {.name = "models_per_class",
+                                                  .kind = ParameterKind::integer,
+                                                  .default_value = std::int64_t{usual.models_per_class},
+                                                  .bounds = {.low = 1, .high = most_models},
+                                                  .description = "Models of each class."},
+                                                 faces_parameter,
+                                                 seed_parameter};
+  return parameters;
+}
+
+std::span<const Parameter> generated_model_parameters() {
+  static const std::vector<std::string_view> names(class_names().begin(), class_names().end());
+  static const std::vector<Parameter> parameters{
+      {.name = "class", .kind = ParameterKind::choice, .choices = names, .description = "Name of the class."},
+      {.name = "model",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{0},
+       .bounds = {.low = 0, .high = most_models - 1},
+       .description = "Which of the models of its class, from 0."},
+      faces_parameter,
+      seed_parameter};
+  return parameters;
+}
+
+Shape generate_model(const GeneratedModel& wanted) {
+  const auto found = std::ranges::find(class_names(), wanted.model_class);
+  if (found == class_names().end()) {
+    throw InputError(fmt::format("there is no class \"{}\" to generate", wanted.model_class));
+  }
+  require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
+  require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);
+  const auto class_index = static_cast<std::size_t>(found - class_names().begin());
+  const ArticulatedBody body = make_body(class_skeleton(class_index), wanted.faces);
+  return draw_numbered_model(body, class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
 }
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,

@@ -39,6 +39,65 @@ SparseMatrix laplacian(const Shape& mesh, Eigen::VectorXd& areas) {
   return matrix;
 }
 
+// The bend of a limb that curls: for each of its hinges a number in [-1, 1] at the limb's root and one at its tip.
+struct Curl {
+  std::vector<double> at_root, at_tip;
+};
+
+double angle_within(const Hinge& hinge, double fraction, double amplitude) {
+  return amplitude * (0.5 * (hinge.lower + hinge.upper) + 0.5 * fraction * (hinge.upper - hinge.lower));
+}
+
+std::vector<int> bone_counts(const BoneTree& tree) {
+  std::vector<int> counts(tree.bone_of_segment.size());
+  for (const Bone& bone : tree.bones) ++counts[static_cast<std::size_t>(bone.limb)];
+  return counts;
+}
+
+// A number in [-1, 1] for one hinge of a bone: independent of the others, or nearly that of the limb's smooth bend.
+double draw_fraction(bool curls, Curl& curl, std::size_t hinge, double position, RandomNumbers& random) {
+  if (!curls) return random.uniform(-1, 1);
+  while (curl.at_root.size() <= hinge) {
+    curl.at_root.push_back(random.uniform(-1, 1));
+    curl.at_tip.push_back(random.uniform(-1, 1));
+  }
+  const double common = (1 - position) * curl.at_root[hinge] + position * curl.at_tip[hinge];
+  return 0.85 * common + 0.15 * random.uniform(-1, 1);
+}
+
+constexpr double largest_deviation = 0.07;
+
+struct Growth {
+  double length = 1;
+  double girth = 1;
+};
+
+std::map<std::string, Growth> draw_growth(const Skeleton& skeleton, RandomNumbers& random) {
+  std::map<std::string, Growth> growth;
+  for (const Limb& limb : skeleton.limbs) {
+    const auto [position, is_new] = growth.try_emplace(limb.kind);
+    if (!is_new) continue;
+    position->second.length = random.uniform(1 - largest_deviation, 1 + largest_deviation);
+    position->second.girth = random.uniform(1 - largest_deviation, 1 + largest_deviation);
+  }
+  return growth;
+}
+
+// Where every bone's surroundings go: stretched along the bone and around it, moved along with the bone's parent.
+std::vector<Eigen::Affine3d> bone_maps(const Skeleton& skeleton, const BoneTree& tree, RandomNumbers& random) {
+  const std::map<std::string, Growth> growth = draw_growth(skeleton, random);
+  std::vector<Eigen::Affine3d> maps;
+  for (const Bone& bone : tree.bones) {
+    const Growth& factors = growth.at(skeleton.limbs[static_cast<std::size_t>(bone.limb)].kind);
+    const Eigen::Vector3d start =
+        bone.parent < 0 ? bone.joint : maps[static_cast<std::size_t>(bone.parent)] * bone.joint;
+    const Eigen::Matrix3d along = bone.direction * bone.direction.transpose();
+    const Eigen::Matrix3d stretch = factors.length * along + factors.girth * (Eigen::Matrix3d::Identity() - along);
+    maps.emplace_back(Eigen::Translation3d(start) * stretch * Eigen::Translation3d(-bone.joint));
+  }
+  return maps;
+}
+
 }  // namespace
 
 Eigen::MatrixXd bone_weights(const Shape& mesh, const ImplicitSurface& surface, const BoneTree& tree) {
@@ -74,36 +133,6 @@ Eigen::VectorXi limb_labels(const Shape& mesh, const Eigen::MatrixXd& weights, c
   }
   return labels;
 }
-
-namespace {
-
-// The bend of a limb that curls: for each of its hinges a number in [-1, 1] at the limb's root and one at its tip.
-struct Curl {
-  std::vector<double> at_root, at_tip;
-};
-
-double angle_within(const Hinge& hinge, double fraction, double amplitude) {
-  return amplitude * (0.5 * (hinge.lower + hinge.upper) + 0.5 * fraction * (hinge.upper - hinge.lower));
-}
-
-std::vector<int> bone_counts(const BoneTree& tree) {
-  std::vector<int> counts(tree.bone_of_segment.size());
-  for (const Bone& bone : tree.bones) ++counts[static_cast<std::size_t>(bone.limb)];
-  return counts;
-}
-
-// A number in [-1, 1] for one hinge of a bone: independent of the others, or nearly that of the limb's smooth bend.
-double draw_fraction(bool curls, Curl& curl, std::size_t hinge, double position, RandomNumbers& random) {
-  if (!curls) return random.uniform(-1, 1);
-  while (curl.at_root.size() <= hinge) {
-    curl.at_root.push_back(random.uniform(-1, 1));
-    curl.at_tip.push_back(random.uniform(-1, 1));
-  }
-  const double common = (1 - position) * curl.at_root[hinge] + position * curl.at_tip[hinge];
-  return 0.85 * common + 0.15 * random.uniform(-1, 1);
-}
-
-}  // namespace
 
 std::vector<RigidMotion> draw_pose(const Skeleton& skeleton, const BoneTree& tree, double amplitude,
                                    RandomNumbers& random) {
@@ -149,43 +178,6 @@ Points skinned(const Points& points, const Eigen::MatrixXd& weights, const std::
   }
   return result;
 }
-
-namespace {
-
-constexpr double largest_deviation = 0.07;
-
-struct Growth {
-  double length = 1;
-  double girth = 1;
-};
-
-std::map<std::string, Growth> draw_growth(const Skeleton& skeleton, RandomNumbers& random) {
-  std::map<std::string, Growth> growth;
-  for (const Limb& limb : skeleton.limbs) {
-    const auto [position, is_new] = growth.try_emplace(limb.kind);
-    if (!is_new) continue;
-    position->second.length = random.uniform(1 - largest_deviation, 1 + largest_deviation);
-    position->second.girth = random.uniform(1 - largest_deviation, 1 + largest_deviation);
-  }
-  return growth;
-}
-
-// Where every bone's surroundings go: stretched along the bone and around it, moved along with the bone's parent.
-std::vector<Eigen::Affine3d> bone_maps(const Skeleton& skeleton, const BoneTree& tree, RandomNumbers& random) {
-  const std::map<std::string, Growth> growth = draw_growth(skeleton, random);
-  std::vector<Eigen::Affine3d> maps;
-  for (const Bone& bone : tree.bones) {
-    const Growth& factors = growth.at(skeleton.limbs[static_cast<std::size_t>(bone.limb)].kind);
-    const Eigen::Vector3d start =
-        bone.parent < 0 ? bone.joint : maps[static_cast<std::size_t>(bone.parent)] * bone.joint;
-    const Eigen::Matrix3d along = bone.direction * bone.direction.transpose();
-    const Eigen::Matrix3d stretch = factors.length * along + factors.girth * (Eigen::Matrix3d::Identity() - along);
-    maps.emplace_back(Eigen::Translation3d(start) * stretch * Eigen::Translation3d(-bone.joint));
-  }
-  return maps;
-}
-
-}  // namespace
 
 RestPose draw_individual(const Skeleton& skeleton, const RestPose& rest, const Eigen::MatrixXd& weights,
                          RandomNumbers& random) {

@@ -50,7 +50,11 @@ struct Report {
   std::vector<std::pair<std::string, std::string>> failures;  ///< models left out, and why
 };
 
-/// The report of a run.
+/// The report of a run. It points into the results.
 Report report_of(const ExperimentResults& results);
+
+/// The report as one HTML file that needs nothing else: styles, scripts, data and pictures are in it. The same report
+/// gives the same bytes, on any number of threads.
+std::string report_page(const Report& report);
 
 }  // namespace shapegauge

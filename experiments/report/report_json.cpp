@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <openssl/evp.h>
 #include <set>
@@ -17,44 +18,14 @@
 
 namespace shapegauge {
 
-std::string base64(std::string_view bytes) {
-  std::string text;
-  // In pieces, as OpenSSL counts in int; whole groups of three bytes, so that the pieces fit together.
-  constexpr std::size_t piece = 3 << 20;
-  for (std::size_t begin = 0; begin < bytes.size(); begin += piece) {
-    const std::string_view part = bytes.substr(begin, piece);
-    std::vector<unsigned char> encoded(4 * (part.size() + 2) / 3 + 4);
-    const std::vector<unsigned char> plain(part.begin(), part.end());
-    const int length = EVP_EncodeBlock(encoded.data(), plain.data(), static_cast<int>(plain.size()));
-    text.append(encoded.begin(), encoded.begin() + length);
-  }
-  return text;
-}
-
-nlohmann::ordered_json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  constexpr double levels = 65534;
-  double scale = 0;
-  for (const double value : values) {
-    if (std::isfinite(value)) scale = std::max(scale, value);
-  }
-  if (!(scale > 0)) scale = 1;
-  std::string bytes;
-  bytes.reserve(2 * static_cast<std::size_t>(values.size()));
-  for (const double value : values) {
-    const bool finite = std::isfinite(value);
-    const auto level =
-        finite ? static_cast<std::uint16_t>(std::lround(levels * std::max(0.0, value) / scale)) : std::uint16_t{65535};
-    bytes.push_back(static_cast<char>(level & 0xff));
-    bytes.push_back(static_cast<char>(level >> 8));
-  }
-  return {{"scale", scale}, {"values", base64(bytes)}};
-}
-
-double rounded(double value, int digits) {
-  return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
-}
-
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t worst_count = 20;
+constexpr std::size_t nearest_count = 10;
+constexpr int fraction_digits = 6;
+constexpr int distance_digits = 5;
 
 /// The mean of the finite distances between two groups of models; infinity where there are none.
 double mean_distance(const DistanceTable& distances, std::span<const Eigen::Index> rows,
@@ -71,48 +42,6 @@ double mean_distance(const DistanceTable& distances, std::span<const Eigen::Inde
   }
   return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
-
-std::vector<Eigen::Index> order_by_class(std::span<const int> labels) {
-  std::vector<Eigen::Index> order(labels.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) { return labels[static_cast<std::size_t>(model)]; });
-  return order;
-}
-
-nlohmann::ordered_json heat_map(const DistanceTable& distances, std::span<const int> labels) {
-  const std::vector<Eigen::Index> order = order_by_class(labels);
-  const Eigen::Index block = (distances.rows() + largest_heat_map - 1) / largest_heat_map;
-  const Eigen::Index side = (distances.rows() + block - 1) / block;
-  const auto models_of = [&](Eigen::Index cell) {
-    const auto begin = static_cast<std::size_t>(cell * block);
-    return std::span(order).subspan(begin, std::min(static_cast<std::size_t>(block), order.size() - begin));
-  };
-  Eigen::MatrixXd cells(side, side);
-  tbb::parallel_for(Eigen::Index{0}, side, [&](Eigen::Index row) {
-    for (Eigen::Index column = 0; column < side; ++column) {
-      cells(row, column) = mean_distance(distances, models_of(row), models_of(column));
-    }
-  });
-  const bool symmetric = cells == cells.transpose();
-  std::vector<double> values;
-  for (Eigen::Index row = 0; row < side; ++row) {
-    for (Eigen::Index column = symmetric ? row : 0; column < side; ++column) values.push_back(cells(row, column));
-  }
-  nlohmann::ordered_json json{{"side", side}, {"block", block}, {"symmetric", symmetric}};
-  json.update(packed(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
-  return json;
-}
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t worst_count = 20;
-constexpr std::size_t nearest_count = 10;
-constexpr int fraction_digits = 6;
-constexpr int distance_digits = 5;
 
 template <typename Values>
 Json fractions(const Values& values) {
@@ -229,6 +158,74 @@ Json pictures_json(const ReportPictures& pictures) {
 }
 
 }  // namespace
+
+std::string base64(std::string_view bytes) {
+  std::string text;
+  // In pieces, as OpenSSL counts in int; whole groups of three bytes, so that the pieces fit together.
+  constexpr std::size_t piece = 3 << 20;
+  for (std::size_t begin = 0; begin < bytes.size(); begin += piece) {
+    const std::string_view part = bytes.substr(begin, piece);
+    std::vector<unsigned char> encoded(4 * (part.size() + 2) / 3 + 4);
+    const std::vector<unsigned char> plain(part.begin(), part.end());
+    const int length = EVP_EncodeBlock(encoded.data(), plain.data(), static_cast<int>(plain.size()));
+    text.append(encoded.begin(), encoded.begin() + length);
+  }
+  return text;
+}
+
+Json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  constexpr double levels = 65534;
+  double scale = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) scale = std::max(scale, value);
+  }
+  if (!(scale > 0)) scale = 1;
+  std::string bytes;
+  bytes.reserve(2 * static_cast<std::size_t>(values.size()));
+  for (const double value : values) {
+    const bool finite = std::isfinite(value);
+    const auto level =
+        finite ? static_cast<std::uint16_t>(std::lround(levels * std::max(0.0, value) / scale)) : std::uint16_t{65535};
+    bytes.push_back(static_cast<char>(level & 0xff));
+    bytes.push_back(static_cast<char>(level >> 8));
+  }
+  return {{"scale", scale}, {"values", base64(bytes)}};
+}
+
+double rounded(double value, int digits) {
+  return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
+}
+
+std::vector<Eigen::Index> order_by_class(std::span<const int> labels) {
+  std::vector<Eigen::Index> order(labels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) { return labels[static_cast<std::size_t>(model)]; });
+  return order;
+}
+
+Json heat_map(const DistanceTable& distances, std::span<const int> labels) {
+  const std::vector<Eigen::Index> order = order_by_class(labels);
+  const Eigen::Index block = (distances.rows() + largest_heat_map - 1) / largest_heat_map;
+  const Eigen::Index side = (distances.rows() + block - 1) / block;
+  const auto models_of = [&](Eigen::Index cell) {
+    const auto begin = static_cast<std::size_t>(cell * block);
+    return std::span(order).subspan(begin, std::min(static_cast<std::size_t>(block), order.size() - begin));
+  };
+  Eigen::MatrixXd cells(side, side);
+  tbb::parallel_for(Eigen::Index{0}, side, [&](Eigen::Index row) {
+    for (Eigen::Index column = 0; column < side; ++column) {
+      cells(row, column) = mean_distance(distances, models_of(row), models_of(column));
+    }
+  });
+  const bool symmetric = cells == cells.transpose();
+  std::vector<double> values;
+  for (Eigen::Index row = 0; row < side; ++row) {
+    for (Eigen::Index column = symmetric ? row : 0; column < side; ++column) values.push_back(cells(row, column));
+  }
+  Json json{{"side", side}, {"block", block}, {"symmetric", symmetric}};
+  json.update(packed(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
+  return json;
+}
 
 Json report_json(const Report& report) {
   Json methods = Json::array();

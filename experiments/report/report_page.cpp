@@ -1,12 +1,13 @@
-#include "shapegauge/experiments/report/report_page.h"
-
 #include <array>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <string_view>
 #include <utility>
 
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/report/report_json.h"
 
-/// The files that the report's page is made of (experiments/report/page/), as the program carries them.
+/// The files of experiments/report/page/, as the build compiles them in (page_files.cpp.in).
 namespace shapegauge::page_files {
 
 std::string_view page();           ///< page.html, with marks such as {{data}} where the rest goes

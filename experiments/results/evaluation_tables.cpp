@@ -8,7 +8,6 @@ namespace shapegauge {
 namespace {
 
 using Row = std::vector<std::string>;
-constexpr FigureStyle csv_style{.percent = true, .decimals = 4};  // a hundredth of what a query of 10,000 is worth
 
 Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row words) {
   Table table{.header = std::move(words), .rows = {}, .text_columns = 0};
@@ -19,24 +18,24 @@ Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row word
   return table;
 }
 
-std::string figure(double fraction, const FigureStyle& style) {
+std::string score(double fraction, const ScoreStyle& style) {
   return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
 }
 
-void append_figures(Row& row, const Eigen::VectorXd& fractions, const FigureStyle& style) {
-  for (const double fraction : fractions) row.push_back(figure(fraction, style));
+void append_scores(Row& row, const Eigen::VectorXd& fractions, const ScoreStyle& style) {
+  for (const double fraction : fractions) row.push_back(score(fraction, style));
 }
 
-void add_beside(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals, const FigureStyle& style) {
+void add_beside(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals, const ScoreStyle& style) {
   for (std::size_t i = 0; i < intervals.size(); ++i) {
-    row[first + i] += fmt::format(" [{}, {}]", figure(intervals[i].low, style), figure(intervals[i].high, style));
+    row[first + i] += fmt::format(" [{}, {}]", score(intervals[i].low, style), score(intervals[i].high, style));
   }
 }
 
-void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const FigureStyle& style) {
+void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const ScoreStyle& style) {
   for (const ConfidenceInterval& interval : intervals) {
-    row.push_back(figure(interval.low, style));
-    row.push_back(figure(interval.high, style));
+    row.push_back(score(interval.low, style));
+    row.push_back(score(interval.high, style));
   }
 }
 
@@ -56,7 +55,7 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
   return {.micro = of(Average::micro), .macro = of(Average::macro)};
 }
 
-Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style, IntervalCells intervals) {
+Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style, IntervalCells intervals) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "average"});
   const std::size_t text_columns = table.text_columns;
   const bool columns = intervals == IntervalCells::columns && all_have_intervals(evaluations);
@@ -70,7 +69,7 @@ Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureSt
     const Evaluation& evaluation = *named.evaluation;
     for (const bool micro : {true, false}) {
       Row row{named.method, name_of(evaluation.protocol), micro ? "micro" : "macro"};
-      append_figures(row, micro ? evaluation.micro : evaluation.macro, style);
+      append_scores(row, micro ? evaluation.micro : evaluation.macro, style);
       const std::vector<ConfidenceInterval>& of_average = micro ? named.intervals.micro : named.intervals.macro;
       if (columns) add_columns(row, of_average, style);
       if (intervals == IntervalCells::beside) add_beside(row, text_columns, of_average, style);
@@ -91,8 +90,8 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations) {
       for (std::size_t i = 0; i < intervals.size(); ++i) {
         const double value = (micro ? evaluation.micro : evaluation.macro)[static_cast<Eigen::Index>(i)];
         table.rows.push_back({named.method, name_of(evaluation.protocol), micro ? "micro" : "macro",
-                              evaluation.measures[i], figure(value, csv_style), figure(intervals[i].low, csv_style),
-                              figure(intervals[i].high, csv_style)});
+                              evaluation.measures[i], score(value, csv_style), score(intervals[i].low, csv_style),
+                              score(intervals[i].high, csv_style)});
       }
     }
   }
@@ -107,7 +106,7 @@ Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<co
       const int label = evaluation.classes[i];
       Row row{named.method, name_of(evaluation.protocol), class_names[static_cast<std::size_t>(label)],
               fmt::format("{}", std::ranges::count(evaluation.query_classes, label))};
-      append_figures(row, evaluation.per_class.row(static_cast<Eigen::Index>(i)), csv_style);
+      append_scores(row, evaluation.per_class.row(static_cast<Eigen::Index>(i)), csv_style);
       table.rows.push_back(std::move(row));
     }
   }
@@ -115,14 +114,14 @@ Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<co
 }
 
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names) {
+                      std::span<const std::string> class_names, const ScoreStyle& style) {
   Table table = table_with_measures(evaluations, {"method", "protocol", "id", "class"});
   for (const NamedEvaluation& named : evaluations) {
     const Evaluation& evaluation = *named.evaluation;
     for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
       Row row{named.method, name_of(evaluation.protocol), ids[static_cast<std::size_t>(evaluation.queries[i])],
               class_names[static_cast<std::size_t>(evaluation.query_classes[i])]};
-      append_figures(row, evaluation.per_query.row(static_cast<Eigen::Index>(i)), csv_style);
+      append_scores(row, evaluation.per_query.row(static_cast<Eigen::Index>(i)), style);
       table.rows.push_back(std::move(row));
     }
   }
@@ -188,6 +187,15 @@ Json intervals_json(const Evaluation& evaluation, const std::vector<ConfidenceIn
 }
 
 }  // namespace
+
+Json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
+    json[ids[static_cast<std::size_t>(evaluation.queries[i])]] =
+        measures_json(evaluation, evaluation.per_query.row(static_cast<Eigen::Index>(i)));
+  }
+  return json;
+}
 
 Json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
                      const EvaluationIntervals& intervals) {

@@ -11,13 +11,16 @@
 
 namespace shapegauge {
 
-/// How figures are written.
-struct FigureStyle {
+/// How scores are written.
+struct ScoreStyle {
   bool percent = true;  ///< else fractions
   int decimals = 2;
 };
 
-/// How confidence intervals are made (metrics/statistics/bootstrap.h).
+/// Of tables in files: percent, to a hundredth of what a query of 10,000 is worth.
+inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
+
+/// How confidence intervals are made (bootstrap_intervals).
 struct IntervalOptions {
   double confidence = 0.95;
   Blocks blocks = Blocks::classes;
@@ -40,13 +43,13 @@ struct NamedEvaluation {
   EvaluationIntervals intervals{};
 };
 
-/// Where a table has the confidence intervals: nowhere, in the cell of each figure, or as further columns NN_low,
-/// NN_high, ... behind all figures, where every evaluation has intervals.
+/// Where a table has the confidence intervals: nowhere, in the cell of each score, or as further columns NN_low,
+/// NN_high, ... behind all scores, where every evaluation has intervals.
 enum class IntervalCells { none, beside, columns };
 
 /// A row for each evaluation and average (micro, macro): method, protocol, average, then the measures. The measures are
 /// those of the first evaluation. The best of each protocol and average is bold.
-Table summary_table(std::span<const NamedEvaluation> evaluations, const FigureStyle& style = {},
+Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style = {},
                     IntervalCells intervals = IntervalCells::none);
 
 /// A row for each evaluation, average and measure: method, protocol, average, measure, value, low, high; percent. No
@@ -56,10 +59,10 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations);
 /// A row for each evaluation and class: method, protocol, class, number of queries, measures in percent.
 Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
-/// A row for each evaluation and query: method, protocol, id of the query, its class, measures in percent. ids are by
-/// row of the matrix.
+/// A row for each evaluation and query: method, protocol, id of the query, its class, measures. ids are by row of the
+/// matrix.
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names);
+                      std::span<const std::string> class_names, const ScoreStyle& style = csv_style);
 
 /// A row for each evaluation and level of recall: method, protocol, recall, precision averaged over queries, precision
 /// averaged over classes; fractions.
@@ -71,9 +74,12 @@ Table class_curves_table(std::span<const NamedEvaluation> evaluations, std::span
 /// A curve as psbPlot writes it, for gnuplot: recall and precision, a level a line.
 std::string psb_plot(const PrecisionRecallCurve& curve);
 
-/// An evaluation as JSON (the design, section 6): protocol, ties, number of queries, of those that ties could change,
-/// and of models that are never queries; the measures as fractions: micro, macro, and per class by the class's name;
-/// and where there are intervals those of the averages.
+/// The measures of each query by its id, as fractions.
+nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
+
+/// An evaluation as JSON (docs/definitions.md#result-files): protocol, ties, number of queries, of those that ties
+/// could change, and of models that are never queries; the measures as fractions: micro, macro, and per class by the
+/// class's name; and where there are intervals those of the averages.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
                                        const EvaluationIntervals& intervals = {});
 

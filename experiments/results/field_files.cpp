@@ -70,10 +70,6 @@ void write_coloured_shape(const fs::path& path, const Shape& shape, const Sample
   write_ply(path, shape, samples.site, values, colours(samples, values));
 }
 
-void write_picture(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
-  write_png(path, render_shape(shape, colours(samples, values), samples.site));
-}
-
 void write_normals_csv(const fs::path& path, const Shape& /*shape*/, const Samples& samples, const Points& normals) {
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "index,nx,ny,nz,weight\n");
@@ -104,12 +100,17 @@ void write_normals_xyz(const fs::path& path, const Shape& /*shape*/, const Sampl
 
 }  // namespace
 
-FieldFileWriter field_file_writer(const fs::path& path) {
+FieldFileWriter field_file_writer(const fs::path& path, const FieldPicture& picture) {
   const std::string extension = lower_case(path.extension().string());
   if (extension == ".csv") return write_csv;
   if (extension == ".npy") return write_values;
   if (extension == ".ply") return write_coloured_shape;
-  if (extension == ".png") return write_picture;
+  if (extension == ".png") {
+    return [picture](const fs::path& file, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+      const RenderOptions view = picture.principal ? principal_view(shape, picture.render) : picture.render;
+      write_png(file, render_shape(shape, colours(samples, values), samples.site, view));
+    };
+  }
   throw InputError(fmt::format("cannot write {}: the name must end in .csv, .npy, .ply or .png", path.string()));
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 
+#include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -13,10 +14,16 @@ namespace shapegauge {
 using FieldFileWriter =
     std::function<void(const std::filesystem::path&, const Shape&, const Samples&, const Eigen::VectorXd& values)>;
 
+/// How a picture of a field is taken.
+struct FieldPicture {
+  RenderOptions render;
+  bool principal = false;  ///< seen along the shape's own axes (principal_view()) instead of from `render`'s direction
+};
+
 /// The writer for the format that the name's extension tells: .csv (columns index,sdf,weight, shortest numbers that
 /// read back the same), .npy (the values, one-dimensional), .ply (the shape, coloured, with the values as a property),
 /// .png (a picture). Colours go from the smallest value to the largest. Throws InputError for another extension.
-FieldFileWriter field_file_writer(const std::filesystem::path& path);
+FieldFileWriter field_file_writer(const std::filesystem::path& path, const FieldPicture& picture = {});
 
 /// Writes normals at the samples of a shape to a file, whole or not at all.
 using NormalFileWriter =

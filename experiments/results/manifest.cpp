@@ -1,6 +1,6 @@
 #include "shapegauge/experiments/results/manifest.h"
 
-#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/error.h"
@@ -33,7 +33,11 @@ Json outputs_json(const std::filesystem::path& folder, std::span<const std::stri
 
 Json fields_json(std::span<const FieldReport> fields) {
   Json list = Json::array();
-  for (const FieldReport& field : fields) list.push_back({{"field", field.settings}, {"samples", field.outcomes}});
+  for (const FieldReport& field : fields) {
+    Json entry{{"field", field.settings}, {"samples", field.outcomes}};
+    if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
+    list.push_back(std::move(entry));
+  }
   return list;
 }
 
@@ -49,8 +53,6 @@ Json execution_json(int threads, std::span<const std::pair<std::string, double>>
 }
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// SHA-256 of a file; nothing where it cannot be read.
 std::string readable_hash(const std::filesystem::path& file) {
@@ -92,8 +94,8 @@ Json cache_json(const CacheReport& cache) {
   Json json = Json::object();
   for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
     const CacheUse& use = cache.uses.at(kind);
-    if (use.taken + use.computed == 0) continue;
-    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.taken}, {"computed", use.computed}};
+    if (use.hits + use.computed == 0) continue;
+    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
   }
   return json;
 }

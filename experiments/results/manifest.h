@@ -1,19 +1,29 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 
-/// The parts that the manifests of all kinds of runs have.
-
 namespace shapegauge {
+
+/// The manifest of a run: all there is to know of it and to repeat it. Program (program_json()), configuration with all
+/// defaults filled in, SHA-256 of every input, outcomes of samples, failed models, and the files of its results, which
+/// are in the folder already, with their SHA-256. Nothing in it but "execution" (threads, timings, use of the cache)
+/// depends on the number of threads or on the cache.
+nlohmann::ordered_json manifest(const ExperimentResults& results, const std::vector<std::string>& files,
+                                const std::filesystem::path& folder);
+
+/// The inputs of a run of a data set on disk as its manifest would record them. Models whose file cannot be read are
+/// left out. Runs in the calling TBB arena.
+nlohmann::ordered_json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models);
+
+// The parts that manifests of all kinds of runs have.
 
 /// The program and what it runs on: version, commit, compiler, build type, libraries, processor.
 nlohmann::ordered_json program_json();
@@ -21,24 +31,11 @@ nlohmann::ordered_json program_json();
 /// SHA-256 of the result files in the folder, by name; not of tables of timings, which differ from run to run.
 nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);
 
-/// For each field its settings and its samples by outcome.
+/// For each field its settings, its samples by outcome, and how many shapes its offset leaks into.
 nlohmann::ordered_json fields_json(std::span<const FieldReport> fields);
 
 /// Threads, seconds by stage, and seconds by field: what differs from run to run.
 nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
                                       std::span<const FieldReport> fields);
-
-/// What a run was, to know and to repeat it: version, commit, compiler, libraries, configuration with all defaults
-/// filled in, SHA-256 of every input, outcomes of samples, failed models, threads, timings, and the files of its
-/// results. Everything but "execution" (threads, timings, use of the cache) is the same whatever the number of threads
-/// and whatever came from the cache.
-///
-/// `files`, in the folder, are written already: their SHA-256 is in the manifest, but for tables of timings.
-nlohmann::ordered_json manifest(const ExperimentResults& results, const std::vector<std::string>& files,
-                                const std::filesystem::path& folder);
-
-/// The inputs of a run of a data set on disk as its manifest would record them. Models whose file cannot be read are
-/// left out. Runs in the calling TBB arena.
-nlohmann::ordered_json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models);
 
 }  // namespace shapegauge

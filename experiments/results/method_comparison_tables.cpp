@@ -16,11 +16,11 @@ std::string mark_of(std::size_t method, std::size_t methods) {
   return methods <= letters ? std::string(1, static_cast<char>('a' + method)) : fmt::format("{}", method + 1);
 }
 
-std::string figure(double fraction, const FigureStyle& style) {
+std::string score(double fraction, const ScoreStyle& style) {
   return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
 }
 
-std::string signed_figure(double fraction, const FigureStyle& style) {
+std::string signed_score(double fraction, const ScoreStyle& style) {
   return fmt::format("{:+.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
 }
 
@@ -67,7 +67,7 @@ Json pair_json(const PairDifference& pair, const AlignedMethods& methods) {
 }  // namespace
 
 Table comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                         const ComparisonOptions& options, const FigureStyle& style) {
+                         const ComparisonOptions& options, const ScoreStyle& style) {
   Table table{.header = {"", "method"}, .rows = {}, .text_columns = 2};
   table.header.insert(table.header.end(), methods.measures.begin(), methods.measures.end());
   const double alpha = 1 - options.confidence;
@@ -76,8 +76,8 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
     for (std::size_t k = 0; k < comparisons.size(); ++k) {
       const ConfidenceInterval& interval = comparisons[k].intervals[method];
       table.rows.back().push_back(fmt::format("{} [{}, {}]",
-                                              figure(comparisons[k].averages[static_cast<Eigen::Index>(method)], style),
-                                              figure(interval.low, style), figure(interval.high, style)));
+                                              score(comparisons[k].averages[static_cast<Eigen::Index>(method)], style),
+                                              score(interval.low, style), score(interval.high, style)));
       const std::string marks = marks_behind(method, comparisons[k], alpha);
       if (!marks.empty()) table.emphases.push_back({.row = method, .column = 2 + k, .bold = false, .mark = marks});
     }
@@ -86,8 +86,8 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
   return table;
 }
 
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                  const FigureStyle& style, bool exact) {
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
+                  bool exact) {
   Table table{.header = {"measure", "first", "second", "difference", "low", "high", "p", "p_holm", "p_tukey",
                          "effect_size", "wins", "ties", "losses"},
               .rows = {},
@@ -95,8 +95,8 @@ Table pairs_table(const AlignedMethods& methods, std::span<const MethodCompariso
   for (std::size_t k = 0; k < comparisons.size(); ++k) {
     for (const PairDifference& pair : comparisons[k].pairs) {
       table.rows.push_back({methods.measures[k], methods.methods[pair.first], methods.methods[pair.second],
-                            signed_figure(pair.difference, style), signed_figure(pair.interval.low, style),
-                            signed_figure(pair.interval.high, style), p_value(pair.p, exact),
+                            signed_score(pair.difference, style), signed_score(pair.interval.low, style),
+                            signed_score(pair.interval.high, style), p_value(pair.p, exact),
                             p_value(pair.p_holm, exact), p_value(pair.p_tukey, exact),
                             fmt::format("{:.2f}", pair.effect_size), fmt::format("{}", pair.queries.wins),
                             fmt::format("{}", pair.queries.ties), fmt::format("{}", pair.queries.losses)});
@@ -125,6 +125,7 @@ Json comparison_json(const AlignedMethods& methods, std::span<const MethodCompar
           {"test", name_of(options.test)},
           {"blocks", name_of(options.blocks)},
           {"units", comparisons.empty() ? 0 : comparisons[0].units},
+          {"smallest_p", comparisons.empty() ? 0 : smallest_p_value(options, comparisons[0].units)},
           {"queries", methods.classes.size()},
           {"confidence", options.confidence},
           {"resamples", options.resampling.resamples},

@@ -4,23 +4,23 @@
 #include <span>
 #include <string>
 
-#include "shapegauge/experiments/evaluation/method_values.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/metrics/method_comparison.h"
 
 namespace shapegauge {
 
-/// A row for each method: a letter, its name, its average by measure with the confidence interval. Behind a figure
+/// A row for each method: a letter, its name, its average by measure with the confidence interval. Behind a score
 /// stand the letters of the methods that it is significantly better than: p, after Holm's correction, at most 1 -
 /// confidence. The best of each measure is bold. comparisons are by measure.
 Table comparison_summary(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                         const ComparisonOptions& options, const FigureStyle& style);
+                         const ComparisonOptions& options, const ScoreStyle& style);
 
 /// A row for each measure and pair: measure, first, second, difference, its interval (low, high), p, p_holm, p_tukey,
 /// effect_size, and on how many queries the first wins, ties, loses. `exact`: p-values with all digits, for files.
-Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                  const FigureStyle& style, bool exact);
+Table pairs_table(const AlignedMethods& methods, std::span<const MethodComparison> comparisons, const ScoreStyle& style,
+                  bool exact);
 
 /// Both as JSON, in fractions, with the settings.
 nlohmann::ordered_json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
 namespace shapegauge {
 
-/// The manifest of a run. Throws InputError where the file cannot be read or is none that tells how to repeat the run.
+/// The manifest of a run. Throws InputError where the file cannot be read or does not say how to repeat the run.
 nlohmann::json read_manifest(const std::filesystem::path& path);
 
 /// The configuration in a manifest, to be run again. With a `root` that is not empty, the data set is looked for there:
@@ -16,14 +15,13 @@ nlohmann::json read_manifest(const std::filesystem::path& path);
 /// InputError where the run has no data set of files.
 nlohmann::json recorded_configuration(const nlohmann::json& manifest, const std::filesystem::path& root);
 
-/// In words, one line each, how the inputs of a run ("inputs" of its manifest) are others than those recorded: changed,
-/// absent, new.
+/// How the inputs of a run ("inputs" of its manifest) differ from those recorded, a line each: changed, absent, new.
 std::vector<std::string> changed_inputs(const nlohmann::json& recorded, const nlohmann::json& now);
 
-/// In words, how the program that is running is another than the recorded one; empty where it is the same.
+/// How the running program differs from the recorded one, a line each: version, commit, libraries, processor.
 std::vector<std::string> changed_program(const nlohmann::json& manifest);
 
-/// What became of the outputs of a run that was repeated.
+/// The outputs of a repeated run beside the recorded ones.
 struct ComparedOutputs {
   std::vector<std::string> same;
   std::vector<std::string> different;  ///< other bytes, or absent now

@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -20,10 +21,78 @@
 
 namespace shapegauge {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 bool is_safe(char c) {
   return (std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & '\x80') == 0) || c == '-' || c == '.';
+}
+
+/// Whether the open file is still the one of that name.
+bool is_file_of(int descriptor, const fs::path& path) {
+  struct stat opened = {};
+  struct stat named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+/// What runs write, retrieval experiments first; comparisons after them.
+constexpr std::array<std::string_view, 17> result_names{
+    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv", "per_class.csv",
+    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",     "shape_seconds.csv",
+    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv"};
+
+/// Whether runs write files of that name, relative to the folder.
+bool is_result(const fs::path& file) {
+  if (file.parent_path() == "distances") return file.extension() == ".npy";
+  return std::ranges::find(result_names, file.string()) != result_names.end();
+}
+
+/// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
+nlohmann::json earlier_configuration(const fs::path& folder) {
+  try {
+    const nlohmann::json manifest = read_json(folder / manifest_name);
+    return manifest.is_object() ? manifest.value("configuration", nlohmann::json()) : nlohmann::json();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Whether a file that a run of any kind writes is in the folder.
+bool has_results(const fs::path& folder) {
+  return fs::exists(folder / manifest_name) ||
+         std::ranges::any_of(result_names, [&](std::string_view name) { return fs::exists(folder / name); });
+}
+
+/// The results that the manifest of an earlier run in the folder lists: names that runs give to files and no others.
+std::vector<std::string> earlier_results(const fs::path& folder) {
+  std::vector<std::string> files;
+  try {
+    if (!fs::exists(folder / manifest_name)) return {};
+    for (const auto& file : read_json(folder / manifest_name).value("files", std::vector<std::string>())) {
+      if (is_result(file)) files.push_back(file);
+    }
+  } catch (const std::exception&) {
+    files.clear();  // not a manifest of ours: nothing to clear away
+  }
+  return files;
+}
+
+/// Removes those of the earlier files that have not been written anew.
+void remove_superseded(const fs::path& folder, std::span<const std::string> earlier,
+                       std::span<const std::string> written) {
+  std::error_code ignored;  // a file that is gone already
+  for (const std::string& file : earlier) {
+    if (std::ranges::find(written, file) == written.end()) fs::remove(folder / file, ignored);
+  }
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+  make_folder(to.parent_path());
+  std::error_code failure;
+  fs::rename(from, to, failure);
+  if (failure) throw InputError(fmt::format("cannot write {}: {}", to.string(), failure.message()));
 }
 
 }  // namespace
@@ -55,19 +124,7 @@ std::vector<std::string> file_safe_names(std::span<const std::string> names) {
   return safe_names;
 }
 
-namespace {
-
-/// Whether the open file is still the one of that name.
-bool is_file_of(int descriptor, const std::filesystem::path& path) {
-  struct stat opened = {};
-  struct stat named = {};
-  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
-         opened.st_dev == named.st_dev;
-}
-
-}  // namespace
-
-FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / ".shapegauge-lock") {
+FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-lock") {
   make_folder(folder);
   while (true) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
@@ -93,40 +150,7 @@ FolderLock::~FolderLock() {
   ::close(descriptor_);
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
-/// What runs write, retrieval experiments first; comparisons after them.
-constexpr std::array<std::string_view, 17> result_names{
-    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv", "per_class.csv",
-    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",     "shape_seconds.csv",
-    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv"};
-
-/// Whether runs write files of that name, relative to the folder.
-bool is_result(const fs::path& file) {
-  if (file.parent_path() == "distances") return file.extension() == ".npy";
-  return std::ranges::find(result_names, file.string()) != result_names.end();
-}
-
-/// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
-nlohmann::json earlier_configuration(const fs::path& folder) {
-  try {
-    const nlohmann::json manifest = read_json(folder / manifest_name);
-    return manifest.is_object() ? manifest.value("configuration", nlohmann::json()) : nlohmann::json();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-}  // namespace
-
 bool holds_timings(std::string_view file) { return file == "shape_seconds.csv" || file == "timings.csv"; }
-
-bool has_results(const fs::path& folder) {
-  return fs::exists(folder / manifest_name) ||
-         std::ranges::any_of(result_names, [&](std::string_view name) { return fs::exists(folder / name); });
-}
 
 void make_folder(const fs::path& folder) {
   std::error_code failure;
@@ -134,27 +158,6 @@ void make_folder(const fs::path& folder) {
   if (failure || !fs::is_directory(folder)) {
     throw InputError(fmt::format("cannot make the folder {} for the results: {}", folder.string(),
                                  failure ? failure.message() : "there is a file of that name"));
-  }
-}
-
-std::vector<std::string> earlier_results(const fs::path& folder) {
-  std::vector<std::string> files;
-  try {
-    if (!fs::exists(folder / manifest_name)) return {};
-    for (const auto& file : read_json(folder / manifest_name).value("files", std::vector<std::string>())) {
-      if (is_result(file)) files.push_back(file);
-    }
-  } catch (const std::exception&) {
-    files.clear();  // not a manifest of ours: nothing to clear away
-  }
-  return files;
-}
-
-void remove_superseded(const fs::path& folder, std::span<const std::string> earlier,
-                       std::span<const std::string> written) {
-  std::error_code ignored;  // a file that is gone already
-  for (const std::string& file : earlier) {
-    if (std::ranges::find(written, file) == written.end()) fs::remove(folder / file, ignored);
   }
 }
 
@@ -172,19 +175,6 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
                   "with --replace",
                   folder.string()));
 }
-
-namespace fs = std::filesystem;
-
-namespace {
-
-void move_file(const fs::path& from, const fs::path& to) {
-  make_folder(to.parent_path());
-  std::error_code failure;
-  fs::rename(from, to, failure);
-  if (failure) throw InputError(fmt::format("cannot write {}: {}", to.string(), failure.message()));
-}
-
-}  // namespace
 
 StagedResults::StagedResults(fs::path destination)
     : destination_(std::move(destination)), folder_(destination_ / ".shapegauge-new") {

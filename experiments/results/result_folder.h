@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,16 +9,15 @@
 
 namespace shapegauge {
 
-/// The name with everything but letters, digits, `.`, `-` and `_` of ASCII replaced by one `_` each run, none at the
-/// ends, at most 100 characters; never empty, hidden, `.` or `..`. For "Our SDF (d = 1%)": "Our_SDF_d_1".
+/// The name with every run of characters other than ASCII letters, digits, `.`, `-` and `_` replaced by one `_`, none
+/// at the ends; 1 to 100 characters, never hidden, `.` or `..`. For "Our SDF (d = 1%)": "Our_SDF_d_1".
 std::string file_safe_name(std::string_view name);
 
-/// A file-safe name for each name, no two alike even where upper and lower case are one: later ones get _2, _3, ...
+/// A file-safe name for each name, all different even where case does not count: later ones get _2, _3, ...
 std::vector<std::string> file_safe_names(std::span<const std::string> names);
 
-/// While it lives, the folder is this run's own: no other run can have its lock. It is a lock of the operating system
-/// (flock) on a file in the folder, so that a run that is killed leaves none behind. Where the file system knows no
-/// locks, nothing is locked.
+/// A lock on a result folder, held for the object's lifetime. It is a lock of the operating system (flock) on a file in
+/// the folder: a run that is killed leaves none behind. On a file system without locks nothing is locked.
 class FolderLock {
  public:
   /// Makes the folder where it is absent. Throws InputError where it cannot be made or written to, and where another
@@ -35,36 +34,26 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// The name of the file in the folder that is written last and lists the others.
+/// The file that is written last and lists the others.
 inline constexpr std::string_view manifest_name = "manifest.json";
 
-/// The name of the page that shows the results.
+/// The page that shows the results.
 inline constexpr std::string_view report_name = "report.html";
 
 /// Whether the result file of that name holds seconds, which differ from run to run.
 bool holds_timings(std::string_view file);
 
-/// Whether a file that a run of any kind writes is in the folder.
-bool has_results(const std::filesystem::path& folder);
-
 /// Makes the folder, where absent. Throws InputError where that is not possible.
 void make_folder(const std::filesystem::path& folder);
 
-/// The results that the manifest of an earlier run in the folder lists: names that runs give to files and no others.
-std::vector<std::string> earlier_results(const std::filesystem::path& folder);
-
-/// Removes those of the earlier files that have not been written anew.
-void remove_superseded(const std::filesystem::path& folder, std::span<const std::string> earlier,
-                       std::span<const std::string> written);
-
-/// Makes the folder for a run's results ready, before the run. A folder that is new, has no results in it, or has those
-/// of the very same configuration may be used: repeating a run replaces its files. Throws InputError where the folder
-/// holds the results of something else, unless `replace` is set, or cannot be made or written to.
+/// Prepares the result folder before a run. A folder is usable that is new, holds no results, or holds those of the
+/// same configuration: repeating a run replaces its files. Throws InputError where the folder holds the results of
+/// something else, unless `replace` is set, or cannot be made or written to.
 void prepare_result_folder(const std::filesystem::path& folder, const nlohmann::json& configuration, bool replace);
 
-/// New results on their way into a folder that may hold earlier ones. They are written into a folder of their own
-/// inside it first; only when all are there do they take the place of the earlier ones. A disk that fills up on the way
-/// thus leaves the earlier results as they were.
+/// New results for a folder that may hold earlier ones. They are written to a folder of their own inside it and replace
+/// the earlier ones only when all are complete: a disk that fills up on the way leaves the earlier results as they
+/// were.
 class StagedResults {
  public:
   /// Makes the folder and, empty, the one inside it. Throws InputError where that is not possible. Nobody else may do

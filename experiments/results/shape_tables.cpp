@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,7 +12,7 @@ namespace shapegauge {
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
   // A length greater than 0 has a diagonal greater than 0 beside it.
   const auto fraction = [&](double length) { return length > 0 ? length / diagnostics.diagonal : 0; };
-  return {{"closed", diagnostics.closed},
+  return {{"closed", diagnostics.watertight},
           {"vertices", diagnostics.vertices},
           {"unreferenced_vertices", diagnostics.unreferenced_vertices},
           {"coincident_vertices", diagnostics.coincident_vertices},

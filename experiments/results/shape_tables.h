@@ -1,9 +1,9 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 

@@ -1,5 +1,3 @@
-#include "shapegauge/experiments/results/write_comparison.h"
-
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -9,14 +7,17 @@
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/experiments/results/write_results.h"
 
 namespace shapegauge {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
@@ -39,8 +40,7 @@ void append(Row& row, const NormalErrors& errors) {
   for (const double value : {errors.mean, errors.median, errors.percentile_90}) row.push_back(number(value));
 }
 
-}  // namespace
-
+/// A row for each signature, shape and bin: the bin's number and bounds, and its fraction of the area.
 Table histograms_table(const ComparisonResults& results) {
   Table table{.header = {"signature", "shape", "bin", "low", "high", "share"}, .rows = {}, .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, const Row& names) {
@@ -56,6 +56,7 @@ Table histograms_table(const ComparisonResults& results) {
   return table;
 }
 
+/// A row for each signature and shape: its distance from the reference. No rows without a reference.
 Table distances_table(const ComparisonResults& results) {
   const Comparison& comparison = results.comparison;
   Table table{.header = {"signature", "shape", "reference", comparison.distance}, .rows = {}, .text_columns = 3};
@@ -68,6 +69,7 @@ Table distances_table(const ComparisonResults& results) {
   return table;
 }
 
+/// A row for each signature and shape: samples, those without a value, and the ValueErrors, if there are any.
 Table errors_table(const ComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal", "percentile_90_of_diagonal",
                          "median_relative", "percentile_90_relative"},
@@ -88,6 +90,7 @@ Table errors_table(const ComparisonResults& results) {
   return table;
 }
 
+/// A row for each signature whose field estimates normals, and shape: the NormalErrors of those and of its own.
 Table normals_table(const ComparisonResults& results) {
   Table table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
@@ -105,6 +108,7 @@ Table normals_table(const ComparisonResults& results) {
   return table;
 }
 
+/// A row for each signature and shape: how long things took. The one table that differs from run to run.
 Table timings_table(const ComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
                          "microseconds_per_sample"},
@@ -122,10 +126,6 @@ Table timings_table(const ComparisonResults& results) {
   });
   return table;
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
 
 Table shapes_table(const ComparisonResults& results) {
   Table table{.header = {"shape"}, .rows = {}};
@@ -151,6 +151,9 @@ std::string summary_markdown(const ComparisonResults& results) {
   for (const auto& [title, table] : comparing_tables(results)) {
     text += fmt::format("\n## {}\n\n{}", title, to_markdown(table));
   }
+  const std::vector<std::string> warnings = field_warnings(results.fields);
+  if (!warnings.empty()) text += "\n## Warnings\n\n";
+  for (const std::string& warning : warnings) text += fmt::format("- {}\n", warning);
   return text;
 }
 

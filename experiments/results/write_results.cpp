@@ -1,12 +1,13 @@
 #include "shapegauge/experiments/results/write_results.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/files/npy.h"
-#include "shapegauge/experiments/report/report_page.h"
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"

@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -52,68 +52,18 @@ const Json& program() {
   return program;
 }
 
+Json versions_of(const std::vector<Perturbation>& steps) {
+  Json versions = Json::object();
+  for (const Perturbation& step : steps) versions.update(step.versions);
+  return versions;
+}
+
 std::string key_of(EntryKind kind, Json depends_on) {
   depends_on["kind"] = name_of(kind);
   depends_on["program"] = program();
   // Keys of objects come in order, numbers as the shortest text that reads back the same.
   return sha256(depends_on.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
-
-}  // namespace
-
-std::string shape_key(const ModelSource& source, const Configuration& configuration) {
-  Json depends_on{{"file", source.sha256},
-                  {"extension", lower_case(source.file.extension().string())},
-                  {"preparation", to_json(configuration.preparation)},
-                  {"versions", {shape_reading_version, preparation_version, diagnostics_version}}};
-  if (!configuration.perturbations.empty()) {
-    depends_on["perturbations"] = to_json(configuration.perturbations);
-    depends_on["perturbed"] = {perturbations_version, configuration.seed, sha256(source.id), source.index};
-  }
-  return key_of(EntryKind::shape, std::move(depends_on));
-}
-
-std::string samples_key(const std::string& shape, const SamplePlan& plan) {
-  return key_of(EntryKind::samples, {{"shape", shape}, {"plan", to_json(plan)}, {"version", samples_version}});
-}
-
-std::string field_key(const std::string& shape, const Field& field) {
-  return key_of(
-      EntryKind::field,
-      {{"samples", samples_key(shape, field.samples)}, {"settings", field.settings}, {"versions", field.versions}});
-}
-
-std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram) {
-  return key_of(EntryKind::histogram,
-                {{"field", field}, {"settings", to_json(histogram)}, {"version", histogram_version}});
-}
-
-std::string picture_key(const std::string& field, const PictureOptions& options) {
-  return key_of(EntryKind::picture, {{"field", field},
-                                     {"range", {options.range.low, options.range.high}},
-                                     {"size", {options.width, options.height}},
-                                     {"version", picture_version}});
-}
-
-std::string distances_key(const Signatures& signatures, const std::string& distance) {
-  const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
-  const std::string_view numbers(reinterpret_cast<const char*>(signatures.data()), bytes);
-  return key_of(EntryKind::distances, {{"signatures", sha256(numbers)},
-                                       {"size", {signatures.rows(), signatures.cols()}},
-                                       {"distance", distance},
-                                       {"version", distances_version}});
-}
-
-// By name, every member: one that is missing here would come back from the cache as zero.
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
-                                   triangles, area, degenerate_triangles, duplicate_triangles, components, closed,
-                                   edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
-                                   gap_size, point_spacing, noise_deviation, noisy)
-
-namespace {
-
-using Json = nlohmann::json;
 
 /// The program does not compile where a member is added to ShapeDiagnostics: name it above, too.
 [[maybe_unused]] void all_members_are_named(const ShapeDiagnostics& diagnostics) {
@@ -152,6 +102,57 @@ FieldDescription read_facts(const Json& record) {
 }
 
 }  // namespace
+
+std::string shape_key(const ModelSource& source, const Configuration& configuration) {
+  Json depends_on{{"file", source.sha256},
+                  {"extension", lower_case(source.file.extension().string())},
+                  {"preparation", to_json(configuration.preparation)},
+                  {"versions", {shape_reading_version, preparation_version, diagnostics_version}}};
+  if (!configuration.perturbations.empty()) {
+    depends_on["perturbations"] = to_json(configuration.perturbations);
+    depends_on["perturbed"] = {versions_of(configuration.perturbations), configuration.seed, sha256(source.id),
+                               source.index};
+  }
+  return key_of(EntryKind::shape, std::move(depends_on));
+}
+
+std::string samples_key(const std::string& shape, const SamplePlan& plan) {
+  return key_of(EntryKind::samples, {{"shape", shape}, {"plan", to_json(plan)}, {"version", samples_version}});
+}
+
+std::string field_key(const std::string& shape, const Field& field) {
+  return key_of(
+      EntryKind::field,
+      {{"samples", samples_key(shape, field.samples)}, {"settings", field.settings}, {"versions", field.versions}});
+}
+
+std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram) {
+  return key_of(EntryKind::histogram,
+                {{"field", field}, {"settings", to_json(histogram)}, {"version", histogram_version}});
+}
+
+std::string picture_key(const std::string& field, const PictureOptions& options) {
+  return key_of(EntryKind::picture, {{"field", field},
+                                     {"range", {options.range.low, options.range.high}},
+                                     {"size", {options.width, options.height}},
+                                     {"version", picture_version}});
+}
+
+std::string distances_key(const Signatures& signatures, const std::string& distance) {
+  const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
+  const std::string_view numbers(reinterpret_cast<const char*>(signatures.data()), bytes);
+  return key_of(EntryKind::distances, {{"signatures", sha256(numbers)},
+                                       {"size", {signatures.rows(), signatures.cols()}},
+                                       {"distance", distance},
+                                       {"version", distances_version}});
+}
+
+// By name, every member: one that is missing here would come back from the cache as zero.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
+                                   triangles, area, degenerate_triangles, duplicate_triangles, components, watertight,
+                                   edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,
+                                   gap_size, point_spacing, noise_deviation, noisy)
 
 Json numbers_record(const Eigen::VectorXd& numbers) { return binary(numbers.data(), numbers.size()); }
 Eigen::VectorXd read_numbers(const Json& record) { return read_binary<Eigen::VectorXd>(record); }

@@ -37,70 +37,6 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
   return table;
 }
 
-}  // namespace
-
-std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
-                                            std::span<const PlannedField> plan,
-                                            const std::vector<SignatureConfiguration>& signatures) {
-  std::vector<Signatures> tables(signatures.size());
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    for (const std::size_t i : plan[field].signatures) {
-      tables[i] = histograms_of(models, signatures[i].histogram, i, field);
-    }
-  }
-  for (const std::size_t i : computation_order(signatures)) {
-    if (signatures[i].field) continue;
-    std::vector<Signatures> parts;
-    for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part]);
-    tables[i] = concatenate(parts);
-  }
-  return tables;
-}
-
-std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
-                                       std::span<const PlannedField> plan) {
-  std::vector<FieldReport> reports;
-  for (std::size_t field = 0; field < plan.size(); ++field) {
-    FieldReport& report = reports.emplace_back();
-    report.settings = plan[field].field.settings;
-    for (const ModelDescription* model : models) {
-      report.seconds += model->fields[field].seconds;
-      for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
-    }
-  }
-  return reports;
-}
-
-ShapeReport report_shape(const ModelDescription& model) {
-  ShapeReport report{.sha256 = model.sha256,
-                     .diagnostics = model.diagnostics,
-                     .chosen = model.chosen,
-                     .area = model.area,
-                     .noise = model.noise,
-                     .pass_band = model.pass_band,
-                     .outcomes = {},
-                     .offsets = {},
-                     .seconds = {}};
-  for (const FieldDescription& field : model.fields) {
-    report.outcomes.push_back(field.outcomes);
-    report.offsets.push_back(field.offset);
-    report.seconds.push_back(field.seconds);
-  }
-  return report;
-}
-
-std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
-                                       const HistogramConfiguration& wanted, std::size_t field) {
-  if (wanted.range == HistogramRange::fixed) return std::vector(models.size(), wanted.fixed);
-  if (wanted.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
-  std::vector<Interval> ranges;
-  ranges.reserve(models.size());
-  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
-  return ranges;
-}
-
-namespace {
-
 /// What became of each model.
 struct Described {
   std::vector<std::optional<ModelDescription>> models;
@@ -144,6 +80,79 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
 
 }  // namespace
 
+std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
+                                            std::span<const PlannedField> plan,
+                                            const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<Signatures> tables(signatures.size());
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    for (const std::size_t i : plan[field].signatures) {
+      tables[i] = histograms_of(models, signatures[i].histogram, i, field);
+    }
+  }
+  for (const std::size_t i : computation_order(signatures)) {
+    if (signatures[i].field) continue;
+    std::vector<Signatures> parts;
+    for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part]);
+    tables[i] = concatenate(parts);
+  }
+  return tables;
+}
+
+namespace {
+
+/// Whether the model's gaps are wider than the offset of a field on it. Fields without an offset do not leak.
+bool leaks(const ShapeDiagnostics& model, const FieldDescription& found, const nlohmann::json& settings) {
+  const auto given = settings.find("offset");
+  if (given == settings.end()) return false;
+  return model.gap_size > (found.offset ? *found.offset : given->get<double>()) * model.diagonal;
+}
+
+}  // namespace
+
+std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
+                                       std::span<const PlannedField> plan) {
+  std::vector<FieldReport> reports;
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    FieldReport& report = reports.emplace_back();
+    report.settings = plan[field].field.settings;
+    report.models = models.size();
+    for (const ModelDescription* model : models) {
+      report.seconds += model->fields[field].seconds;
+      if (leaks(model->diagnostics, model->fields[field], report.settings)) ++report.leaking;
+      for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
+    }
+  }
+  return reports;
+}
+
+ShapeReport report_shape(const ModelDescription& model) {
+  ShapeReport report{.sha256 = model.sha256,
+                     .diagnostics = model.diagnostics,
+                     .chosen = model.chosen,
+                     .area = model.area,
+                     .noise = model.noise,
+                     .pass_band = model.pass_band,
+                     .outcomes = {},
+                     .offsets = {},
+                     .seconds = {}};
+  for (const FieldDescription& field : model.fields) {
+    report.outcomes.push_back(field.outcomes);
+    report.offsets.push_back(field.offset);
+    report.seconds.push_back(field.seconds);
+  }
+  return report;
+}
+
+std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
+                                       const HistogramConfiguration& wanted, std::size_t field) {
+  if (wanted.range == HistogramRange::fixed) return std::vector(models.size(), wanted.fixed);
+  if (wanted.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
+  std::vector<Interval> ranges;
+  ranges.reserve(models.size());
+  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
+  return ranges;
+}
+
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache) {
   const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
@@ -172,6 +181,12 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
   std::vector<std::string> warnings;
   for (const FieldReport& field : fields) {
+    if (field.leaking > 0) {
+      warnings.push_back(fmt::format(
+          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
+          R"(use a larger offset or "auto")",
+          field.leaking, field.models, field.settings.dump()));
+    }
     for (const char* outcome : {"undecided", "missing"}) {
       const auto count = field.outcomes.find(outcome);
       if (count == field.outcomes.end() || count->second == 0) continue;

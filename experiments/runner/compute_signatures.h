@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/core/shape/diagnostics.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
@@ -18,7 +18,7 @@
 
 namespace shapegauge {
 
-/// What a run found of one model, as it was measured: after the perturbations, in the file's units.
+/// What a run found of one model, after the perturbations, in the file's units.
 struct ShapeReport {
   std::string sha256 = {};  ///< of the file; empty where there is none
   ShapeDiagnostics diagnostics;
@@ -40,7 +40,7 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const PlannedField> plan);
 
-/// What is reported of a model.
+/// The report of a model.
 ShapeReport report_shape(const ModelDescription& model);
 
 /// The range of each model's histogram of a field.
@@ -65,7 +65,7 @@ struct ComputedSignatures {
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache);
 
-/// What a reader of the results should know of the fields: a sentence for each outcome that leaves samples undecided or
+/// What a reader of the results should know of the fields, a sentence each: offsets that leak, samples undecided or
 /// without a value.
 std::vector<std::string> field_warnings(std::span<const FieldReport> fields);
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/core/shape/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
@@ -17,7 +17,7 @@
 
 namespace shapegauge {
 
-/// A field to compute on every shape, and who uses it.
+/// A field to compute on every shape, and the signatures that use it.
 struct PlannedField {
   Field field;
   std::vector<std::size_t> signatures;  ///< indices of the signatures that are histograms of it
@@ -53,8 +53,7 @@ struct ModelDescription {
   std::string picture;                      ///< model_picture(), where the configuration wants one
 };
 
-/// Told of each field of a plan once it is computed: its index, the shape as it was prepared, the samples on that, and
-/// what was computed.
+/// Called for each field of a plan once it is computed, with its index, the prepared shape, the samples and the values.
 using FieldObserver =
     std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
 
@@ -64,13 +63,13 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
-/// Adds to what is kept of a field its range, those of its histograms that need no other shape, and its values where
-/// the plan keeps them. Throws InputError where no sample has a value.
+/// Completes the description of a field: its range, the histograms that need no other shape, and its values where the
+/// plan keeps them. Throws InputError where no sample has a value.
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms);
 
-/// The histogram of values that were kept, over a range.
+/// The histogram, over a range, of the values that a description keeps.
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);
 
 }  // namespace shapegauge

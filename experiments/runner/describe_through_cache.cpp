@@ -33,18 +33,18 @@ class DescribedModel {
     }
   }
 
-  /// Takes what the cache has.
-  void take() {
-    shape_ = cache_->find(EntryKind::shape, shape_key_, read_shape_record);
+  /// Looks up what the cache has.
+  void lookup() {
+    shape_ = cache_->lookup(EntryKind::shape, shape_key_, read_shape_record);
     cache_->count(EntryKind::shape, shape_.has_value());
     if (pictured_) {
-      picture_ = cache_->find(EntryKind::picture, picture_key_, read_picture);
+      picture_ = cache_->lookup(EntryKind::picture, picture_key_, read_picture);
       cache_->count(EntryKind::picture, picture_.has_value());
     }
-    for (PartlyKnownField& field : fields_) take_field(field);
+    for (PartlyKnownField& field : fields_) lookup_field(field);
   }
 
-  /// What take() has not found, in the order of the plan.
+  /// What lookup() has not found, in the order of the plan.
   [[nodiscard]] std::vector<PlannedField> missing() const {
     std::vector<PlannedField> missing;
     for (const PartlyKnownField& field : fields_) {
@@ -55,10 +55,10 @@ class DescribedModel {
 
   [[nodiscard]] bool is_complete() const { return shape_ && missing().empty(); }
 
-  /// Keeps the values of the missing field of that index.
-  void keep_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
+  /// Stores the values of the missing field of that index.
+  void store_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
     const std::optional<Interval> range = value_range({.values = computed.values, .weights = samples.weights});
-    if (cache_->folder().empty() || !range) return;  // without a value the model is a failure: nothing to keep
+    if (cache_->folder().empty() || !range) return;  // without a value the model is a failure: nothing to store
     const PartlyKnownField& field = *missing_fields().at(index);
     FieldDescription facts;
     facts.range = *range;
@@ -66,7 +66,7 @@ class DescribedModel {
     facts.offset = computed.offset;
     facts.seconds = computed.build_seconds + computed.query_seconds;
     const std::string weights = samples_key(shape_key_, field.rest.field.samples);
-    if (weights_kept_.insert(weights).second) {
+    if (weights_stored_.insert(weights).second) {
       cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
     }
     cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
@@ -84,12 +84,12 @@ class DescribedModel {
     draw(shape, take_samples(shape, fields_[*pictured_].rest.field.samples), values_to_draw_);
   }
 
-  /// Adds what was computed of the missing fields, and keeps it.
+  /// Adds what was computed of the missing fields, and stores it.
   void complete(ModelDescription computed) {
     const std::vector<PartlyKnownField*> missing = missing_fields();
     for (std::size_t i = 0; i < missing.size(); ++i) {
       cache_->count(EntryKind::field, false);
-      keep_histograms(*missing[i], computed.fields[i], computed.histograms);
+      store_histograms(*missing[i], computed.fields[i], computed.histograms);
       missing[i]->found = std::move(computed.fields[i]);
     }
     if (shape_) return;
@@ -135,12 +135,12 @@ class DescribedModel {
     cache_->store(EntryKind::picture, picture_key_, picture_record(*picture_));
   }
 
-  void take_field(PartlyKnownField& field) {
+  void lookup_field(PartlyKnownField& field) {
     std::optional<FieldDescription> facts;
     std::erase_if(field.rest.signatures, [&](std::size_t signature) {
       if (wanted(signature).range == HistogramRange::dataset) return false;  // depends on the other shapes
       auto histogram =
-          cache_->find(EntryKind::histogram, histogram_key(field.key, wanted(signature)), read_histogram_record);
+          cache_->lookup(EntryKind::histogram, histogram_key(field.key, wanted(signature)), read_histogram_record);
       if (!histogram) return false;
       cache_->count(EntryKind::histogram, true);
       histograms_[signature] = std::move(histogram->bins);
@@ -148,16 +148,16 @@ class DescribedModel {
       return true;
     });
     const bool values_wanted = field.rest.keep_values || !field.rest.signatures.empty() || draws(field);
-    field.found = values_wanted ? take_values(field) : std::move(facts);
+    field.found = values_wanted ? lookup_values(field) : std::move(facts);
     if (field.found) cache_->count(EntryKind::field, true);
   }
 
   /// What the values in the cache tell of the field, with the histograms that are still to be computed.
-  std::optional<FieldDescription> take_values(PartlyKnownField& field) {
+  std::optional<FieldDescription> lookup_values(PartlyKnownField& field) {
     const std::string samples = samples_key(shape_key_, field.rest.field.samples);
-    const auto weights = cache_->find(EntryKind::samples, samples, read_numbers);
+    const auto weights = cache_->lookup(EntryKind::samples, samples, read_numbers);
     if (!weights) return std::nullopt;
-    auto cached = cache_->find(EntryKind::field, field.key, read_field_record);
+    auto cached = cache_->lookup(EntryKind::field, field.key, read_field_record);
     if (!cached || cached->values.size() != weights->size()) return std::nullopt;
     if (draws(field)) values_to_draw_ = cached->values;
     std::vector<Eigen::VectorXf> histograms(histograms_.size());
@@ -169,13 +169,13 @@ class DescribedModel {
     } catch (const InputError&) {
       return std::nullopt;
     }
-    keep_histograms(field, cached->facts, histograms);
+    store_histograms(field, cached->facts, histograms);
     return std::move(cached->facts);
   }
 
-  /// Takes over the histograms that were computed of a field.
-  void keep_histograms(const PartlyKnownField& field, const FieldDescription& facts,
-                       std::vector<Eigen::VectorXf>& histograms) {
+  /// Takes over the histograms that were computed of a field, and stores them.
+  void store_histograms(const PartlyKnownField& field, const FieldDescription& facts,
+                        std::vector<Eigen::VectorXf>& histograms) {
     for (const std::size_t signature : field.rest.signatures) {
       if (wanted(signature).range == HistogramRange::dataset) continue;
       cache_->count(EntryKind::histogram, false);
@@ -194,7 +194,7 @@ class DescribedModel {
   std::optional<ModelDescription> shape_;  ///< without fields and histograms
   std::vector<PartlyKnownField> fields_;
   std::vector<Eigen::VectorXf> histograms_;  ///< by signature
-  std::set<std::string> weights_kept_;       ///< by key
+  std::set<std::string> weights_stored_;     ///< by key
   std::optional<std::size_t> pictured_;      ///< the field that colours the picture, where one is wanted
   std::string picture_key_;
   std::optional<std::string> picture_;
@@ -210,7 +210,7 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   const std::string hash = sha256(bytes);
   const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
   DescribedModel described(configuration, plan, shape_key(depends_on, configuration), cache);
-  described.take();
+  described.lookup();
   const auto perturbed = [&] {
     return perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed, source.id,
                          model);
@@ -219,7 +219,7 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
     described.complete(describe_shape(
         perturbed(), configuration.preparation, configuration.signatures, described.missing(), parallel,
         [&](std::size_t field, const PreparedShape& prepared, const Samples& samples, const FieldValues& computed) {
-          described.keep_values(field, samples, computed);
+          described.store_values(field, samples, computed);
           described.draw_computed(field, prepared.shape, samples, computed.values);
         }));
   }

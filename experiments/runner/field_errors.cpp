@@ -15,7 +15,7 @@
 
 namespace shapegauge {
 
-double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share) {
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction) {
   if (values.size() != weights.size()) throw std::invalid_argument("as many weights as values are needed");
   const double total = weights.sum();
   if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
@@ -25,7 +25,7 @@ double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& w
   double below = 0;
   for (const Eigen::Index i : order) {
     below += weights[i];
-    if (weights[i] > 0 && below >= share * total) return values[i];
+    if (weights[i] > 0 && below >= fraction * total) return values[i];
   }
   return values[order.back()];  // rounding kept the sum short of the total
 }
@@ -40,6 +40,19 @@ double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool 
 const Shape& required_mesh(const Shape& shape) {
   if (is_cloud(shape)) throw std::invalid_argument("a point cloud has no triangles to take true normals from");
   return shape;
+}
+
+/// The value of the reference nearest to each point.
+Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
+  const Shape sites{.vertices = reference.points, .triangles = {}};
+  const UnitFrame frame = unit_frame(sites);
+  const TriangleBVH tree(in_unit_frame(sites, frame));
+  Eigen::VectorXd nearest(points.rows());
+  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+    const auto hit = tree.closest(frame.to_unit(points.row(i).transpose()));
+    nearest[i] = reference.values[hit.value().triangle];
+  });
+  return nearest;
 }
 
 }  // namespace
@@ -72,23 +85,6 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
           .median = weighted_quantile(angles, counted, 0.5),
           .percentile_90 = weighted_quantile(angles, counted, 0.9)};
 }
-
-namespace {
-
-/// The value of the reference nearest to each point.
-Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
-  const Shape sites{.vertices = reference.points, .triangles = {}};
-  const UnitFrame frame = unit_frame(sites);
-  const TriangleBVH tree(in_unit_frame(sites, frame));
-  Eigen::VectorXd nearest(points.rows());
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
-    const auto hit = tree.closest(frame.to_unit(points.row(i).transpose()));
-    nearest[i] = reference.values[hit.value().triangle];
-  });
-  return nearest;
-}
-
-}  // namespace
 
 PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit) {
   std::vector<Eigen::Index> kept;

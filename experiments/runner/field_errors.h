@@ -9,12 +9,12 @@
 
 namespace shapegauge {
 
-/// The least of the values such that those up to it have at least this share of the whole weight: 0.5 for a median,
-/// which is then always one of the values. NaN where there are no values or no weight. Throws std::invalid_argument
-/// where values and weights differ in number.
-double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double share);
+/// Weighted quantile: the smallest value such that the values up to it carry at least this fraction of the total
+/// weight. With 0.5 it is the (lower) median, always one of the values. NaN where there are no values or no weight.
+/// Throws std::invalid_argument where values and weights differ in number.
+double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction);
 
-/// A mesh whose triangles' normals are taken for the truth.
+/// Ground-truth normals: those of a mesh's triangles.
 class TrueNormals {
  public:
   /// Throws std::invalid_argument for a point cloud.

@@ -21,6 +21,8 @@
 
 namespace shapegauge {
 
+namespace {
+
 /// What the shapes of a comparison are compared with.
 struct ReferenceShape {
   double diagonal = 0;
@@ -33,14 +35,6 @@ struct MeasuredShape {
   ShapeMeasurement measurement;
   ModelDescription description;
 };
-
-/// Reads, perturbs and prepares the shape of this index, and computes the planned fields on it.
-/// - `reference`: what to compare with; nullptr: nothing. Measuring the reference itself fills it.
-/// Throws what describe_shape throws, and Interrupted between fields.
-MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std::span<const PlannedField> plan,
-                            ReferenceShape* reference, const RunControl& control);
-
-namespace {
 
 Shape shape_of(const ComparedShape& source) {
   return source.generated ? generate_model(*source.generated) : read_shape(source.file);
@@ -64,8 +58,9 @@ FieldMeasurement measure_field(const Samples& samples, const FieldValues& comput
   return measurement;
 }
 
-}  // namespace
-
+/// Reads, perturbs and prepares the shape of this index, and computes the planned fields on it.
+/// - `reference`: what to compare with; nullptr: nothing. Measuring the reference itself fills it.
+/// Throws what describe_shape throws, and Interrupted between fields.
 MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std::span<const PlannedField> plan,
                             ReferenceShape* reference, const RunControl& control) {
   const ComparedShape& source = comparison.shapes[index];
@@ -97,8 +92,6 @@ MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std
       describe_shape(std::move(perturbed), comparison.preparation, comparison.signatures, plan, true, observe);
   return measured;
 }
-
-namespace {
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -12,7 +12,7 @@
 
 namespace shapegauge {
 
-/// How whoever starts a run watches and stops it.
+/// Lets the caller of a run watch and stop it.
 struct RunControl {
   int threads = 0;                                           ///< 0: as many as the machine has
   std::function<bool()> interrupted = [] { return false; };  ///< asked between shapes; true: stop soon. Any thread.
@@ -21,22 +21,22 @@ struct RunControl {
       [](std::string_view, std::size_t, std::size_t) {};
 };
 
-/// A run that was stopped from outside. The message says what is left of it.
+/// Thrown where a run is interrupted. The message says what it leaves behind.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& message = "interrupted; no results were written")
       : std::runtime_error(message) {}
 };
 
-/// Number of threads that 0 stands for: what the machine has.
+/// The number of hardware threads, which 0 stands for.
 int available_threads();
 
-/// Runs the work with at most so many threads (0: available_threads()), its own included.
+/// Runs the work on at most `threads` threads (0: available_threads()), the calling one included.
 void with_threads(int threads, const std::function<void()>& work);
 
-/// Does a job for each of the models, in parallel over them, in the calling TBB arena. A job that throws is a failure
-/// of its model; with stop_at_failure, jobs that have not begun by then are not done. Returns the failures, in order of
-/// the models. Throws Interrupted.
+/// Runs a job for each model, in parallel, in the calling TBB arena. A job that throws makes its model a failure; with
+/// stop_at_failure, jobs that have not begun by then are skipped. Returns the failures in order of the models. Throws
+/// Interrupted.
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job);

@@ -50,37 +50,7 @@ void generate(const fs::path& folder, const GeneratorOptions& options, const Run
   write_file_atomically(record_file, record.dump(2) + "\n");
 }
 
-}  // namespace
-
-Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder,
-                        const RunControl& control) {
-  if (!configuration.generator) return find_dataset(configuration.location.value());
-  generate(generated_folder, *configuration.generator, control);
-  return find_dataset({.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
-}
-
-namespace {
-
 constexpr Eigen::Index most_shapes_kept = 2900;
-
-}  // namespace
-
-DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
-  const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
-  const std::string key = kept ? distances_key(signatures, distance) : "";
-  if (kept) {
-    if (auto distances = cache.find(EntryKind::distances, key, read_distances)) {
-      cache.count(EntryKind::distances, true);
-      return std::move(*distances);
-    }
-  }
-  DistanceMatrix distances = distance_matrix(signatures, distance);
-  cache.count(EntryKind::distances, false);
-  if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
-  return distances;
-}
-
-namespace {
 
 /// Seconds since the last call, or since the beginning.
 class Stopwatch {
@@ -152,6 +122,28 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
 }
 
 }  // namespace
+
+Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder,
+                        const RunControl& control) {
+  if (!configuration.generator) return find_dataset(configuration.location.value());
+  generate(generated_folder, *configuration.generator, control);
+  return find_dataset({.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
+}
+
+DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
+  const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
+  const std::string key = kept ? distances_key(signatures, distance) : "";
+  if (kept) {
+    if (auto distances = cache.lookup(EntryKind::distances, key, read_distances)) {
+      cache.count(EntryKind::distances, true);
+      return std::move(*distances);
+    }
+  }
+  DistanceMatrix distances = distance_matrix(signatures, distance);
+  cache.count(EntryKind::distances, false);
+  if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
+  return distances;
+}
 
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control, Cache& cache) {

@@ -10,14 +10,13 @@
 #include <thread>
 #include <unistd.h>
 
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge::test_command_line {
 
 Outcome run_executable(const std::string& arguments) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string output = (folder.path() / "output").string();
   const std::string errors = (folder.path() / "errors").string();
   const std::string command = "SHAPEGAUGE_CACHE='" + (folder.path() / "cache").string() + "' " +
@@ -25,8 +24,8 @@ Outcome run_executable(const std::string& arguments) {
                               "' </dev/null";
   const int status = std::system(command.c_str());
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
-          .output = test_experiments::text_of(output),
-          .errors = test_experiments::text_of(errors)};
+          .output = test::text_of(output),
+          .errors = test::text_of(errors)};
 }
 
 void expect_error_line(const Outcome& outcome, const std::string& words) {
@@ -105,8 +104,8 @@ int BackgroundRun::wait() {
 }
 
 void SmallRun::SetUp() {
-  test_experiments::write_small_dataset(at("data"));
-  test_experiments::write_text(at("small.json"), test_experiments::small_configuration("data").dump());
+  test::write_small_dataset(at("data"));
+  test::write_text(at("small.json"), test::small_configuration("data").dump());
 }
 
 }  // namespace shapegauge::test_command_line

@@ -7,7 +7,7 @@
 #include <sys/types.h>
 #include <vector>
 
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge::test_command_line {
 
@@ -69,7 +69,7 @@ class SmallRun : public testing::Test {
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 }  // namespace shapegauge::test_command_line

@@ -2,8 +2,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -15,7 +14,7 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 
 TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
   Cache(cache).store(EntryKind::field, std::string(64, '1'), std::string(1'500'000, 'x'));
   const Outcome outcome = run_executable("cache info --cache '" + cache + "'");
@@ -27,7 +26,7 @@ TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
 }
 
 TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string cache = (folder.path() / "cache").string();
   Cache(cache).store(EntryKind::field, std::string(64, '1'), 1);
   EXPECT_THAT(run_executable("cache clear --cache '" + cache + "'").output, HasSubstr("1 entries, 0.0 MB, removed"));
@@ -38,8 +37,8 @@ TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {
 }
 
 TEST(CacheCommand, UnusableArgumentsAreOneClearLine) {
-  const test_io::TemporaryFolder folder;
-  test_experiments::write_text(folder.path() / "file", "x");
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / "file", "x");
   expect_error_lines({{"cache", "subcommand is required"},
                       {"cache empty", "there is no command \"empty\""},
                       {"cache info --cache '" + (folder.path() / "file").string() + "'", "cannot read the cache"},

@@ -1,22 +1,22 @@
 #include <cmath>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -53,7 +53,7 @@ class CompareCommand : public testing::Test {
                             60, 60, [&](Eigen::Index i, Eigen::Index j) { return std::abs(place[i] - place[j]); }));
   }
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(CompareCommand, TellsWhatIsBetter) {
@@ -136,6 +136,36 @@ TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
   for (const auto& [outcome, words] : cases) expect_error_line(outcome, words);
 }
 
+TEST_F(CompareCommand, TooFewClassesAreTold) {
+  std::string table = "id,class\n";
+  for (int i = 0; i < 60; ++i) table += std::to_string(i) + ",c" + std::to_string(i / 20) + "\n";
+  write_text(at("three.csv"), table);
+  const std::string more = "--labels '" + at("three.csv") + "' --measures FT --format json ";
+  const Outcome outcome = compare("good.npy bad.npy", more);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("over 3 classes no p-value of the randomization test can be below 0.25"),
+                                    HasSubstr("--blocks queries")));
+  EXPECT_EQ(nlohmann::json::parse(outcome.output)["smallest_p"], 0.25);
+  EXPECT_THAT(compare("good.npy bad.npy", more + "--test t").errors, testing::Not(HasSubstr("p-value")));
+  EXPECT_THAT(compare_matrices("good.npy bad.npy").errors, testing::Not(HasSubstr("p-value")));
+}
+
+TEST_F(CompareCommand, FilesOfOneNameAreToldApart) {
+  std::filesystem::create_directory(at("x"));
+  std::filesystem::copy_file(at("bad.npy"), at("x/good.npy"));
+  const auto names = [&](const std::string& inputs, const std::string& more = "") {
+    const auto json = nlohmann::json::parse(compare_matrices(inputs, "--measures FT --format json " + more).output);
+    std::vector<std::string> found;
+    for (const auto& method : json["measures"]["FT"]["methods"]) found.push_back(method["method"]);
+    return found;
+  };
+  const std::vector<std::string> told_apart = names("good.npy x/good.npy");
+  EXPECT_EQ(told_apart[1], "x/good");
+  EXPECT_THAT(told_apart[0], AllOf(testing::EndsWith("/good"), testing::Ne("x/good")));
+  EXPECT_THAT(names("good.npy x/good.npy", "--names ours,theirs"), testing::ElementsAre("ours", "theirs"));
+  EXPECT_THAT(compare_matrices("good.npy good.npy").errors, HasSubstr("are the same file"));
+  expect_error_line(compare_matrices("good.npy bad.npy", "--names ours"), "1 names for 2 methods");
+}
+
 TEST(MeasuresCommand, ExplainsEveryMeasure) {
   const Outcome text = run_executable("measures");
   EXPECT_EQ(text.status, 0);
@@ -143,7 +173,7 @@ TEST(MeasuresCommand, ExplainsEveryMeasure) {
                                  HasSubstr("    Caveat: ")));
   const auto json = nlohmann::json::parse(run_executable("measures --format json").output);
   EXPECT_EQ(json[0]["name"], "NN");
-  EXPECT_EQ(json.size(), 14U);
+  EXPECT_EQ(json.size(), 15U);
 }
 
 }  // namespace

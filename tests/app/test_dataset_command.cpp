@@ -1,29 +1,28 @@
 #include <gmock/gmock.h>
 
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::write_text;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::write_text;
 using testing::HasSubstr;
 
 class DatasetCommand : public testing::Test {
  protected:
-  void SetUp() override { test_experiments::write_small_dataset(folder_.path()); }
+  void SetUp() override { test::write_small_dataset(folder_.path()); }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome dataset(const std::string& command) const {
     return run_executable("dataset " + command + " '" + folder_.path().string() + "'");
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(DatasetCommand, InfoCountsTheClasses) {
@@ -31,6 +30,19 @@ TEST_F(DatasetCommand, InfoCountsTheClasses) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("layout shrec11: 9 models in 3 classes"));
   EXPECT_THAT(outcome.output, HasSubstr("capsule       3"));
+}
+
+TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
+  EXPECT_THAT(dataset("info").output, testing::Not(HasSubstr("unusable")));
+  write_text(at("T2.off"), "garbage");
+  write_text(at("T4.off"), "more garbage");
+  const Outcome outcome = dataset("info");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("9 models in 3 classes, 2 of them unusable"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("sphere +3 +0\n"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("box +3 +1\n"));
+  EXPECT_THAT(outcome.output, testing::ContainsRegex("capsule +3 +1\n"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: model 2: "));
 }
 
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {

@@ -1,23 +1,23 @@
 #include <cmath>
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
@@ -46,7 +46,7 @@ class EvaluateCommand : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
@@ -124,6 +124,7 @@ TEST_F(EvaluateCommand, OrderSaysWhetherRowsFollowTheClassification) {
     return nlohmann::json::parse(run_executable(arguments + order).output)["micro"]["NN"].get<double>();
   };
   EXPECT_NEAR(nn(" --order classification"), 5.0 / 7, 1e-12);
+  EXPECT_NEAR(nn(" --order file"), 5.0 / 7, 1e-12);
   EXPECT_NEAR(nn(""), .571429, 1e-6);
 }
 
@@ -229,6 +230,61 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
       {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
       {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
   expect_error_lines(cases);
+}
+
+TEST_F(EvaluateCommand, JsonSaysWhatItIsOf) {
+  const auto json = nlohmann::json::parse(evaluate_toy("--format json").output);
+  EXPECT_EQ(json["file"], at("toy.npy"));
+  EXPECT_EQ(json["labels"], at("toy.cla"));
+  EXPECT_EQ(json["protocol"], "psb");
+  EXPECT_EQ(json["method"], "toy");
+  EXPECT_FALSE(json["version"].get<std::string>().empty());
+  EXPECT_FALSE(json.contains("per_query"));
+}
+
+TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
+  const Outcome table = evaluate_toy("-q --format csv --measures NN");
+  EXPECT_THAT(table.output, StartsWith("method,protocol,id,class,NN\ntoy,psb,0,A,100.0000\n"));
+  EXPECT_THAT(table.output, HasSubstr("\n\nmethod,protocol,average,NN\ntoy,psb,micro,57.1429\n"));
+  const auto json = nlohmann::json::parse(evaluate_toy("-q --format json --measures NN").output);
+  EXPECT_EQ(json["per_query"].size(), 7U);
+  EXPECT_EQ(json["per_query"]["0"]["NN"], 1);
+}
+
+TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {
+  write_text(at("run.txt"), "q1 Q0 a 1 3 mine\nq1 Q0 b 2 2 mine\n");
+  write_text(at("j.qrels"), "q1 0 b 1\nq2 0 a 1\n");
+  const std::string call = "evaluate '" + at("run.txt") + "' --qrels '" + at("j.qrels") + "' --format json ";
+  const auto json = nlohmann::json::parse(run_executable(call).output);
+  EXPECT_EQ(json["protocol"], "trec");
+  EXPECT_EQ(json["method"], "mine");
+  EXPECT_EQ(json["micro"]["mAP"], 0.5);
+  EXPECT_EQ(nlohmann::json::parse(run_executable(call + "-c").output)["micro"]["mAP"], 0.25);
+  EXPECT_EQ(nlohmann::json::parse(run_executable(call + "--protocol psb").output)["protocol"], "psb");
+}
+
+TEST_F(EvaluateCommand, AnyNumberOfThreadsGivesTheSameBytes) {
+  EXPECT_EQ(evaluate_toy("--threads 1 --format json").output, evaluate_toy("--threads 3 --format json").output);
+  EXPECT_EQ(evaluate_toy("--threads 0").status, 2);
+}
+
+TEST_F(EvaluateCommand, RowsFollowAListOfLabels) {
+  write_text(at("list.csv"), "id,class\n10,a\n2,a\n1,b\n");
+  write_text(at("list.txt"), "0 1 5\n1 0 4\n5 4 0\n");
+  const std::string call = "evaluate '" + at("list.txt") + "' --labels '" + at("list.csv") + "' --format json ";
+  const Outcome usual = run_executable(call);
+  EXPECT_EQ(nlohmann::json::parse(usual.output)["micro"]["NN"], 1);
+  EXPECT_THAT(usual.errors, HasSubstr("--order natural"));
+  const Outcome natural = run_executable(call + "--order natural");
+  EXPECT_EQ(nlohmann::json::parse(natural.output)["micro"]["NN"], 0.5);
+  EXPECT_THAT(natural.errors, testing::Not(HasSubstr("--order")));
+}
+
+TEST_F(EvaluateCommand, NamesWithLineEndsStayInTheirCells) {
+  std::filesystem::copy_file(at("toy.npy"), at("two\nlines.npy"));
+  EXPECT_THAT(evaluate_toy("--format csv --measures NN", "two\nlines.npy").output,
+              HasSubstr("\n\"two\nlines\",psb,micro,57.1429\n\"two\nlines\",psb,macro,"));
+  EXPECT_THAT(evaluate_toy("--measures NN", "two\nlines.npy").output, HasSubstr("two lines  psb"));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include "shapegauge/core/io/off.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -15,9 +15,9 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 
 TEST(InfoCommand, TellsOfAShapeInWordsAndAsJson) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string file = (folder.path() / "box.off").string();
-  Shape box = test_shapes::box({1, 1, 1}, 1);
+  Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
   write_off(file, box);
   const Outcome text = run_executable("info '" + file + "'");

@@ -3,17 +3,16 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
-using test_experiments::text_of;
 using testing::HasSubstr;
 
 class PerturbCommand : public testing::Test {
@@ -24,10 +23,10 @@ class PerturbCommand : public testing::Test {
     return run_executable("perturb '" + at("sphere.off") + "' -o '" + at(output) + "' " + more);
   }
 
-  Shape shape = test_shapes::sphere(10, 3);  // 1280 faces
+  Shape shape = test::sphere(10, 3);  // 1280 faces
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(PerturbCommand, MakesTheChangesInTheStatedOrder) {

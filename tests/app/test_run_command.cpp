@@ -1,22 +1,26 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
+#include "shapegauge/core/io/off.h"
 #include "tests/app/program.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
+using testing::StartsWith;
 
 /// A run over the small data set, recorded in out/manifest.json.
 class ReplayReport : public SmallRun {
@@ -109,13 +113,13 @@ TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
 namespace {
 
 namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_line;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::Not;
@@ -192,10 +196,7 @@ TEST_F(RunCommand, UnusableInputIsOneClearLine) {
        {file + out + "--frobnicate", "--frobnicate"},
        {file + out + "--threads 0", "--threads"},
        {file + out + "--threads many", "--threads"},
-       {"run", "configuration is required"},
-       {"", "subcommand is required"},
-       {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
-       {"dataset list x", "there is no command \"list\"; known here: \"info\""}});
+       {"run", "configuration is required"}});
 }
 
 TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
@@ -204,6 +205,38 @@ TEST_F(RunCommand, AnEmptyOrContradictoryClassificationIsOneClearLine) {
     SCOPED_TRACE(text);
     expect_error_line(run(), "test.cla");
   }
+}
+
+TEST_F(RunCommand, AnOffsetThatLeaksIsCountedInTerminalReportAndManifest) {
+  Shape open_box = test::small_shape("box", 0);
+  open_box.triangles = open_box.triangles.bottomRows(open_box.triangles.rows() - 8).eval();
+  write_off(at("data/T1.off"), open_box);
+  const std::string field = R"(--set 'signatures.0.field={"type":"offset_sdf","offset":0.005}')";
+  const Outcome outcome = run(field);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 9 shapes have gaps wider than the offset of the field "));
+  EXPECT_THAT(text_of(at("out/report.html")), HasSubstr("1 of 9 shapes have gaps wider than the offset"));
+  const auto fields = nlohmann::json::parse(text_of(at("out/manifest.json")))["fields"];
+  EXPECT_EQ(fields[0]["shapes_with_gaps_wider_than_offset"], 1);
+  EXPECT_FALSE(fields[1].contains("shapes_with_gaps_wider_than_offset")) << "the cone has no offset";
+  EXPECT_THAT(run("--replace " + field + R"( --set 'perturbations=[{"type":"remove_faces","fraction":0.3}]')").errors,
+              HasSubstr("warning: 9 of 9 shapes have gaps"));
+  EXPECT_EQ(run("--replace --set 'signatures.0.field={\"type\":\"offset_sdf\",\"offset\":\"auto\"}'").errors, "")
+      << "the opening is too wide to be a gap";
+}
+
+TEST_F(RunCommand, AComparisonWarnsOfAnOffsetThatLeaks) {
+  write_text(at("comparison.json"), R"({"name": "two", "reference": "a", "shapes": [
+    {"name": "a", "file": "data/T0.off"},
+    {"name": "b", "file": "data/T0.off", "perturbations": [{"type": "remove_faces", "fraction": 0.3}]}],
+    "signatures": [
+    {"name": "offset", "field": {"type": "offset_sdf", "offset": 0.005}, "histogram": {"range": "per-shape"}}]})");
+  const Outcome outcome = run_executable("run " + quoted("comparison.json") + " --output " + quoted("two"));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 1 of 2 shapes have gaps wider than the offset of the field "));
+  EXPECT_THAT(text_of(at("two/summary.md")), HasSubstr("1 of 2 shapes have gaps wider than the offset"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(at("two/manifest.json")))["fields"][0]["shapes_with_gaps_wider_than_offset"],
+            1);
 }
 
 TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
@@ -216,17 +249,6 @@ TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_EQ(text_of(at("errors")), "shapegauge: error: interrupted; no results were written\n");
   EXPECT_TRUE(fs::is_empty(at("out")));
-}
-
-TEST(Program, HelpAndVersionGoToStandardOutput) {
-  for (const std::string arguments : {"--help", "run --help", "sdf --help", "evaluate --help", "dataset --help",
-                                      "dataset info --help", "dataset validate --help", "dataset generate --help"}) {
-    const Outcome outcome = run_executable(arguments);
-    EXPECT_EQ(outcome.status, 0) << arguments;
-    EXPECT_THAT(outcome.output, HasSubstr("Example: shapegauge ")) << arguments;
-    EXPECT_EQ(outcome.errors, "") << arguments;
-  }
-  EXPECT_THAT(run_executable("--version").output, MatchesRegex("shapegauge [0-9.]+ \\([0-9a-z-]+\\)\n"));
 }
 
 }  // namespace

@@ -9,20 +9,20 @@
 
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "tests/app/program.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using test::text_of;
+using test::write_text;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
@@ -45,7 +45,7 @@ class RunWithCache : public SmallRun {
  protected:
   /// The more rays, the longer it takes.
   void write_configuration(int rays) const {
-    json configuration = test_experiments::small_configuration("data");
+    json configuration = test::small_configuration("data");
     for (json& signature : configuration["signatures"]) {
       if (signature.contains("field")) signature["field"]["rays"] = rays;
     }
@@ -140,6 +140,23 @@ TEST_F(RunWithCache, AnInterruptedRunGoesOnFromTheCache) {
                            "that were done are in the cache[^\n]*\n"));
   EXPECT_TRUE(fs::is_empty(at("out")));
   const std::size_t kept = fields_kept();
+  ASSERT_EQ(run_with_cache("out").status, 0);
+  EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
+}
+
+TEST_F(RunWithCache, ATerminatedRunEndsAsAnInterruptedOne) {
+  write_configuration(2000);
+  std::size_t kept = 0;
+  for (const auto& [signal, status] : {std::pair{SIGTERM, 143}, std::pair{SIGHUP, 129}}) {
+    BackgroundRun terminated(arguments("out"), at("errors"));
+    ASSERT_TRUE(terminated.wait_until([&] { return fields_kept() >= kept + 1; })) << text_of(at("errors"));
+    terminated.send(signal);
+    EXPECT_EQ(terminated.wait(), status);
+    EXPECT_THAT(text_of(at("errors")),
+                MatchesRegex("shapegauge: error: interrupted; no results were written\\. [^\n]*\n"));
+    EXPECT_TRUE(fs::is_empty(at("out"))) << "the lock is gone too";
+    kept = fields_kept();
+  }
   ASSERT_EQ(run_with_cache("out").status, 0);
   EXPECT_EQ(cache_use("out")["field"]["from_cache"], kept);
 }

@@ -8,21 +8,19 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/files/csv.h"
 #include "tests/app/program.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::text_of;
+using test::write_text;
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
 using test_command_line::UnusableCall;
-using test_experiments::text_of;
-using test_experiments::write_text;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -34,10 +32,10 @@ class SdfCommand : public testing::Test {
     return run_executable("sdf '" + at("sphere.off") + "' " + more);
   }
 
-  Shape shape = test_shapes::sphere(10, 3);
+  Shape shape = test::sphere(10, 3);
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
@@ -67,7 +65,7 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
 }
 
 TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
-  const Shape cloud = test_shapes::random_points(shape, 500, 1);
+  const Shape cloud = test::random_points(shape, 500, 1);
   std::string lines = "500\n";
   for (const auto& point : cloud.vertices.rowwise()) {
     lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);

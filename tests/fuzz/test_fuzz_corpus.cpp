@@ -57,14 +57,14 @@ class FuzzCorpus : public ::testing::TestWithParam<Target> {
     SCOPED_TRACE(file);
     const std::string bytes = read_file_bytes(file);
     bool accepted = false;
-    test_io::reset_largest_allocation();
+    test::reset_largest_allocation();
     const auto start = std::chrono::steady_clock::now();
     EXPECT_NO_THROW(accepted = GetParam().run(bytes));
     // Far more than it takes: only what gets out of hand is to fail, not what a busy machine delays.
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
     // The octree of the offset SDF takes what it takes, but no more; what is read takes a multiple of its file.
     const std::size_t limit = GetParam().run == shape_sdf ? 200'000'000 : 200'000 + 100 * bytes.size();
-    EXPECT_LT(test_io::largest_allocation(), limit);
+    EXPECT_LT(test::largest_allocation(), limit);
     return accepted;
   }
 };

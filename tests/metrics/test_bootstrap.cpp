@@ -46,10 +46,6 @@ TEST(Units, RefuseWhatDoesNotFit) {
   EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, Blocks::classes, Average::micro), std::invalid_argument);
 }
 
-}  // namespace
-
-namespace {
-
 Units example() {
   const SimulatedMethods methods = simulated_methods(30, 5, 3);
   return units_of(methods.per_query, methods.classes, Blocks::classes, Average::micro);

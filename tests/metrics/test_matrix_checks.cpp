@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <rapidcheck/gtest.h>
 #include <utility>
 
 #include "shapegauge/metrics/matrix_checks.h"
@@ -19,6 +21,18 @@ Matrix sound(Eigen::Index count) {
   return Matrix::NullaryExpr(count, count, [](Eigen::Index i, Eigen::Index j) {
     return std::abs(static_cast<double>(i * i) - static_cast<double>(j * j));
   });
+}
+
+// The findings in a matrix that comes so many rows at a time.
+MatrixFindings check_matrix(const Matrix& distances, bool square, Eigen::Index together = 1000) {
+  MatrixChecks checks(square);
+  for (Eigen::Index first = 0; first < distances.rows(); first += together) {
+    const Matrix rows = distances.middleRows(first, std::min(together, distances.rows() - first));
+    checks.add(rows);
+    const Eigen::Index behind = distances.rows() - first;
+    if (square) checks.compare(rows, first, distances.block(first, first, behind, rows.rows()));
+  }
+  return checks.findings();
 }
 
 TEST(MatrixChecks, FindNothingWhereNothingIs) {
@@ -69,26 +83,42 @@ TEST(MatrixChecks, FindSimilarities) {
   EXPECT_EQ(check_matrix(Matrix::Ones(5, 5), true).rows_nearest_to_others, 0);
 }
 
-TEST(MatrixChecks, RowsMayComeOneAfterTheOther) {
+TEST(MatrixChecks, AreTheSameHoweverManyRowsComeAtATime) {
   Matrix distances = sound(100);
   distances.row(60) = distances.row(10).eval();
   distances(3, 50) = -2;
   distances(99, 9) = std::numeric_limits<double>::infinity();
   distances(4, 4) = 0.5;
   distances.row(70).setConstant(3);
-  const MatrixFindings whole = check_matrix(distances, true);
-  MatrixChecks checks(true);
-  for (const auto& [first, count] : {std::pair{0, 5}, {5, 50}, {55, 0}, {55, 45}}) {
-    checks.add(distances.middleRows(first, count));
+  for (const Eigen::Index together : {1, 7, 64, 99}) {
+    const MatrixFindings whole = check_matrix(distances, true);
+    const MatrixFindings found = check_matrix(distances, true, together);
+    EXPECT_EQ(found.negative, 1);
+    EXPECT_EQ(found.infinite, whole.infinite);
+    EXPECT_EQ(found.nonzero_diagonal, whole.nonzero_diagonal);
+    EXPECT_EQ(found.rows_nearest_to_others, whole.rows_nearest_to_others);
+    EXPECT_THAT(found.equal_rows, ElementsAre(Pair(60, 10)));
+    EXPECT_EQ(found.constant_rows, whole.constant_rows);
+    EXPECT_GT(found.asymmetric_pairs, 100);
+    EXPECT_EQ(found.asymmetric_pairs, whole.asymmetric_pairs);
+    EXPECT_EQ(found.largest_asymmetry, whole.largest_asymmetry);
   }
-  const MatrixFindings found = checks.findings();
-  EXPECT_EQ(found.negative, whole.negative);
-  EXPECT_EQ(found.infinite, whole.infinite);
-  EXPECT_EQ(found.nonzero_diagonal, whole.nonzero_diagonal);
-  EXPECT_EQ(found.rows_nearest_to_others, whole.rows_nearest_to_others);
-  EXPECT_THAT(found.equal_rows, ElementsAre(Pair(60, 10)));
-  EXPECT_EQ(found.constant_rows, whole.constant_rows);
-  EXPECT_EQ(found.asymmetric_pairs, 0);
+}
+
+RC_GTEST_PROP(MatrixChecks, CountEveryPairThatDiffers, ()) {
+  const auto size = *rc::gen::inRange<Eigen::Index>(1, 90);
+  const Matrix distances = Matrix::NullaryExpr(size, size, [] { return *rc::gen::inRange(0, 3); });
+  Eigen::Index pairs = 0;
+  double largest = 0;
+  for (Eigen::Index i = 0; i < size; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (distances(i, j) != distances(j, i)) ++pairs;
+      largest = std::max(largest, std::abs(distances(i, j) - distances(j, i)));
+    }
+  }
+  const MatrixFindings found = check_matrix(distances, true, *rc::gen::inRange<Eigen::Index>(1, 100));
+  RC_ASSERT(found.asymmetric_pairs == pairs);
+  RC_ASSERT(found.largest_asymmetry == largest);
 }
 
 TEST(MatrixChecks, KnowNoDiagonalBetweenTwoSets) {

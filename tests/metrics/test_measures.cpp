@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,205 +11,142 @@ namespace shapegauge {
 
 namespace {
 
-double tenth_of(std::size_t rank) { return 0.1 / static_cast<double>(rank); }
+using testing::HasSubstr;
 
-TEST(ShareOfIdealGain, OneForAPerfectListExactly) {
-  EXPECT_EQ(share_of_ideal_gain(list_of_hits({true, true, true, false}), tenth_of), 1);
-}
-
-TEST(ShareOfIdealGain, RelevantModelsThatAreNotInTheListCountInTheIdeal) {
-  // (1/2 + 1/3) / (1 + 1/2 + 1/3)
-  EXPECT_DOUBLE_EQ(share_of_ideal_gain(list_of_hits({false, true, true}, false, 1), tenth_of), 5.0 / 11);
-}
-
-}  // namespace
-
-namespace {
+double value(const std::string& measure, const RankedList& list) { return measure_of(measure).value(list); }
 
 TEST(NearestNeighbour, LooksAtTheFirstRank) {
-  EXPECT_EQ(nearest_neighbour(list_of_hits({true, false})), 1);
-  EXPECT_EQ(nearest_neighbour(list_of_hits({false, true})), 0);
+  EXPECT_EQ(value("NN", list_of_hits({true, false})), 1);
+  EXPECT_EQ(value("NN", list_of_hits({false, true})), 0);
 }
 
 TEST(NearestNeighbour, PassesOverTheQuery) {
-  EXPECT_EQ(nearest_neighbour(list_of_hits({true, false, true}, true)), 0);
-  EXPECT_EQ(nearest_neighbour(list_of_hits({true, true, false}, true)), 1);
+  EXPECT_EQ(value("NN", list_of_hits({true, false, true}, true)), 0);
+  EXPECT_EQ(value("NN", list_of_hits({true, true, false}, true)), 1);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(FirstTier, CountsHitsAmongTheFirstR) {
-  EXPECT_DOUBLE_EQ(first_tier(list_of_hits({true, false, false, true, false, false, true})), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false, false, true, false, false, true})), 1.0 / 3);
 }
 
 TEST(FirstTier, CountsRelevantModelsThatAreNotInTheList) {
-  EXPECT_DOUBLE_EQ(first_tier(list_of_hits({true, false}, false, 3)), 1.0 / 4);
+  EXPECT_DOUBLE_EQ(value("FT", list_of_hits({true, false}, false, 3)), 1.0 / 4);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(SecondTier, CountsHitsAmongTheFirstTwiceR) {
-  EXPECT_DOUBLE_EQ(second_tier(list_of_hits({true, false, false, true, false, false, true})), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(value("ST", list_of_hits({true, false, false, true, false, false, true})), 2.0 / 3);
 }
 
-TEST(SecondTier, EndsWithTheList) { EXPECT_DOUBLE_EQ(second_tier(list_of_hits({false, true, true, true})), 1); }
-
-}  // namespace
-
-namespace {
+TEST(SecondTier, EndsWithTheList) { EXPECT_DOUBLE_EQ(value("ST", list_of_hits({false, true, true, true})), 1); }
 
 TEST(EMeasure, IsTheHarmonicMeanOfPrecisionAndRecallAmongThirtyTwo) {
   std::vector<bool> hits(100, false);
   for (const std::size_t rank : {1, 5, 20, 32, 33, 50, 60, 70}) hits[rank - 1] = true;
   const double precision = 4.0 / 32;
   const double recall = 4.0 / 8;
-  EXPECT_DOUBLE_EQ(e_measure(list_of_hits(hits)), 2 / (1 / precision + 1 / recall));
+  EXPECT_DOUBLE_EQ(value("E", list_of_hits(hits)), 2 / (1 / precision + 1 / recall));
 }
 
 TEST(EMeasure, LooksAtAShorterListAsAWhole) {
   // Four results, two of them relevant, all found: precision 1/2, recall 1.
-  EXPECT_DOUBLE_EQ(e_measure(list_of_hits({false, true, false, true})), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(value("E", list_of_hits({false, true, false, true})), 2.0 / 3);
 }
 
-TEST(EMeasure, IsZeroWithoutHitsInFront) { EXPECT_EQ(e_measure(list_of_runs({{39, 0}, {1, 1}})), 0); }
-
-}  // namespace
-
-namespace {
+TEST(EMeasure, IsZeroWithoutHitsInFront) { EXPECT_EQ(value("E", list_of_runs({{39, 0}, {1, 1}})), 0); }
 
 TEST(DiscountedCumulativeGain, OfAWorkedExample) {
   // Hits at ranks 2, 4, 8 gain 1, 1/2, 1/3; in front they would gain 1, 1, 1/log2(3).
   const RankedList list = list_of_hits({false, true, false, true, false, false, false, true});
   const double log2_of_3 = 1.584962500721156;
-  EXPECT_DOUBLE_EQ(discounted_cumulative_gain(list), (1 + 0.5 + 1.0 / 3) / (2 + 1 / log2_of_3));
+  EXPECT_DOUBLE_EQ(value("DCG", list), (1 + 0.5 + 1.0 / 3) / (2 + 1 / log2_of_3));
 }
 
 TEST(DiscountedCumulativeGain, IsExactlyOneForAPerfectList) {
   for (std::size_t relevant = 1; relevant <= 40; ++relevant) {
     const RankedList list = list_of_runs({{relevant, relevant}, {60 - relevant, 0}});
-    EXPECT_EQ(discounted_cumulative_gain(list), 1) << relevant;
+    EXPECT_EQ(value("DCG", list), 1) << relevant;
   }
 }
 
 TEST(DiscountedCumulativeGain, CountsTheFirstTwoRanksTheSame) {
-  EXPECT_EQ(discounted_cumulative_gain(list_of_hits({true, false, false})), 1);
-  EXPECT_EQ(discounted_cumulative_gain(list_of_hits({false, true, false})), 1);
-  EXPECT_LT(discounted_cumulative_gain(list_of_hits({false, false, true})), 1);
+  EXPECT_EQ(value("DCG", list_of_hits({true, false, false})), 1);
+  EXPECT_EQ(value("DCG", list_of_hits({false, true, false})), 1);
+  EXPECT_LT(value("DCG", list_of_hits({false, false, true})), 1);
 }
-
-}  // namespace
-
-namespace {
 
 // The textbook example of Manning, Raghavan and Schuetze's kind: hits at ranks 1, 3, 6.
 TEST(AveragePrecision, IsTheMeanPrecisionAtTheHits) {
-  EXPECT_DOUBLE_EQ(average_precision(list_of_hits({true, false, true, false, false, true})),
+  EXPECT_DOUBLE_EQ(value("mAP", list_of_hits({true, false, true, false, false, true})),
                    (1.0 / 1 + 2.0 / 3 + 3.0 / 6) / 3);
 }
 
 TEST(AveragePrecision, IsOneForAPerfectList) {
-  EXPECT_EQ(average_precision(list_of_hits({true, true, true, false, false})), 1);
+  EXPECT_EQ(value("mAP", list_of_hits({true, true, true, false, false})), 1);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(PrecisionAt, DividesByKEvenWhereTheListIsShorter) {
   const RankedList list = list_of_hits({true, false, true});
-  EXPECT_EQ(precision_at(list, 1), 1);
-  EXPECT_EQ(precision_at(list, 2), 0.5);
-  EXPECT_EQ(precision_at(list, 10), 0.2);
+  EXPECT_EQ(value("P@1", list), 1);
+  EXPECT_EQ(value("P@2", list), 0.5);
+  EXPECT_EQ(value("P@10", list), 0.2);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(RecallAt, DividesByAllRelevantModels) {
   const RankedList list = list_of_hits({true, false, true}, false, 2);
-  EXPECT_EQ(recall_at(list, 2), 0.25);
-  EXPECT_EQ(recall_at(list, 10), 0.5);
+  EXPECT_EQ(value("R@2", list), 0.25);
+  EXPECT_EQ(value("R@10", list), 0.5);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(F1At, IsTheHarmonicMeanOfPrecisionAndRecall) {
   const RankedList list = list_of_hits({true, false, true, false, false, true});
-  EXPECT_DOUBLE_EQ(f1_at(list, 4), 2 / (1 / 0.5 + 1 / (2.0 / 3)));
-  EXPECT_EQ(f1_at(list_of_hits({false, true}), 1), 0);
+  EXPECT_DOUBLE_EQ(value("F1@4", list), 2 / (1 / 0.5 + 1 / (2.0 / 3)));
+  EXPECT_EQ(value("F1@1", list_of_hits({false, true})), 0);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(RPrecision, IsThePrecisionAtRankR) {
-  EXPECT_DOUBLE_EQ(r_precision_definition.value(list_of_hits({true, false, true, true})), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(value("R-prec", list_of_hits({true, false, true, true})), 2.0 / 3);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(ReciprocalRank, LooksAtTheFirstHit) {
-  EXPECT_EQ(reciprocal_rank(list_of_hits({false, false, false, true, true})), 0.25);
-  EXPECT_EQ(reciprocal_rank(list_of_hits({false}, false, 1)), 0);
+  EXPECT_EQ(value("MRR", list_of_hits({false, false, false, true, true})), 0.25);
+  EXPECT_EQ(value("MRR", list_of_hits({false}, false, 1)), 0);
 }
 
 TEST(ReciprocalRank, IsTheMeanOverTheOrdersOfTheTied) {
   // One hit at any of the ranks 2, 3, 4.
-  EXPECT_DOUBLE_EQ(reciprocal_rank(list_of_runs({{1, 0}, {3, 1}})), (1.0 / 2 + 1.0 / 3 + 1.0 / 4) / 3);
+  EXPECT_DOUBLE_EQ(value("MRR", list_of_runs({{1, 0}, {3, 1}})), (1.0 / 2 + 1.0 / 3 + 1.0 / 4) / 3);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(NormalisedDiscountedGain, OfAWorkedExample) {
   // Hits at ranks 1, 3, 7 gain 1, 1/2, 1/3; in front they would gain 1, 1/log2(3), 1/2.
   const RankedList list = list_of_hits({true, false, true, false, false, false, true});
   const double log2_of_3 = 1.584962500721156;
-  EXPECT_DOUBLE_EQ(normalised_discounted_gain(list), (1 + 0.5 + 1.0 / 3) / (1.5 + 1 / log2_of_3));
+  EXPECT_DOUBLE_EQ(value("nDCG", list), (1 + 0.5 + 1.0 / 3) / (1.5 + 1 / log2_of_3));
+}
+
+TEST(NormalisedDiscountedGain, CountsRelevantModelsThatAreNotInTheListInTheIdeal) {
+  const double log2_of_3 = 1.584962500721156;
+  EXPECT_DOUBLE_EQ(value("nDCG", list_of_hits({false, true, true}, false, 1)),
+                   (1 / log2_of_3 + 0.5) / (1.5 + 1 / log2_of_3));
 }
 
 TEST(NormalisedDiscountedGain, IsExactlyOneForAPerfectList) {
-  EXPECT_EQ(normalised_discounted_gain(list_of_runs({{19, 19}, {580, 0}})), 1);
+  EXPECT_EQ(value("nDCG", list_of_runs({{19, 19}, {580, 0}})), 1);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(BullsEye, CountsTheQueryUnderEveryProtocol) {
   // A class of three: six ranks with the query.
-  EXPECT_DOUBLE_EQ(bulls_eye(list_of_hits({false, true, false, false, false, true})), 2.0 / 3);
-  EXPECT_DOUBLE_EQ(bulls_eye(list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({false, true, false, false, false, true})), 2.0 / 3);
+  EXPECT_DOUBLE_EQ(value("BEP", list_of_hits({true, false, true, false, false, false, true}, true)), 2.0 / 3);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(AreaUnderCurve, IsThatOfTrapezia) {
   // Precision 1, 2/3, 1/2 at recall 1/3, 2/3, 1.
   const RankedList list = list_of_hits({true, false, true, false, false, true});
-  EXPECT_DOUBLE_EQ(area_under_curve(list), (1 + (1 + 2.0 / 3) / 2 + (2.0 / 3 + 0.5) / 2) / 3);
+  EXPECT_DOUBLE_EQ(value("AUC-PR", list), (1 + (1 + 2.0 / 3) / 2 + (2.0 / 3 + 0.5) / 2) / 3);
 }
 
-TEST(AreaUnderCurve, IsOneForAPerfectList) { EXPECT_EQ(area_under_curve(list_of_hits({true, true, false})), 1); }
-
-}  // namespace
-
-namespace {
-
-using testing::HasSubstr;
+TEST(AreaUnderCurve, IsOneForAPerfectList) { EXPECT_EQ(value("AUC-PR", list_of_hits({true, true, false})), 1); }
 
 std::string error_of(const std::string& name) {
   try {
@@ -230,10 +168,10 @@ std::vector<Measure> one_of_each() {
 }
 
 TEST(MeasureRegistry, NamesAreDifferentAndEverythingIsExplained) {
-  std::set<std::string_view> names;
+  std::set<std::string> names;
   for (const MeasureDefinition& definition : measure_definitions()) {
     names.insert(definition.name);
-    for (const auto text : {definition.name, definition.title, definition.definition, definition.source}) {
+    for (const std::string& text : {definition.name, definition.title, definition.definition, definition.source}) {
       EXPECT_FALSE(text.empty()) << definition.name;
     }
     EXPECT_FALSE(definition.caveat.empty()) << definition.name;
@@ -265,6 +203,35 @@ TEST(MeasureRegistry, OtherNamesAreErrors) {
   EXPECT_THAT(error_of(""), HasSubstr("no measure"));
 }
 
+// What a consumer of the library does to have a measure of their own.
+TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
+  register_measure({.name = "Miss@k",
+                    .title = "misses at k",
+                    .definition = "The fraction of misses among the first k ranks.",
+                    .source = "this test",
+                    .caveat = "none",
+                    .value_at = [](const RankedList& list, std::size_t k) {
+                      return 1 - hits_among_first(list, k) / static_cast<double>(k);
+                    }});
+  EXPECT_EQ(value("Miss@4", list_of_hits({true, false, false, true, true})), 0.5);
+  EXPECT_EQ(measure_definitions().back().name, "Miss@k");
+  EXPECT_THAT(error_of("nowhere"), HasSubstr(" Miss@k"));
+}
+
+TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {
+  const auto half = [](const RankedList&) { return 0.5; };
+  const auto half_at = [](const RankedList&, std::size_t) { return 0.5; };
+  for (const char* name : {"", "@k", "a b", "a,b", "a@3", "FT", "AP"}) {
+    EXPECT_THROW(register_measure({.name = name, .value = half}), std::invalid_argument) << name;
+  }
+  EXPECT_THROW(register_measure({.name = "P@k", .value_at = half_at}), std::invalid_argument);
+  EXPECT_THROW(register_measure({.name = "X", .value_at = half_at}), std::invalid_argument);
+  EXPECT_THROW(register_measure({.name = "X@k", .value = half}), std::invalid_argument);
+  EXPECT_THROW(register_measure({.name = "X", .value = half, .value_at = half_at}), std::invalid_argument);
+  EXPECT_THROW(register_measure({.name = "X"}), std::invalid_argument);
+  EXPECT_THAT(error_of("X"), HasSubstr("no measure"));
+}
+
 TEST(MeasureRegistry, ProtocolsThatShareATableShareTheirMeasures) {
   std::vector<std::string> names;
   for (const Measure& measure :
@@ -292,6 +259,42 @@ TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
       }
     }
   }
+}
+
+TEST(NormalisedDiscountedGain, TakesGradesAsGains) {
+  // Grades 1, 0, 3 at ranks 1, 2, 3, and one of 2 that is not in the list.
+  RankedList list = list_of_runs({{.size = 1, .hits = 1, .misses = 0, .grade = 1},
+                                  {.size = 1, .hits = 0},
+                                  {.size = 1, .hits = 1, .misses = 0, .grade = 3}},
+                                 false, 1);
+  list.grades = {3, 2, 1};
+  EXPECT_DOUBLE_EQ(value("nDCG", list), (1 + 3.0 / 2) / (3 + 2 / std::log2(3) + 1.0 / 2));
+  EXPECT_DOUBLE_EQ(value("mAP", list), (1 + 2.0 / 3) / 3);  // looks at no grades
+}
+
+TEST(BinaryPreference, CountsJudgedMissesBeforeHits) {
+  // Misses at ranks 2, 4 and 5, of which that at rank 4 is not judged: 0, 1, 2 before the hits at 1, 3, 6.
+  const RankedList list = list_of_runs({{1, 1}, {1, 0}, {1, 1}, {.size = 2, .hits = 0, .misses = 1}, {1, 1}}, false, 1);
+  EXPECT_EQ(list.judged_misses, 2U);
+  EXPECT_DOUBLE_EQ(value("bpref", list), ((1 - 0.0 / 2) + (1 - 1.0 / 2) + (1 - 2.0 / 2) + 0) / 4);
+}
+
+TEST(BinaryPreference, CountsNoMoreMissesThanThereAreHits) {
+  EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{7, 0}, {2, 2}, {5, 0}})), 0);
+  EXPECT_DOUBLE_EQ(value("bpref", list_of_runs({{1, 0}, {2, 2}, {5, 0}})), 0.5);
+  EXPECT_EQ(value("bpref", list_of_hits({true, true})), 1);
+}
+
+TEST(BinaryPreference, IsTheMeanOverTheOrdersOfTheTied) {
+  // Behind a miss, two hits and two misses in any order: the six orders one by one.
+  double sum = 0;
+  std::vector<bool> order = {false, false, true, true};
+  do {
+    std::vector<bool> hits = {false};
+    hits.insert(hits.end(), order.begin(), order.end());
+    sum += value("bpref", list_of_hits(hits));
+  } while (std::next_permutation(order.begin(), order.end()));
+  EXPECT_NEAR(value("bpref", list_of_runs({{1, 0}, {4, 2}})), sum / 6, 1e-15);
 }
 
 }  // namespace

@@ -83,6 +83,17 @@ TEST(MethodComparison, RefusesWhatCannotBeCompared) {
   EXPECT_THROW(compare_methods(infinite, data.classes), std::invalid_argument);
 }
 
+// The randomisation of n units has 2^n outcomes, and the two of one sign each cannot be told from each other.
+TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
+  EXPECT_EQ(smallest_p_value({}, 3), 0.25);
+  EXPECT_EQ(smallest_p_value({.resampling = {.resamples = 9}}, 30), 0.1);
+  EXPECT_EQ(smallest_p_value({.test = PairTest::bootstrap, .resampling = {.resamples = 99}}, 3), 0.01);
+  EXPECT_EQ(smallest_p_value({.test = PairTest::t}, 3), 0);
+  const Eigen::MatrixXd plain{{0, 1}, {0.1, 1}, {0.2, 1}};
+  const double p = compare_methods(plain, std::vector<int>{0, 1, 2}).pairs[0].p;
+  EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);  // of 10,000 resamples
+}
+
 }  // namespace
 
 }  // namespace shapegauge

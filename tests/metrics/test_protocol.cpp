@@ -30,10 +30,6 @@ TEST(Protocol, OtherNamesMeanNothing) {
   EXPECT_FALSE(protocol_of("psb "));
 }
 
-}  // namespace
-
-namespace {
-
 constexpr double rounding = 1e-13;
 
 Evaluation evaluate(const EvaluationCase& data, Ties ties) {

@@ -123,31 +123,25 @@ TEST(RankedList, TakesTheMeanOverOpenOrders) {
   EXPECT_DOUBLE_EQ(gain_of_hits(list, [](std::size_t rank) { return static_cast<double>(rank); }), 1 + 2 * 3.0);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(TiedHits, OneHitIsAtAnyRankAlike) {
-  std::vector<double> precisions;
-  append_precisions(precisions, 4, 1, 2);
-  ASSERT_EQ(precisions.size(), 1U);
-  EXPECT_DOUBLE_EQ(precisions[0], (1.0 / 3 + 1.0 / 4 + 1.0 / 5 + 1.0 / 6) / 4);
+  const RankedList list = list_of_runs({{2, 0}, {4, 1}});
+  ASSERT_EQ(list.precision_at_hit.size(), 1U);
+  EXPECT_DOUBLE_EQ(list.precision_at_hit[0], (1.0 / 3 + 1.0 / 4 + 1.0 / 5 + 1.0 / 6) / 4);
 }
 
 TEST(TiedHits, HitsCountOnFromThoseBefore) {
   // Orders of {hit, miss, hit} behind a hit at rank 1 and a miss: second hit at 3, 3, 4; third at 4, 5, 5.
-  std::vector<double> precisions = {1};
-  append_precisions(precisions, 3, 2, 2);
-  EXPECT_DOUBLE_EQ(precisions[1], 2 * (1.0 / 3 + 1.0 / 3 + 1.0 / 4) / 3);
-  EXPECT_DOUBLE_EQ(precisions[2], 3 * (1.0 / 4 + 1.0 / 5 + 1.0 / 5) / 3);
+  const RankedList list = list_of_runs({{1, 1}, {1, 0}, {3, 2}});
+  EXPECT_DOUBLE_EQ(list.precision_at_hit[1], 2 * (1.0 / 3 + 1.0 / 3 + 1.0 / 4) / 3);
+  EXPECT_DOUBLE_EQ(list.precision_at_hit[2], 3 * (1.0 / 4 + 1.0 / 5 + 1.0 / 5) / 3);
 }
 
 // The mean of the sum of the precisions at all hits also has a closed form: in n ranks with m hits, rank i is a hit
 // with the probability m/n, and then 1 + (i - 1)(m - 1)/(n - 1) hits are among the first i.
 TEST(TiedHits, AgreeWithTheClosedFormOfAveragePrecisionForLargeTies) {
   for (const auto& [size, hits] : {std::pair{20000, 19}, {20000, 10000}, {3001, 3000}, {1000, 2}}) {
-    std::vector<double> precisions;
-    append_precisions(precisions, static_cast<std::size_t>(size), static_cast<std::size_t>(hits), 0);
+    const std::vector<double> precisions =
+        list_of_runs({{static_cast<std::size_t>(size), static_cast<std::size_t>(hits)}}).precision_at_hit;
     double expected = 0;
     for (int i = 1; i <= size; ++i) {
       expected += (1 + (i - 1.0) * (hits - 1.0) / (size - 1.0)) / i * hits / size;
@@ -155,6 +149,43 @@ TEST(TiedHits, AgreeWithTheClosedFormOfAveragePrecisionForLargeTies) {
     const double sum = std::accumulate(precisions.begin(), precisions.end(), 0.0);
     EXPECT_NEAR(sum, expected, 1e-11 * expected) << size << " " << hits;
   }
+}
+
+// Columns 0, 1, 3, 4 are judged with grades 1, 3, 2 and irrelevant; the query is column 2.
+RetrievalTask graded_task() {
+  RetrievalTask task = leave_one_out(labels);
+  task.judged = {{}, {}, {0, 1, 3}, {}, {}};
+  task.grades = {{}, {}, {1, 3, 2}, {}, {}};
+  task.judged_irrelevant = {{}, {}, {4}, {}, {}};
+  return task;
+}
+
+TEST(RankedList, KnowsTheGradesOfItsHits) {
+  const RankedList list = ranked_list(every_row({0, 1, 9, 3, 2}), graded_task(), 2, Protocol::trec, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1, 0, 1}, RankRun{1, 1, 0, 3}, RankRun{1, 0}, RankRun{1, 1, 0, 2}));
+  EXPECT_THAT(list.grades, ElementsAre(3, 2, 1));
+  EXPECT_EQ(list.judged_misses, 1U);
+}
+
+TEST(RankedList, TiedGradesAreDecidedAsAsked) {
+  const auto runs = [&](Ties ties) {
+    return ranked_list(every_row({5, 5, 9, 5, 7}), graded_task(), 2, Protocol::trec, ties).runs;
+  };
+  const RankRun one{1, 1, 0, 1};
+  const RankRun two{1, 1, 0, 2};
+  const RankRun three{1, 1, 0, 3};
+  EXPECT_THAT(runs(Ties::index), ElementsAre(one, three, two, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::optimistic), ElementsAre(three, two, one, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::pessimistic), ElementsAre(one, two, three, RankRun{1, 0}));
+  EXPECT_THAT(runs(Ties::expected), ElementsAre(RankRun{3, 3, 0, 2}, RankRun{1, 0}));
+}
+
+TEST(RankedList, CountsOnlyJudgedMisses) {
+  RetrievalTask task = graded_task();
+  task.judged = {{}, {}, {0}, {}, {}};
+  task.grades = {{}, {}, {1}, {}, {}};
+  const RankedList list = ranked_list(every_row({4, 1, 9, 2, 3}), task, 2, Protocol::trec, Ties::index);
+  EXPECT_THAT(list.runs, ElementsAre(RankRun{3, 0, 1}, RankRun{1, 1}));
 }
 
 }  // namespace

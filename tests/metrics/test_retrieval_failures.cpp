@@ -15,6 +15,7 @@ namespace shapegauge {
 namespace {
 
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using testing::ElementsAre;
 
 /// Distances between numbers on a line.
 Matrix on_a_line(const std::vector<double>& places) {
@@ -67,12 +68,6 @@ TEST(ConfusionMatrix, RefusesWhatDoesNotFit) {
   EXPECT_THROW(confusion_matrix(on_a_line({0, 1}), labels, queries, 2), std::invalid_argument);
   EXPECT_THROW(confusion_matrix(on_a_line({0}), std::vector<int>{0}, queries, 1), std::invalid_argument);
 }
-
-}  // namespace
-
-namespace {
-
-using testing::ElementsAre;
 
 Evaluation evaluation() {
   Evaluation evaluation;

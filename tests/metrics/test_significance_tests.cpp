@@ -12,6 +12,9 @@ namespace shapegauge {
 
 namespace {
 
+using testing::DoubleEq;
+using testing::ElementsAre;
+
 double p_of(const Eigen::VectorXd& differences, const ResamplingOptions& options = {}) {
   const auto count = static_cast<double>(differences.size());
   return randomisation_p_value(differences, Eigen::VectorXd::Constant(differences.size(), 1 / count), options);
@@ -84,10 +87,6 @@ TEST(RandomisationTest, OverQueriesIsTooEager) {
   EXPECT_NEAR(false_positive_rate(Blocks::queries, 300), 0.40, 3 * 0.028);
 }
 
-}  // namespace
-
-namespace {
-
 // "Student"'s own data, Biometrika 1908: hours of sleep gained by one drug over another. t = 4.06 with 9 degrees of
 // freedom, p = 0.00283.
 TEST(PairedTTest, StudentsSleep) {
@@ -106,10 +105,6 @@ TEST(PairedTTest, DifferencesThatDoNotVary) {
 }
 
 TEST(PairedTTest, NeedsTwo) { EXPECT_THROW(paired_t_test(Eigen::VectorXd::Ones(1)), std::invalid_argument); }
-
-}  // namespace
-
-namespace {
 
 Units random_units(Eigen::Index units, Eigen::Index methods, unsigned seed) {
   std::mt19937 random(seed);
@@ -158,13 +153,6 @@ TEST(TukeyHsd, RefusesNoResamples) {
   EXPECT_THROW(tukey_hsd_p_values(random_units(3, 2, 1), {.resamples = 0}), std::invalid_argument);
 }
 
-}  // namespace
-
-namespace {
-
-using testing::DoubleEq;
-using testing::ElementsAre;
-
 TEST(Holm, AdjustsInAscendingOrderAndNeverDownwards) {
   // Ascending: 0.01 * 4, 0.02 * 3, 0.03 * 2 (as much as the one before), 0.5 * 1.
   EXPECT_THAT(holm_adjusted(std::vector<double>{0.5, 0.01, 0.03, 0.02}),
@@ -177,10 +165,6 @@ TEST(Holm, StaysBelowOneAndLeavesOneTestAlone) {
   EXPECT_TRUE(holm_adjusted(std::vector<double>{}).empty());
 }
 
-}  // namespace
-
-namespace {
-
 TEST(EffectSize, IsTheMeanInStandardDeviations) {
   // Mean 2, squared deviations 1 + 0 + 1, over n - 1 = 2: a standard deviation of 1.
   EXPECT_DOUBLE_EQ(effect_size((Eigen::VectorXd(3) << 1, 2, 3).finished()), 2);
@@ -188,10 +172,6 @@ TEST(EffectSize, IsTheMeanInStandardDeviations) {
   EXPECT_TRUE(std::isinf(effect_size(Eigen::VectorXd::Ones(3))));
   EXPECT_THROW(effect_size(Eigen::VectorXd::Ones(1)), std::invalid_argument);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(WinTieLoss, CountsSigns) {
   const WinTieLoss counts = win_tie_loss((Eigen::VectorXd(6) << 1, 0, -2, 0.5, 0, 3).finished());

@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
@@ -12,80 +16,51 @@ namespace {
 
 using Vector = std::vector<float>;
 
+double distance(const std::string& name, const Vector& a, const Vector& b) {
+  const std::vector<NamedDistance> all = distances();
+  return std::ranges::find(all, name, &NamedDistance::name)->function(a, b);
+}
+
 TEST(Chi2, WeighsDifferencesByTheirSum) {
   // (0.25^2 / 0.75 + 0.25^2 / 0.75) / 2, and 0 for the bin that is empty in both.
-  EXPECT_NEAR(chi2_distance(Vector{0.5F, 0.25F, 0, 0.25F}, Vector{0.25F, 0.5F, 0, 0.25F}), 1.0 / 12, 1e-15);
-  EXPECT_EQ(chi2_distance(Vector{1, 0}, Vector{0, 1}), 1);
+  EXPECT_NEAR(distance("chi2", Vector{0.5F, 0.25F, 0, 0.25F}, Vector{0.25F, 0.5F, 0, 0.25F}), 1.0 / 12, 1e-15);
+  EXPECT_EQ(distance("chi2", Vector{1, 0}, Vector{0, 1}), 1);
 }
-
-}  // namespace
-
-namespace {
-
-using Vector = std::vector<float>;
 
 TEST(Cosine, MeasuresTheAngleOnly) {
-  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{5, 5}), 1 - std::sqrt(0.5), 1e-15);
-  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{0, 3}), 1, 1e-15);
-  EXPECT_NEAR(cosine_distance(Vector{1, 0}, Vector{-2, 0}), 2, 1e-15);
-  EXPECT_EQ(cosine_distance(Vector{1, 2, 3}, Vector{2, 4, 6}), 0);
+  EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{5, 5}), 1 - std::sqrt(0.5), 1e-15);
+  EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{0, 3}), 1, 1e-15);
+  EXPECT_NEAR(distance("cosine", Vector{1, 0}, Vector{-2, 0}), 2, 1e-15);
+  EXPECT_EQ(distance("cosine", Vector{1, 2, 3}, Vector{2, 4, 6}), 0);
 }
-
-}  // namespace
-
-namespace {
-
-using Vector = std::vector<float>;
 
 TEST(Emd, IsTheWorkInBins) {
-  EXPECT_EQ(earth_movers_distance(Vector{1, 0, 0, 0}, Vector{0, 0, 0, 1}), 3);
-  EXPECT_EQ(earth_movers_distance(Vector{1, 0, 0, 0}, Vector{0, 2, 0, 0}), 1);
-  EXPECT_EQ(earth_movers_distance(Vector{0.5F, 0, 0.5F}, Vector{0, 1, 0}), 1);
-  EXPECT_EQ(earth_movers_distance(Vector{2}, Vector{5}), 0);
+  EXPECT_EQ(distance("emd", Vector{1, 0, 0, 0}, Vector{0, 0, 0, 1}), 3);
+  EXPECT_EQ(distance("emd", Vector{1, 0, 0, 0}, Vector{0, 2, 0, 0}), 1);
+  EXPECT_EQ(distance("emd", Vector{0.5F, 0, 0.5F}, Vector{0, 1, 0}), 1);
+  EXPECT_EQ(distance("emd", Vector{2}, Vector{5}), 0);
 }
-
-}  // namespace
-
-namespace {
-
-using Vector = std::vector<float>;
 
 TEST(Hellinger, ComparesSquareRoots) {
   // The square root of 1 - sum of sqrt(p q), with p = (1/2, 1/2) and q = (1/8, 7/8).
-  EXPECT_NEAR(hellinger_distance(Vector{0.5F, 0.5F}, Vector{0.125F, 0.875F}),
+  EXPECT_NEAR(distance("hellinger", Vector{0.5F, 0.5F}, Vector{0.125F, 0.875F}),
               std::sqrt(1 - std::sqrt(0.5 * 0.125) - std::sqrt(0.5 * 0.875)), 1e-15);
-  EXPECT_EQ(hellinger_distance(Vector{3, 0}, Vector{0, 2}), 1);
-  EXPECT_EQ(hellinger_distance(Vector{1, 2, 1}, Vector{2, 4, 2}), 0);
+  EXPECT_EQ(distance("hellinger", Vector{3, 0}, Vector{0, 2}), 1);
+  EXPECT_EQ(distance("hellinger", Vector{1, 2, 1}, Vector{2, 4, 2}), 0);
 }
-
-}  // namespace
-
-namespace {
-
-using Vector = std::vector<float>;
 
 TEST(JensenShannon, IsTheRootOfTheMeanDivergence) {
   // p = (1, 0), q = (1/2, 1/2), mean (3/4, 1/4): 1 log2(4/3) and 1/2 log2(2/3) + 1/2 log2(2).
   const double divergence = (std::log2(4.0 / 3) + 0.5 * std::log2(2.0 / 3) + 0.5) / 2;
-  EXPECT_NEAR(jensen_shannon_distance(Vector{1, 0}, Vector{2, 2}), std::sqrt(divergence), 1e-15);
-  EXPECT_EQ(jensen_shannon_distance(Vector{3, 0}, Vector{0, 2}), 1);
-  EXPECT_EQ(jensen_shannon_distance(Vector{0.1F, 0.7F}, Vector{0.1F, 0.7F}), 0);
+  EXPECT_NEAR(distance("jensen-shannon", Vector{1, 0}, Vector{2, 2}), std::sqrt(divergence), 1e-15);
+  EXPECT_EQ(distance("jensen-shannon", Vector{3, 0}, Vector{0, 2}), 1);
+  EXPECT_EQ(distance("jensen-shannon", Vector{0.1F, 0.7F}, Vector{0.1F, 0.7F}), 0);
 }
-
-}  // namespace
-
-namespace {
-
-using Vector = std::vector<float>;
 
 TEST(L2, IsEuclidean) {
-  EXPECT_EQ(l2_distance(Vector{1, 2, 5}, Vector{4, 6, 5}), 5);
-  EXPECT_EQ(l2_distance({}, {}), 0);
+  EXPECT_EQ(distance("l2", Vector{1, 2, 5}, Vector{4, 6, 5}), 5);
+  EXPECT_EQ(distance("l2", {}, {}), 0);
 }
-
-}  // namespace
-
-namespace {
 
 std::vector<float> random_histogram(std::mt19937& random) {
   std::uniform_real_distribution<float> uniform(0, 1);
@@ -96,7 +71,7 @@ std::vector<float> random_histogram(std::mt19937& random) {
 }
 
 TEST(DistanceRegistry, NamesAreDifferent) {
-  std::set<std::string_view> names;
+  std::set<std::string> names;
   for (const NamedDistance& distance : distances()) names.insert(distance.name);
   EXPECT_EQ(names.size(), distances().size());
 }
@@ -113,6 +88,27 @@ TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatu
       EXPECT_NEAR(distance.function(a, b), distance.function(b, a), 1e-15) << distance.name;
     }
   }
+}
+
+// What a consumer of the library does to have a distance of their own.
+TEST(DistanceRegistry, TakesADistanceFromOutsideTheLibrary) {
+  register_distance({.name = "chebyshev", .function = [](std::span<const float> a, std::span<const float> b) {
+                       double largest = 0;
+                       for (std::size_t i = 0; i < a.size(); ++i) {
+                         largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+                       }
+                       return largest;
+                     }});
+  EXPECT_EQ(distance_names().back(), "chebyshev");
+  const Signatures signatures{{0, 0}, {1, 3}, {2, -1}};
+  EXPECT_EQ(distance_matrix(signatures, "chebyshev"), (DistanceMatrix{{0, 3, 2}, {3, 0, 4}, {2, 4, 0}}));
+}
+
+TEST(DistanceRegistry, RefusesWhatItCouldNotServe) {
+  const auto zero = [](std::span<const float>, std::span<const float>) { return 0.0; };
+  EXPECT_THROW(register_distance({.name = "", .function = zero}), std::invalid_argument);
+  EXPECT_THROW(register_distance({.name = "l1", .function = zero}), std::invalid_argument);
+  EXPECT_THROW(register_distance({.name = "nothing"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -136,10 +136,6 @@ TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
   EXPECT_THROW(enclosing_interval({}), std::invalid_argument);
 }
 
-}  // namespace
-
-namespace {
-
 // The convolution written out the long way: the mirrored histogram is laid out in full, then every offset is summed.
 Eigen::VectorXd smoothed_naively(const Eigen::VectorXd& histogram, double standard_deviation) {
   const auto reach = static_cast<int>(4 * standard_deviation + 0.5);
@@ -221,10 +217,6 @@ RC_GTEST_PROP(GaussianSmoothing, KeepsTheSumAndTheUniformHistogram, ()) {
   RC_ASSERT((smooth_gaussian(uniform, deviation) - uniform).cwiseAbs().maxCoeff() <= 1e-12);
 }
 
-}  // namespace
-
-namespace {
-
 Eigen::VectorXf vector_of(const std::vector<float>& entries) {
   return Eigen::Map<const Eigen::VectorXf>(entries.data(), static_cast<Eigen::Index>(entries.size()));
 }
@@ -259,8 +251,8 @@ TEST(Concatenate, RefusesWhatCannotBeNormalised) {
   EXPECT_THROW(concatenate(std::vector<Signatures>{}), std::invalid_argument);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({0, 0})}), std::invalid_argument);
   EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({1, -1, 2})}), std::invalid_argument);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({nan})}), std::invalid_argument);
+  const float not_a_number = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(concatenate(std::vector<Eigen::VectorXf>{vector_of({not_a_number})}), std::invalid_argument);
   const std::vector<Signatures> unequal = {Signatures::Ones(2, 1), Signatures::Ones(3, 1)};
   EXPECT_THROW(concatenate(unequal), std::invalid_argument);
 }

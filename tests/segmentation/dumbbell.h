@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "shapegauge/core/shape/shape.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
-namespace shapegauge::test_shapes {
+namespace shapegauge::test {
 
 /// A dumbbell along z: two balls of radius 1 about z = -2.5 and z = 2.5, joined by a bar of radius 0.25. A sphere whose
 /// points are moved to where their height wants them.
@@ -27,4 +27,4 @@ inline Shape dumbbell(int subdivisions) {
   return shape;
 }
 
-}  // namespace shapegauge::test_shapes
+}  // namespace shapegauge::test

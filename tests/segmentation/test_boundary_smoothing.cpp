@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/boundary_smoothing.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -25,7 +25,7 @@ double border_length(const SurfaceGraph& graph, const Labels& labels) {
 }
 
 /// A torus about z, and its halves to the left and to the right, between which waves run around the tube.
-ThickSurface torus() { return thick_surface(test_shapes::torus(3, 1, 60, 180)); }
+ThickSurface torus() { return thick_surface(test::torus(3, 1, 60, 180)); }
 
 Labels wavy_halves(const ThickSurface& surface, double amplitude) {
   Labels labels;
@@ -57,13 +57,13 @@ TEST(BoundarySmoothing, OfNoWidthMovesNothing) {
 }
 
 TEST(BoundarySmoothing, LeavesOnePartAsItIs) {
-  const ThickSurface surface = thick_surface(test_shapes::sphere(1, 2));
+  const ThickSurface surface = thick_surface(test::sphere(1, 2));
   const Labels one(static_cast<std::size_t>(surface.graph.size()), 0);
   EXPECT_EQ(smoothed_boundaries(surface, one, {}), one);
 }
 
 TEST(BoundarySmoothing, NoPartDisappears) {
-  const ThickSurface surface = thick_surface(test_shapes::sphere(1, 3));
+  const ThickSurface surface = thick_surface(test::sphere(1, 3));
   Labels labels(static_cast<std::size_t>(surface.graph.size()), 0);
   labels[17] = 1;
   const Labels smooth = smoothed_boundaries(surface, labels, {.strength = 100});
@@ -71,7 +71,7 @@ TEST(BoundarySmoothing, NoPartDisappears) {
 }
 
 TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
-  const ThickSurface surface = thick_surface(test_shapes::sphere(1, 0));
+  const ThickSurface surface = thick_surface(test::sphere(1, 0));
   const Labels labels(20, 0);
   EXPECT_THROW(smoothed_boundaries(surface, labels, {.width = -1}), InputError);
   EXPECT_THROW(smoothed_boundaries(surface, labels, {.strength = NAN}), InputError);

@@ -6,8 +6,8 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
-#include "tests/core/test_shapes.h"
 #include "tests/segmentation/dumbbell.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -17,7 +17,7 @@ ScalarField offset_field(const Shape& shape, const SurfaceGraph& graph) {
 }
 
 TEST(PaperSegmentation, TellsTheBarOfADumbbellFromItsBalls) {
-  const Shape shape = test_shapes::dumbbell(4);
+  const Shape shape = test::dumbbell(4);
   const SurfaceGraph graph = surface_graph(shape);
   const std::vector<ScalarField> fields = {offset_field(shape, graph)};
   const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {.mixture = {.components = 2}});
@@ -39,7 +39,7 @@ TEST(PaperSegmentation, TellsTheBarOfADumbbellFromItsBalls) {
 }
 
 TEST(PaperSegmentation, OfASphereIsOnePart) {
-  const Shape shape = test_shapes::sphere(1, 3);
+  const Shape shape = test::sphere(1, 3);
   const SurfaceGraph graph = surface_graph(shape);
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
   const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {});
@@ -47,7 +47,7 @@ TEST(PaperSegmentation, OfASphereIsOnePart) {
 }
 
 TEST(PaperSegmentation, RefusesOptionsOutOfRange) {
-  const SurfaceGraph graph = surface_graph(test_shapes::sphere(1, 1));
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 1));
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
   EXPECT_THROW(paper_segmentation(graph, fields, {.smoothness = -1}), InputError);
   EXPECT_THROW(paper_segmentation(graph, fields, {.levels = 0}), InputError);

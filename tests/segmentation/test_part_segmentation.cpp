@@ -7,8 +7,8 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
-#include "tests/core/test_shapes.h"
 #include "tests/segmentation/dumbbell.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -34,7 +34,7 @@ double disagreement(const Labels& a, const Labels& b) {
 constexpr double unlike = 0.15;
 
 TEST(PartSegmentation, ADumbbellHasBallsApart) {
-  const Shape shape = test_shapes::dumbbell(5);
+  const Shape shape = test::dumbbell(5);
   const Labels parts = part_segmentation(shape, {});
   const Samples samples = sample_shape(shape, SampleSite::faces);
   std::set<std::int32_t> low;
@@ -48,10 +48,10 @@ TEST(PartSegmentation, ADumbbellHasBallsApart) {
   EXPECT_NE(low, high);
 }
 
-TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test_shapes::sphere(1, 4), {})), 1U); }
+TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }
 
 TEST(PartSegmentation, HasAsManyPartsAsWanted) {
-  const Shape shape = test_shapes::dumbbell(4);
+  const Shape shape = test::dumbbell(4);
   for (const int parts : {1, 2, 3, 7, 80}) {
     const Labels labels = part_segmentation(shape, {.parts = parts, .samples = 200});
     EXPECT_EQ(count_of(labels), static_cast<std::size_t>(parts));
@@ -59,7 +59,7 @@ TEST(PartSegmentation, HasAsManyPartsAsWanted) {
 }
 
 TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
-  const Labels parts = part_segmentation(test_shapes::dumbbell(4), {.parts = 5});
+  const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
   EXPECT_EQ(parts, renumbered(parts));
 }
 
@@ -72,15 +72,15 @@ TEST(PartSegmentation, OfOneTriangle) {
 }
 
 TEST(PartSegmentation, ComponentsAreDifferentParts) {
-  const Shape far = test_shapes::transformed(test_shapes::sphere(1, 3), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
-  const Shape balls = test_shapes::joined({test_shapes::sphere(1, 3), far});
+  const Shape far = test::transformed(test::sphere(1, 3), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
+  const Shape balls = test::joined({test::sphere(1, 3), far});
   EXPECT_EQ(count_of(part_segmentation(balls, {.samples = 300})), 2U);
   EXPECT_EQ(count_of(part_segmentation(balls, {.parts = 1, .samples = 300})), 2U);
 }
 
 TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
   // Every triangle a little smaller than its place: none touches another.
-  Shape scales = test_shapes::soup(test_shapes::sphere(1, 4));
+  Shape scales = test::soup(test::sphere(1, 4));
   for (Eigen::Index v = 0; v < scales.vertices.rows(); v += 3) {
     const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(v).colwise().mean();
     for (Eigen::Index k = v; k < v + 3; ++k) scales.vertices.row(k) = 0.1 * middle + 0.9 * scales.vertices.row(k);
@@ -89,7 +89,7 @@ TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
 }
 
 TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
-  Shape shape = test_shapes::dumbbell(3);
+  Shape shape = test::dumbbell(3);
   const Eigen::Index count = shape.triangles.rows();
   shape.triangles.conservativeResize(count + 2, 3);
   shape.triangles.row(count) << 0, 0, 1;
@@ -98,20 +98,19 @@ TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
 }
 
 TEST(PartSegmentation, DoesNotDependOnPlaceSizeAndDirection) {
-  const Shape shape = test_shapes::dumbbell(4);
-  const Shape moved = test_shapes::transformed(shape, 40, test_shapes::rotation(3), {100, -7, 3});
+  const Shape shape = test::dumbbell(4);
+  const Shape moved = test::transformed(shape, 40, test::rotation(3), {100, -7, 3});
   EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(moved, {.parts = 3})), unlike);
 }
 
 TEST(PartSegmentation, AMeshTurnedInsideOutHasTheSameParts) {
-  const Shape shape = test_shapes::dumbbell(4);
-  EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}),
-                         part_segmentation(test_shapes::flipped(shape), {.parts = 3})),
+  const Shape shape = test::dumbbell(4);
+  EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(test::flipped(shape), {.parts = 3})),
             unlike);
 }
 
 TEST(PartSegmentation, ACloudHasPartsAtItsPoints) {
-  const Shape mesh = test_shapes::dumbbell(4);
+  const Shape mesh = test::dumbbell(4);
   const Shape cloud{.vertices = mesh.vertices, .triangles = {}};
   const Labels parts = part_segmentation(cloud, {.parts = 3});
   EXPECT_EQ(parts.size(), static_cast<std::size_t>(mesh.vertices.rows()));
@@ -125,7 +124,7 @@ TEST(PartSegmentation, ACloudHasPartsAtItsPoints) {
 }
 
 TEST(PartSegmentation, IsTheSameOnAnyNumberOfThreads) {
-  const Shape shape = test_shapes::dumbbell(4);
+  const Shape shape = test::dumbbell(4);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const Labels alone = part_segmentation(shape, {});
   const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
@@ -133,7 +132,7 @@ TEST(PartSegmentation, IsTheSameOnAnyNumberOfThreads) {
 }
 
 TEST(PartSegmentation, RefusesWhatCannotBe) {
-  const Shape box = test_shapes::box({1, 1, 1}, 1);
+  const Shape box = test::box({1, 1, 1}, 1);
   EXPECT_THROW(part_segmentation(box, {.parts = 1000}), InputError);
   EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);
   EXPECT_THROW(part_segmentation(box, {.patches = 0}), InputError);

@@ -10,7 +10,7 @@
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/regions.h"
 #include "shapegauge/segmentation/surface_regions.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -88,7 +88,7 @@ Regions regions_of(const Shape& shape, int count) {
 }
 
 TEST(RegionFeatures, AreTheSameForEitherOrder) {
-  const Regions regions = regions_of(test_shapes::box({1, 2, 3}, 6), 12);
+  const Regions regions = regions_of(test::box({1, 2, 3}, 6), 12);
   for (const std::int32_t b : regions.neighbours(0)) EXPECT_EQ(features_of(regions, 0, b), features_of(regions, b, 0));
 }
 
@@ -97,7 +97,7 @@ TEST(RegionFeatures, AreFiniteForRegionsOfWhichNothingIsKnown) {
 }
 
 TEST(SurfaceRegions, OfAConvexShapeSeeEachOtherInsideAndNotOutside) {
-  const ThickSurface surface = thick_surface(test_shapes::box({4, 1, 1}, 8));
+  const ThickSurface surface = thick_surface(test::box({4, 1, 1}, 8));
   std::vector<std::int32_t> halves;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) halves.push_back(surface.graph.samples.points(i, 0) > 0);
   const Regions regions = surface_regions(surface, halves, 200);
@@ -114,7 +114,7 @@ TEST(SurfaceRegions, OfAConvexShapeSeeEachOtherInsideAndNotOutside) {
 
 TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherInside) {
   // A torus cut in four quarters: those across see each other through the hole, not through the tube.
-  const ThickSurface surface = thick_surface(test_shapes::torus(4, 0.5, 24, 96));
+  const ThickSurface surface = thick_surface(test::torus(4, 0.5, 24, 96));
   std::vector<std::int32_t> quarters;
   for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
     const auto place = surface.graph.samples.points.row(i);
@@ -127,7 +127,7 @@ TEST(SurfaceRegions, OfAHookDoNotSeeEachOtherInside) {
 }
 
 TEST(SurfaceRegions, SharesAddUpToTheWhole) {
-  const Regions regions = regions_of(test_shapes::capsule(1, 3, 24, 10), 10);
+  const Regions regions = regions_of(test::capsule(1, 3, 24, 10), 10);
   double area = 0;
   double opposite = 0;
   for (std::int32_t a = 0; a < regions.initial_size(); ++a) {

@@ -7,7 +7,7 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -24,7 +24,7 @@ Labels caps_and_belt(const SurfaceGraph& graph) {
 TEST(SegmentLabels, AreRenumberedInOrder) { EXPECT_EQ(renumbered(Labels{7, -1, 7, 3}), (Labels{0, 1, 0, 2})); }
 
 TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
-  const SurfaceGraph graph = surface_graph(test_shapes::sphere(1, 3));
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   const Labels parts = connected_parts(graph, caps_and_belt(graph));
   EXPECT_EQ(std::set(parts.begin(), parts.end()).size(), 3U);
   for (std::int32_t i = 0; i < graph.size(); ++i) {
@@ -38,7 +38,7 @@ TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
 }
 
 TEST(SegmentLabels, SmallPartsGoToTheLongestBorder) {
-  const SurfaceGraph graph = surface_graph(test_shapes::sphere(1, 3));
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 3));
   Labels labels = caps_and_belt(graph);
   labels[5] = 9;  // a triangle of its own
   EXPECT_EQ(without_small_parts(graph, labels, 0.01), renumbered(caps_and_belt(graph)));
@@ -48,7 +48,7 @@ TEST(SegmentLabels, SmallPartsGoToTheLongestBorder) {
 }
 
 TEST(SegmentLabels, NeighboursHaveDifferentColours) {
-  const SurfaceGraph graph = surface_graph(test_shapes::sphere(1, 4));
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 4));
   const Labels patch = patches(graph, {.count = 60});
   const std::vector<Colour> colours = label_colours(graph, patch);
   for (std::int32_t i = 0; i < graph.size(); ++i) {
@@ -61,7 +61,7 @@ TEST(SegmentLabels, NeighboursHaveDifferentColours) {
 }
 
 TEST(SegmentLabels, RefuseAnotherSurface) {
-  const SurfaceGraph graph = surface_graph(test_shapes::sphere(1, 0));
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(connected_parts(graph, Labels{1}), std::invalid_argument);
   EXPECT_THROW(without_small_parts(graph, Labels{1}, 0.1), std::invalid_argument);
   EXPECT_THROW(label_colours(graph, Labels{1}), std::invalid_argument);

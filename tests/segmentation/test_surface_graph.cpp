@@ -6,7 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/surface_graph.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -52,8 +52,8 @@ TEST(SurfaceGraph, ALinkKnowsItsEdge) {
 }
 
 TEST(SurfaceGraph, EveryLinkHasItsReverse) {
-  for (const Shape& shape : {test_shapes::sphere(1, 2), test_shapes::soup(test_shapes::box({1, 2, 3}, 2)),
-                             Shape{.vertices = test_shapes::torus(2, 1, 12, 20).vertices, .triangles = {}}}) {
+  for (const Shape& shape : {test::sphere(1, 2), test::soup(test::box({1, 2, 3}, 2)),
+                             Shape{.vertices = test::torus(2, 1, 12, 20).vertices, .triangles = {}}}) {
     const SurfaceGraph graph = surface_graph(shape);
     std::set<std::pair<std::int32_t, std::int32_t>> links;
     for (std::int32_t i = 0; i < graph.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(SurfaceGraph, EveryLinkHasItsReverse) {
 }
 
 TEST(SurfaceGraph, OfAClosedMeshHasThreeNeighboursEach) {
-  const SurfaceGraph graph = surface_graph(test_shapes::soup(test_shapes::sphere(1, 2)));
+  const SurfaceGraph graph = surface_graph(test::soup(test::sphere(1, 2)));
   for (std::int32_t i = 0; i < graph.size(); ++i) {
     EXPECT_EQ(graph.links_of(i).size(), 3U);
     for (const SurfaceLink& link : graph.links_of(i)) EXPECT_LT(link.concavity, 0);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <gtest/gtest.h>
 
@@ -46,6 +47,21 @@ TEST(RandomNumbers, BelowDrawsEveryNumberAboutAsOften) {
   // Standard deviation sqrt(n 6 / 49) = 93; five of them.
   for (const int count : drawn) EXPECT_NEAR(count, n / 7, 463);
   EXPECT_EQ(random.below(1), 0U);
+}
+
+TEST(RandomSubset, HasTheSizeAskedForAndTakesEveryItemEquallyOften) {
+  RandomNumbers random(2);
+  std::array<int, 8> times{};
+  for (int i = 0; i < 40000; ++i) {
+    const std::vector<bool> chosen = random_subset(times.size(), 3, random);
+    ASSERT_EQ(std::ranges::count(chosen, true), 3);
+    for (std::size_t k = 0; k < times.size(); ++k) times[k] += chosen[k] ? 1 : 0;
+  }
+  // 40000 times 3/8, standard deviation 97; five of them.
+  for (const int t : times) EXPECT_NEAR(t, 15000, 485);
+  EXPECT_EQ(random_subset(3, 3, random), std::vector<bool>(3, true));
+  EXPECT_EQ(random_subset(3, 0, random), std::vector<bool>(3, false));
+  EXPECT_TRUE(random_subset(0, 0, random).empty());
 }
 
 }  // namespace

@@ -32,20 +32,12 @@ TEST(Lines, OuterBlanksGo) {
   EXPECT_EQ(trim(""), "");
 }
 
-}  // namespace
-
-namespace {
-
 TEST(LowerCase, ChangesTheCapitalsOfAsciiAlone) {
   EXPECT_EQ(lower_case(".OFF"), ".off");
   EXPECT_EQ(lower_case("AZaz09@[`{ -"), "azaz09@[`{ -");
   EXPECT_EQ(lower_case("\xC3\x89"), "\xC3\x89");
   EXPECT_EQ(lower_case(""), "");
 }
-
-}  // namespace
-
-namespace {
 
 TEST(ParseNumber, TakesTheUsualSpellings) {
   EXPECT_EQ(parse_number("1"), 1.0);
@@ -66,10 +58,6 @@ TEST(ParseNumber, RefusesAllElse) {
 RC_GTEST_PROP(ParseNumber, ReadsBackWhatIsWrittenShortest, (double value)) {
   RC_ASSERT(parse_number(fmt::format("{}", value)) == value);
 }
-
-}  // namespace
-
-namespace {
 
 TEST(QuotedWord, StandsInQuotationMarksOnOneLine) {
   EXPECT_EQ(quoted_word("T12"), "\"T12\"");

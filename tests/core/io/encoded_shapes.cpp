@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 namespace {
 
@@ -203,4 +203,4 @@ void expect_same(const Shape& actual, const Shape& expected) {
   EXPECT_EQ(actual.normals, expected.normals);
 }
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

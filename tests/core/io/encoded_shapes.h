@@ -9,7 +9,7 @@
 #include "shapegauge/core/shape/shape.h"
 
 /// Shapes as the bytes of files, written plainly and without the library's writers.
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 /// Four vertices at the origin and on the axes, four triangles.
 Shape tetrahedron();
@@ -42,4 +42,4 @@ std::vector<Encoded> cloud_in_every_format(const Shape& cloud);
 /// Coordinates, indices and normals are equal, in order.
 void expect_same(const Shape& actual, const Shape& expected);
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

@@ -18,9 +18,9 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 std::size_t largest_allocation() { return largest; }
 void reset_largest_allocation() { largest = 0; }
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

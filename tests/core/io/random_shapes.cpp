@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 rc::Gen<double> any_finite() {
   const auto any_bits = rc::gen::map(rc::gen::resize(rc::kNominalSize, rc::gen::arbitrary<std::uint64_t>()),
@@ -48,4 +48,4 @@ Shape shape_of(const Polygons& polygons) {
   return shape;
 }
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

@@ -5,7 +5,7 @@
 
 #include "shapegauge/core/shape/shape.h"
 
-namespace shapegauge::test_io {
+namespace shapegauge::test {
 
 /// Any double that is finite: also denormal ones, and -0.
 rc::Gen<double> any_finite();
@@ -21,4 +21,4 @@ rc::Gen<Polygons> any_polygons(bool triangles_only);
 /// Its shape, with polygons as fans about their first corners.
 Shape shape_of(const Polygons& polygons);
 
-}  // namespace shapegauge::test_io
+}  // namespace shapegauge::test

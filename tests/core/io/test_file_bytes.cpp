@@ -8,15 +8,14 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "tests/core/io/ordinary_user.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::bytes_of;
-using test_io::TemporaryFolder;
+using test::bytes_of;
+using test::TemporaryFolder;
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::StartsWith;
@@ -87,7 +86,7 @@ TEST(AtomicFile, FolderWithoutPermissionIsAnError) {
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0555));
   const auto path = folder.path() / "out";
   {
-    const test_io::OrdinaryUser ordinary_user;
+    const test::OrdinaryUser ordinary_user;
     EXPECT_THAT([&] { write_file_atomically(path, "x"); }, throws_cannot_write(path, "Permission denied"));
   }
   EXPECT_EQ(folder.size(), 0U);

@@ -4,24 +4,25 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/obj.h"
 #include "tests/core/io/encoded_shapes.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::tetrahedron;
+using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
 const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-void expect_tetrahedron(const std::string& text) { test_io::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
+void expect_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
 
 void expect_error(const std::string& text, const std::string& message) {
   EXPECT_THAT([&] { read_obj(text, "t.obj"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
 }
 
-TEST(ReadObj, Plain) { expect_tetrahedron(test_io::as_obj(tetrahedron())); }
+TEST(ReadObj, Plain) { expect_tetrahedron(test::as_obj(tetrahedron())); }
 
 TEST(ReadObj, TextureAndNormals) {
   expect_tetrahedron(vertices + "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1 2//1\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf 2 3 4\n");
@@ -109,6 +110,22 @@ TEST(ReadObj, NothingUsableIsAnError) {
 TEST(ReadObj, HeaderAloneCanBeChecked) {
   EXPECT_NO_THROW(check_obj_header("# v\no x\nv 0", "t.obj"));
   EXPECT_THROW(check_obj_header("# v 0 0 0\nvn 0 0 1\n", "t.obj"), InputError);
+}
+
+TEST(WriteObj, Plain) {
+  const test::TemporaryFolder folder;
+  Shape shape = tetrahedron();
+  shape.vertices(1, 0) = -1.5e-300;
+  shape.vertices(3, 2) = 0.1;
+  write_obj(folder.path() / "t.obj", shape);
+  EXPECT_EQ(test::bytes_of(folder.path() / "t.obj"),
+            "v 0 0 0\nv -1.5e-300 0 0\nv 0 1 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+}
+
+TEST(WriteObj, CloudWithNormals) {
+  const test::TemporaryFolder folder;
+  write_obj(folder.path() / "t.obj", test::small_cloud());
+  test::expect_same(read_obj(test::bytes_of(folder.path() / "t.obj"), "t.obj"), test::small_cloud());
 }
 
 }  // namespace

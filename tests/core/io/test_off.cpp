@@ -7,14 +7,14 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/off.h"
 #include "tests/core/io/encoded_shapes.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::expect_same;
-using test_io::tetrahedron;
+using test::expect_same;
+using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
@@ -153,36 +153,35 @@ TEST(ReadOff, NormalsOfAMeshMayBeAnything) {
 }
 
 TEST(ReadOff, BinaryNormalThatIsNotFinite) {
-  Shape cloud = test_io::small_cloud();
+  Shape cloud = test::small_cloud();
   cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
-  const auto files = test_io::cloud_in_every_format(cloud);
-  const auto binary = std::ranges::find(files, "binary.off", &test_io::Encoded::file_name);
+  const auto files = test::cloud_in_every_format(cloud);
+  const auto binary = std::ranges::find(files, "binary.off", &test::Encoded::file_name);
   expect_error(binary->bytes, "t.off: vertex 1 has a normal that is not a finite number; repair or remove the file");
 }
 
-TEST(ReadOff, Binary) { expect_same(read_off(test_io::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
+TEST(ReadOff, Binary) { expect_same(read_off(test::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
 
 TEST(ReadOff, BinaryWithExtras) {
-  expect_same(read_off(test_io::as_binary_off(tetrahedron(), "COFF BINARY # a comment\r\n", 4), "t.off"),
-              tetrahedron());
-  expect_same(read_off(test_io::as_binary_off(tetrahedron(), "STCNOFF  BINARY\n", 9), "t.off"), tetrahedron());
+  expect_same(read_off(test::as_binary_off(tetrahedron(), "COFF BINARY # a comment\r\n", 4), "t.off"), tetrahedron());
+  expect_same(read_off(test::as_binary_off(tetrahedron(), "STCNOFF  BINARY\n", 9), "t.off"), tetrahedron());
 }
 
 TEST(ReadOff, BinaryIndexOutOfRange) {
   Shape shape = tetrahedron();
   shape.triangles(2, 1) = 4;
-  expect_error(test_io::as_binary_off(shape), "t.off: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
+  expect_error(test::as_binary_off(shape), "t.off: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
 }
 
 TEST(ReadOff, BinaryCoordinateThatIsNotFinite) {
   Shape shape = tetrahedron();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
-  expect_error(test_io::as_binary_off(shape),
+  expect_error(test::as_binary_off(shape),
                "t.off: vertex 3 has a coordinate that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadOff, BinaryTruncated) {
-  const std::string bytes = test_io::as_binary_off(tetrahedron());
+  const std::string bytes = test::as_binary_off(tetrahedron());
   expect_error(bytes.substr(0, 20), "t.off: ends before the numbers of vertices, faces and edges");
   expect_error(bytes.substr(0, 70), "t.off: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
   expect_error(bytes.substr(0, bytes.size() - 1),
@@ -274,38 +273,33 @@ TEST(ReadOff, HeaderAloneCanBeChecked) {
   EXPECT_THROW(check_off_header("HELLO\n4 4 6\n", "t.off"), InputError);
 }
 
-}  // namespace
-
-namespace {
-
-using test_io::tetrahedron;
+using test::tetrahedron;
 using ::testing::EndsWith;
-using ::testing::ThrowsMessage;
 
 TEST(WriteOff, IsPlainOff) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(1, 0) = 0.1;
   shape.vertices(3, 2) = -1e-300;
   write_off(folder.path() / "t.off", shape);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.off"),
+  EXPECT_EQ(test::bytes_of(folder.path() / "t.off"),
             "OFF\n4 4 0\n0 0 0\n0.1 0 0\n0 1 0\n0 0 -1e-300\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
 TEST(WriteOff, CloudsHaveTheirNormals) {
-  const test_io::TemporaryFolder folder;
-  Shape cloud = test_io::small_cloud();
+  const test::TemporaryFolder folder;
+  Shape cloud = test::small_cloud();
   write_off(folder.path() / "t.off", cloud);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.off"),
+  EXPECT_EQ(test::bytes_of(folder.path() / "t.off"),
             "NOFF\n4 0 0\n0 0 0 0 0 -1\n1 0 0 1 0 0\n0 1 0 0 0 0\n0 0 1 -1 0 0\n");
   cloud.normals.resize(0, 3);
   write_off(folder.path() / "t.off", cloud);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "t.off"), "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  EXPECT_EQ(test::bytes_of(folder.path() / "t.off"), "OFF\n4 0 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
 }
 
 TEST(WriteOff, NormalsThatCannotBeWrittenAreAnError) {
-  const test_io::TemporaryFolder folder;
-  Shape cloud = test_io::small_cloud();
+  const test::TemporaryFolder folder;
+  Shape cloud = test::small_cloud();
   cloud.normals(0, 1) = std::numeric_limits<double>::infinity();
   EXPECT_THAT([&] { write_off(folder.path() / "t.off", cloud); },
               ThrowsMessage<InputError>(EndsWith("a normal is not finite")));
@@ -315,7 +309,7 @@ TEST(WriteOff, NormalsThatCannotBeWrittenAreAnError) {
 }
 
 TEST(WriteOff, CoordinateThatIsNotFiniteIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.vertices(2, 1) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT([&] { write_off(folder.path() / "t.off", shape); },
@@ -324,7 +318,7 @@ TEST(WriteOff, CoordinateThatIsNotFiniteIsAnError) {
 }
 
 TEST(WriteOff, VertexThatDoesNotExistIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   for (const int vertex : {-1, 4}) {
     Shape shape = tetrahedron();
     shape.triangles(3, 1) = vertex;

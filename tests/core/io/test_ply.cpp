@@ -12,16 +12,16 @@
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::as_ascii_ply;
-using test_io::as_binary_ply;
-using test_io::expect_same;
-using test_io::tetrahedron;
+using test::as_ascii_ply;
+using test::as_binary_ply;
+using test::expect_same;
+using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
@@ -124,10 +124,10 @@ TEST(ReadPly, NormalsOfACloud) {
 }
 
 TEST(ReadPly, BinaryNormalThatIsNotFinite) {
-  Shape cloud = test_io::small_cloud();
+  Shape cloud = test::small_cloud();
   cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
-  const auto files = test_io::cloud_in_every_format(cloud);
-  const auto binary = std::ranges::find(files, "binary.ply", &test_io::Encoded::file_name);
+  const auto files = test::cloud_in_every_format(cloud);
+  const auto binary = std::ranges::find(files, "binary.ply", &test::Encoded::file_name);
   expect_error(binary->bytes, "t.ply: vertex 1 has a normal that is not a finite number; repair or remove the file");
 }
 
@@ -212,17 +212,12 @@ TEST(ReadPly, CoordinateThatIsNotFinite) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-using test_io::tetrahedron;
+using test::tetrahedron;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::ThrowsMessage;
 
-const std::vector<Colour> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
+const std::vector<std::array<std::uint8_t, 3>> colours = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {250, 251, 252}};
 
 Eigen::VectorXd values() { return Eigen::Vector4d(0.1, -2.5, std::numeric_limits<double>::quiet_NaN(), 1e300); }
 
@@ -246,11 +241,11 @@ void expect_samples(const std::string& bytes, std::size_t offset, std::size_t st
 }
 
 TEST(WritePly, ColoursAndValuesAtFaces) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto path = folder.path() / "t.ply";
   write_ply(path, tetrahedron(), SampleSite::faces, values(), colours);
-  test_io::expect_same(read_shape(path), tetrahedron());
-  const std::string bytes = test_io::bytes_of(path);
+  test::expect_same(read_shape(path), tetrahedron());
+  const std::string bytes = test::bytes_of(path);
   EXPECT_THAT(bytes,
               HasSubstr("element face 4\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar "
                         "green\nproperty uchar blue\nproperty double sdf\nend_header\n"));
@@ -262,11 +257,11 @@ TEST(WritePly, ColoursAndValuesAtFaces) {
 }
 
 TEST(WritePly, ColoursAndValuesAtVertices) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto path = folder.path() / "t.ply";
   write_ply(path, tetrahedron(), SampleSite::vertices, values(), colours);
-  test_io::expect_same(read_shape(path), tetrahedron());
-  const std::string bytes = test_io::bytes_of(path);
+  test::expect_same(read_shape(path), tetrahedron());
+  const std::string bytes = test::bytes_of(path);
   const std::size_t body = bytes.find("end_header\n") + 11;
   constexpr std::size_t vertex = 3 * 8 + 3 + 8;
   ASSERT_EQ(bytes.size(), body + 4 * (vertex + 13));
@@ -274,30 +269,30 @@ TEST(WritePly, ColoursAndValuesAtVertices) {
 }
 
 TEST(WritePly, CloudsWithAndWithoutValues) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto path = folder.path() / "t.ply";
-  write_ply(path, test_io::small_cloud(), SampleSite::vertices, values(), colours);
-  test_io::expect_same(read_shape(path), test_io::small_cloud());
-  const std::string bytes = test_io::bytes_of(path);
+  write_ply(path, test::small_cloud(), SampleSite::vertices, values(), colours);
+  test::expect_same(read_shape(path), test::small_cloud());
+  const std::string bytes = test::bytes_of(path);
   EXPECT_THAT(bytes, Not(HasSubstr("element face")));
   const std::size_t body = bytes.find("end_header\n") + 11;
   constexpr std::size_t point = 6 * 8 + 3 + 8;
   ASSERT_EQ(bytes.size(), body + 4 * point);
   expect_samples(bytes, body, point, 48);
-  write_ply(path, test_io::small_cloud());
-  test_io::expect_same(read_shape(path), test_io::small_cloud());
+  write_ply(path, test::small_cloud());
+  test::expect_same(read_shape(path), test::small_cloud());
 }
 
 TEST(WritePly, MeshWithoutValues) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto path = folder.path() / "t.ply";
   write_ply(path, tetrahedron());
-  test_io::expect_same(read_shape(path), tetrahedron());
-  EXPECT_THAT(test_io::bytes_of(path), Not(HasSubstr("sdf")));
+  test::expect_same(read_shape(path), tetrahedron());
+  EXPECT_THAT(test::bytes_of(path), Not(HasSubstr("sdf")));
 }
 
 TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Shape shape = tetrahedron();
   shape.triangles.conservativeResize(3, 3);
   EXPECT_THAT([&] { write_ply(folder.path() / "t.ply", shape, SampleSite::faces, values(), colours); },

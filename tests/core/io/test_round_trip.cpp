@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -6,18 +7,20 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/io/obj.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/stl.h"
 #include "tests/core/io/random_shapes.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 namespace {
 
-using test_io::any_polygons;
-using test_io::Polygons;
-using test_io::shape_of;
+using test::any_polygons;
+using test::Polygons;
+using test::shape_of;
 
 /// Every bit is the same: also the sign of 0.
 void require_identical(const Shape& actual, const Shape& expected) {
@@ -29,30 +32,55 @@ void require_identical(const Shape& actual, const Shape& expected) {
 }
 
 RC_GTEST_PROP(RoundTrip, OffGivesTheSameDoublesAndIndices, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   write_off(folder.path() / "t.off", shape);
   require_identical(read_shape(folder.path() / "t.off"), shape);
 }
 
 RC_GTEST_PROP(RoundTrip, PlyGivesTheSameDoublesAndIndices, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   const Shape shape = shape_of(*any_polygons(true));
   const Eigen::Index samples = shape.vertices.rows();
   write_ply(folder.path() / "t.ply", shape, SampleSite::vertices, Eigen::VectorXd::Zero(samples),
-            std::vector<Colour>(static_cast<std::size_t>(samples)));
+            std::vector<std::array<std::uint8_t, 3>>(static_cast<std::size_t>(samples)));
   require_identical(read_shape(folder.path() / "t.ply"), shape);
 }
 
+RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
+  static const test::TemporaryFolder folder;
+  const Shape shape = shape_of(*any_polygons(true));
+  write_obj(folder.path() / "t.obj", shape);
+  require_identical(read_shape(folder.path() / "t.obj"), shape);
+}
+
+/// STL keeps the corners of the triangles in their order, in single precision.
+RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
+  static const test::TemporaryFolder folder;
+  Shape shape = shape_of(*any_polygons(true));
+  RC_PRE(shape.triangles.rows() > 0);
+  shape.vertices = shape.vertices.unaryExpr([](double x) { return std::remainder(x, 1e30); });
+  write_stl(folder.path() / "t.stl", shape);
+  const Shape read = read_shape(folder.path() / "t.stl");
+  RC_ASSERT(read.triangles.rows() == shape.triangles.rows());
+  const auto corners = [](const Shape& s) -> Points {
+    return s.vertices(s.triangles.reshaped<Eigen::RowMajor>(), Eigen::all);
+  };
+  RC_ASSERT(corners(read) == Points(corners(shape).cast<float>().cast<double>()));
+  write_stl(folder.path() / "again.stl", read);
+  RC_ASSERT(corners(read_shape(folder.path() / "again.stl")) == corners(read));
+}
+
 RC_GTEST_PROP(RoundTrip, CloudsGiveTheSameDoubles, ()) {
-  static const test_io::TemporaryFolder folder;
+  static const test::TemporaryFolder folder;
   Shape cloud{(*any_polygons(true)).vertices, {}, {}};
   cloud.normals = Points::Zero(cloud.vertices.rows(), 3);
   for (Eigen::Index i = 0; i < cloud.normals.size(); ++i) cloud.normals.data()[i] = *rc::gen::inRange(-100, 101);
   cloud.normals.rowwise().normalize();
   write_off(folder.path() / "t.off", cloud);
   write_ply(folder.path() / "t.ply", cloud);
-  for (const char* name : {"t.off", "t.ply"}) {
+  write_obj(folder.path() / "t.obj", cloud);
+  for (const char* name : {"t.off", "t.ply", "t.obj"}) {
     const Shape read = read_shape(folder.path() / name);
     require_identical(read, cloud);
     RC_ASSERT(read.normals == cloud.normals);

@@ -1,19 +1,22 @@
+#include <array>
 #include <gmock/gmock.h>
+#include <limits>
+#include <set>
 #include <string>
 #include <sys/stat.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
-#include "tests/core/io/ordinary_user.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::TemporaryFolder;
-using test_io::tetrahedron;
+using test::TemporaryFolder;
+using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
@@ -30,7 +33,7 @@ Points corners_of(const Shape& shape) {
 
 TEST(ReadShape, EveryFormatByItsExtension) {
   const TemporaryFolder folder;
-  for (const auto& [name, bytes, optional] : test_io::encoded_in_every_format(tetrahedron())) {
+  for (const auto& [name, bytes, optional] : test::encoded_in_every_format(tetrahedron())) {
     const auto path = folder.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
     const Shape shape = read_shape(path);
@@ -41,24 +44,28 @@ TEST(ReadShape, EveryFormatByItsExtension) {
 
 TEST(ReadShape, CloudsWithTheirNormalsInEveryFormat) {
   const TemporaryFolder folder;
-  for (const auto& [name, bytes, optional] : test_io::cloud_in_every_format(test_io::small_cloud())) {
+  for (const auto& [name, bytes, optional] : test::cloud_in_every_format(test::small_cloud())) {
     SCOPED_TRACE(name);
     const auto path = folder.file(name, bytes);
     EXPECT_NO_THROW(check_shape_header(path));
-    test_io::expect_same(read_shape(path), test_io::small_cloud());
+    test::expect_same(read_shape(path), test::small_cloud());
   }
 }
 
 TEST(ReadShape, ExtensionInCapitals) {
   const TemporaryFolder folder;
-  test_io::expect_same(read_shape(folder.file("t.OFF", test_io::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("t.OFF", test::as_ascii_off(tetrahedron()))), tetrahedron());
 }
 
 TEST(ReadShape, FormatByTheFirstBytesWhereTheExtensionIsUnknown) {
   const TemporaryFolder folder;
-  test_io::expect_same(read_shape(folder.file("T12", "C" + test_io::as_ascii_off(tetrahedron()))), tetrahedron());
-  test_io::expect_same(read_shape(folder.file("a.mesh", test_io::as_ascii_ply(tetrahedron()))), tetrahedron());
-  EXPECT_EQ(read_shape(folder.file("b.dat", test_io::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
+  test::expect_same(read_shape(folder.file("T12", "C" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("T13", "\xEF\xBB\xBF" + test::as_ascii_off(tetrahedron()))), tetrahedron());
+  test::expect_same(read_shape(folder.file("a.mesh", test::as_ascii_ply(tetrahedron()))), tetrahedron());
+  EXPECT_EQ(read_shape(folder.file("b.dat", test::as_ascii_stl(tetrahedron()))).triangles.rows(), 4);
+  std::string of_off = test::as_ascii_stl(tetrahedron());
+  of_off.insert(of_off.find('\n'), " OFF");  // in the name of the solid
+  EXPECT_EQ(read_shape(folder.file("c.dat", of_off)).triangles.rows(), 4);
 }
 
 TEST(ReadShape, UnknownFormatIsAnError) {
@@ -92,10 +99,10 @@ TEST(ReadShape, PipeIsAnErrorAndDoesNotHang) {
 TEST(ReadShape, FileWithoutPermissionIsAnError) {
   const TemporaryFolder folder;
   std::filesystem::permissions(folder.path(), std::filesystem::perms(0755));
-  const auto path = folder.file("t.off", test_io::as_ascii_off(tetrahedron()));
+  const auto path = folder.file("t.off", test::as_ascii_off(tetrahedron()));
   std::filesystem::permissions(path, std::filesystem::perms::none);
   {
-    const test_io::OrdinaryUser ordinary_user;
+    const test::OrdinaryUser ordinary_user;
     expect_error(path, "cannot read " + path.string() + ": Permission denied");
   }
 }
@@ -111,7 +118,7 @@ TEST(ReadShape, EmptyFileIsAnError) {
 TEST(ReadShape, FileWithoutVerticesIsAnError) {
   const TemporaryFolder folder;
   for (const auto& [name, bytes, optional] :
-       {test_io::Encoded{"t.off", "OFF\n0 0 0\n"},
+       {test::Encoded{"t.off", "OFF\n0 0 0\n"},
         {"t.ply",
          "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
          "property float z\nend_header\n"},
@@ -126,30 +133,90 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
 TEST(ReadShape, HeaderBehindALongCommentIsFound) {
   const TemporaryFolder folder;
   const std::string comment = "# " + std::string(200'000, 'x') + "\n";
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test_io::as_ascii_off(tetrahedron()))));
-  EXPECT_NO_THROW(check_shape_header(folder.file("t.obj", comment + test_io::as_obj(tetrahedron()))));
+  EXPECT_NO_THROW(check_shape_header(folder.file("t.off", comment + test::as_ascii_off(tetrahedron()))));
+  EXPECT_NO_THROW(check_shape_header(folder.file("t.obj", comment + test::as_obj(tetrahedron()))));
   EXPECT_THROW(check_shape_header(folder.file("u.off", comment + "hello")), InputError);
 }
 
-}  // namespace
-
-namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
-
 TEST(ShapeWriter, WritesWhatTheExtensionSays) {
-  const test_io::TemporaryFolder folder;
-  for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}}) {
+  const TemporaryFolder folder;
+  for (const auto& [name, begin] : {std::pair{"t.off", "OFF"}, {"t.PLY", "ply"}, {"t.obj", "v 0"}, {"t.Stl", "bin"}}) {
     const auto path = folder.path() / name;
-    shape_writer(path)(path, test_io::tetrahedron());
-    EXPECT_EQ(test_io::bytes_of(path).substr(0, 3), begin);
-    test_io::expect_same(read_shape(path), test_io::tetrahedron());
+    shape_writer(path)(path, tetrahedron());
+    EXPECT_EQ(test::bytes_of(path).substr(0, 3), begin);
+    EXPECT_NO_THROW(check_shape_header(path));
+    EXPECT_EQ(corners_of(read_shape(path)), corners_of(tetrahedron())) << name;
   }
 }
 
 TEST(ShapeWriter, RefusesAnotherExtension) {
-  EXPECT_THAT([] { shape_writer("t.stl"); }, ThrowsMessage<InputError>(HasSubstr("t.stl: the name must end in")));
+  for (const char* const name : {"t.xyz", "t.doc", "t"}) EXPECT_THROW(shape_writer(name), InputError) << name;
+  EXPECT_THAT(
+      [] { shape_writer("t.xyz"); },
+      ThrowsMessage<InputError>(StrEq("cannot write t.xyz: the name must end in one of .off, .obj, .ply, .stl")));
+}
+
+TEST(ShapeWriter, RefusesWhatCouldNotBeReadAgain) {
+  const TemporaryFolder folder;
+  Shape not_finite = tetrahedron();
+  not_finite.vertices(2, 1) = std::numeric_limits<double>::infinity();
+  Shape no_such_vertex = tetrahedron();
+  no_such_vertex.triangles(0, 0) = 4;
+  for (const std::string_view extension : written_shape_extensions()) {
+    const auto path = folder.path() / ("t" + std::string(extension));
+    EXPECT_THROW(shape_writer(path)(path, not_finite), InputError) << extension;
+    EXPECT_THROW(shape_writer(path)(path, no_such_vertex), InputError) << extension;
+    EXPECT_FALSE(std::filesystem::exists(path)) << extension;
+  }
+}
+
+TEST(ShapeFormats, ExtensionsAreInLowerCaseAndOfOneFormat) {
+  std::set<std::string_view> seen;
+  for (const std::string_view extension : shape_extensions()) {
+    EXPECT_TRUE(extension.starts_with('.')) << extension;
+    EXPECT_EQ(lower_case(std::string(extension)), extension);
+    EXPECT_TRUE(seen.insert(extension).second) << extension;
+  }
+  for (const std::string_view extension : written_shape_extensions()) EXPECT_TRUE(seen.contains(extension));
+  for (const ShapeFormat& format : shape_formats()) {
+    EXPECT_FALSE(format.name.empty());
+    EXPECT_FALSE(format.description.empty()) << format.name;
+  }
+}
+
+TEST(ShapeFormats, NamesOfShapeFilesLoseTheirExtension) {
+  EXPECT_EQ(without_shape_extension("T12.off"), "T12");
+  EXPECT_EQ(without_shape_extension("T12.PlY"), "T12");
+  EXPECT_EQ(without_shape_extension("a.off.pwn"), "a.off");
+  for (const std::string_view name : {"notes.txt", "T12", ".off", "off", "a.offs", "x.off/b", ""}) {
+    EXPECT_EQ(without_shape_extension(name), name);
+  }
+}
+
+/// What a user of the library writes to add a format.
+TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
+  static constexpr std::array<std::string_view, 1> extensions{".point"};
+  const ShapeFormat format{.name = "point",
+                           .description = "Three bytes: a point",
+                           .extensions = extensions,
+                           .check_header =
+                               [](const std::string& bytes, const std::string& name) {
+                                 if (bytes.size() != 3) throw InputError(name + ": not three bytes");
+                               },
+                           .read =
+                               [](const std::string& bytes, const std::string& /*name*/) {
+                                 Shape shape;
+                                 shape.vertices.resize(1, 3);
+                                 shape.vertices << bytes[0] - '0', bytes[1] - '0', bytes[2] - '0';
+                                 return shape;
+                               }};
+  register_shape_format(format);
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_shape(folder.file("a.Point", "123")).vertices, (Points(1, 3) << 1, 2, 3).finished());
+  EXPECT_THROW(check_shape_header(folder.file("b.point", "12")), InputError);
+  EXPECT_EQ(without_shape_extension("a.point"), "a");
+  EXPECT_THROW(shape_writer("a.point"), InputError);
+  EXPECT_THROW(register_shape_format(format), InputError);
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <gmock/gmock.h>
 #include <limits>
 #include <string>
@@ -5,14 +6,15 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/stl.h"
 #include "tests/core/io/encoded_shapes.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_io::as_ascii_stl;
-using test_io::as_binary_stl;
-using test_io::expect_same;
+using test::as_ascii_stl;
+using test::as_binary_stl;
+using test::expect_same;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
@@ -34,14 +36,12 @@ std::string replaced_once(std::string text, const std::string& what, const std::
   return text.replace(text.find(what), what.size(), with);
 }
 
-TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test_io::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
+TEST(ReadStl, Ascii) { expect_same(read_stl(as_ascii_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
-TEST(ReadStl, Binary) {
-  expect_same(read_stl(as_binary_stl(test_io::tetrahedron()), "t.stl"), renumbered_tetrahedron());
-}
+TEST(ReadStl, Binary) { expect_same(read_stl(as_binary_stl(test::tetrahedron()), "t.stl"), renumbered_tetrahedron()); }
 
 TEST(ReadStl, BinaryThatBeginsWithSolid) {
-  const std::string bytes = as_binary_stl(test_io::tetrahedron(), "solid by an exporter\nfacet normal");
+  const std::string bytes = as_binary_stl(test::tetrahedron(), "solid by an exporter\nfacet normal");
   expect_same(read_stl(bytes, "t.stl"), renumbered_tetrahedron());
   expect_same(read_stl(bytes + "data behind", "t.stl"), renumbered_tetrahedron());
 }
@@ -64,7 +64,7 @@ TEST(ReadStl, ZeroAndMinusZeroAreOneVertex) {
 
 TEST(ReadStl, BinaryTruncated) {
   for (const std::string header : {"binary", "solid"}) {
-    const std::string bytes = as_binary_stl(test_io::tetrahedron(), header);
+    const std::string bytes = as_binary_stl(test::tetrahedron(), header);
     expect_error(bytes.substr(0, bytes.size() - 1),
                  "t.stl: ends after 3 of 4 facets; the file is truncated or its header is wrong");
   }
@@ -72,14 +72,14 @@ TEST(ReadStl, BinaryTruncated) {
 }
 
 TEST(ReadStl, AsciiTruncated) {
-  const std::string text = as_ascii_stl(test_io::tetrahedron());
+  const std::string text = as_ascii_stl(test::tetrahedron());
   expect_error(text.substr(0, text.find("endsolid")), "t.stl: ends after 4 facets, before \"endsolid\"");
   expect_error(text.substr(0, text.rfind("endloop")), "t.stl: ends within facet 3");
   expect_error("solid x\n", "t.stl: ends after 0 facets, before \"endsolid\"");
 }
 
 TEST(ReadStl, AsciiWithSomethingElse) {
-  const std::string text = as_ascii_stl(test_io::tetrahedron());
+  const std::string text = as_ascii_stl(test::tetrahedron());
   expect_error(replaced_once(text, "facet", "hello"), "t.stl:2: expected \"facet\" or \"endsolid\", found \"hello\"");
   expect_error(replaced_once(text, "outer", "inner"), "t.stl:3: expected \"outer\" in facet 0, found \"inner\"");
   expect_error(replaced_once(text, "vertex 0 0 0", "vertex 0 0 x"), "t.stl:4: expected a coordinate, found \"x\"");
@@ -87,9 +87,9 @@ TEST(ReadStl, AsciiWithSomethingElse) {
 }
 
 TEST(ReadStl, CoordinateThatIsNotFinite) {
-  expect_error(replaced_once(as_ascii_stl(test_io::tetrahedron()), "vertex 0 1 0", "vertex 0 inf 0"),
+  expect_error(replaced_once(as_ascii_stl(test::tetrahedron()), "vertex 0 1 0", "vertex 0 inf 0"),
                "t.stl:5: a coordinate is not a finite number: \"inf\"; repair or remove the file");
-  Shape shape = test_io::tetrahedron();
+  Shape shape = test::tetrahedron();
   shape.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
   expect_error(as_binary_stl(shape),
                "t.stl: facet 1 has a coordinate that is not a finite number; repair or remove the file");
@@ -97,8 +97,47 @@ TEST(ReadStl, CoordinateThatIsNotFinite) {
 
 TEST(ReadStl, HeaderAloneCanBeChecked) {
   EXPECT_NO_THROW(check_stl_header("solid x\n", "t.stl"));
-  EXPECT_NO_THROW(check_stl_header(as_binary_stl(test_io::tetrahedron()).substr(0, 84), "t.stl"));
+  EXPECT_NO_THROW(check_stl_header(as_binary_stl(test::tetrahedron()).substr(0, 84), "t.stl"));
   EXPECT_THROW(check_stl_header("hello", "t.stl"), InputError);
+}
+
+TEST(WriteStl, IsTheBinaryFormatByteForByte) {
+  const test::TemporaryFolder folder;
+  Shape triangle;
+  triangle.vertices.resize(3, 3);
+  triangle.vertices << 0, 0, 0, 0, 2, 0, 0, 0, 3;  // its normal is along x
+  triangle.triangles.resize(1, 3);
+  triangle.triangles << 0, 1, 2;
+  write_stl(folder.path() / "t.stl", triangle);
+  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+  ASSERT_EQ(bytes.size(), 84U + 50U);
+  using namespace std::string_literals;
+  EXPECT_EQ(bytes.substr(80, 4), "\1\0\0\0"s);
+  const std::string zero = "\0\0\0\0"s;
+  const std::string one = "\0\0\x80\x3F"s;
+  const std::string two = "\0\0\0\x40"s;
+  const std::string three = "\0\0\x40\x40"s;
+  EXPECT_EQ(bytes.substr(84),
+            one + zero + zero + zero + zero + zero + zero + two + zero + zero + zero + three + "\0\0"s);
+}
+
+TEST(WriteStl, DegenerateTrianglesHaveNoNormal) {
+  const test::TemporaryFolder folder;
+  Shape flat = test::tetrahedron();
+  flat.vertices.setOnes();
+  write_stl(folder.path() / "t.stl", flat);
+  const std::string bytes = test::bytes_of(folder.path() / "t.stl");
+  EXPECT_EQ(bytes.substr(84, 12), std::string(12, '\0'));
+  EXPECT_EQ(read_stl(bytes, "t.stl").triangles.rows(), 4);
+}
+
+TEST(WriteStl, RefusesWhatTheFormatCannotHold) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW(write_stl(folder.path() / "t.stl", test::small_cloud()), InputError);
+  Shape large = test::tetrahedron();
+  large.vertices(3, 2) = 1e39;
+  EXPECT_THROW(write_stl(folder.path() / "t.stl", large), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "t.stl"));
 }
 
 }  // namespace

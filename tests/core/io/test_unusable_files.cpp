@@ -10,15 +10,15 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/core/io/largest_allocation.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 /// Every file, whatever is in it, is read or gives an InputError, and takes memory in proportion to its size.
 namespace shapegauge {
 namespace {
 
-using test_io::Encoded;
-using test_io::encoded_in_every_format;
-using test_io::tetrahedron;
+using test::Encoded;
+using test::encoded_in_every_format;
+using test::tetrahedron;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
@@ -51,12 +51,12 @@ bool is_read(const std::filesystem::path& path) {
 /// A mesh and a cloud in every format.
 std::vector<Encoded> every_format() {
   std::vector<Encoded> all = encoded_in_every_format(tetrahedron());
-  std::ranges::copy(test_io::cloud_in_every_format(test_io::small_cloud()), std::back_inserter(all));
+  std::ranges::copy(test::cloud_in_every_format(test::small_cloud()), std::back_inserter(all));
   return all;
 }
 
 TEST(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
     for (std::size_t size = 0; size <= bytes.size(); ++size) {
@@ -70,7 +70,7 @@ TEST(UnusableFiles, EveryPrefixOfAFileIsReadOrGivesAnInputError) {
 }
 
 TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::mt19937 random(20240229);
   for (const auto& [name, bytes, optional] : every_format()) {
     SCOPED_TRACE(name);
@@ -87,7 +87,7 @@ TEST(UnusableFiles, DamagedBytesGiveAShapeOrAnInputError) {
 }
 
 TEST(UnusableFiles, CountsThatTheFileCannotHoldTakeNoMemory) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::string ply_vertices = "element vertex 2000000000\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string ply_faces =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
@@ -106,9 +106,9 @@ TEST(UnusableFiles, CountsThatTheFileCannotHoldTakeNoMemory) {
       {{"h.stl", std::string(80, ' ') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of 4294967295 facets"}};
   for (const auto& [file, message] : files) {
     const auto path = folder.file(file.file_name, file.bytes);
-    test_io::reset_largest_allocation();
+    test::reset_largest_allocation();
     EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(HasSubstr(message))) << file.file_name;
-    EXPECT_LT(test_io::largest_allocation(), 100'000U) << file.file_name;
+    EXPECT_LT(test::largest_allocation(), 100'000U) << file.file_name;
   }
 }
 

@@ -6,13 +6,13 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_shapes::signed_volume;
+using test::signed_volume;
 
 void expect_valid(const Shape& mesh) {
   ASSERT_GT(mesh.triangles.rows(), 0);
@@ -22,7 +22,7 @@ void expect_valid(const Shape& mesh) {
 }
 
 TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
-  const Shape sphere = test_shapes::sphere(1, 5);  // 20480 faces
+  const Shape sphere = test::sphere(1, 5);  // 20480 faces
   const Shape coarse = decimate(sphere, 1000);
   expect_valid(coarse);
   EXPECT_LE(coarse.triangles.rows(), 1000);
@@ -37,7 +37,7 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
 }
 
 TEST(Decimate, ABoxLosesNothing) {
-  const Shape box = test_shapes::box({1, 2, 3}, 8);
+  const Shape box = test::box({1, 2, 3}, 8);
   const Shape coarse = decimate(box, 40);
   expect_valid(coarse);
   EXPECT_TRUE(is_watertight(coarse));
@@ -47,7 +47,7 @@ TEST(Decimate, ABoxLosesNothing) {
 }
 
 TEST(Decimate, AnOpenPlateKeepsItsRim) {
-  Shape plate = test_shapes::box({1, 2, 0}, 10);
+  Shape plate = test::box({1, 2, 0}, 10);
   Eigen::Index side = 0;  // one of the sides of the flat box
   const Eigen::VectorXd areas = triangle_areas(plate);
   while (areas[side] == 0) ++side;
@@ -60,15 +60,15 @@ TEST(Decimate, AnOpenPlateKeepsItsRim) {
 }
 
 TEST(Decimate, TakesASoupForTheMeshItIs) {
-  const Shape sphere = test_shapes::sphere(1, 3);
-  const Shape coarse = decimate(test_shapes::soup(sphere), 200);
+  const Shape sphere = test::sphere(1, 3);
+  const Shape coarse = decimate(test::soup(sphere), 200);
   EXPECT_TRUE(is_watertight(coarse));
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_LE(coarse.vertices.rows(), 102);
 }
 
 TEST(Decimate, KeepsTheOrientationOfEveryFace) {
-  const Shape sphere = test_shapes::sphere(1, 4);
+  const Shape sphere = test::sphere(1, 4);
   RandomNumbers random(1);
   const Shape mixed = decimate(flip_orientation(sphere, 0.5, random), 500);
   EXPECT_LE(mixed.triangles.rows(), 500);
@@ -81,9 +81,8 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
 
 TEST(Decimate, StaysClosedWhereSurfacesMeet) {
   // Two boxes with a common edge: four faces meet there.
-  const Shape box = test_shapes::box({1, 1, 1}, 6);
-  const Shape pair =
-      test_shapes::joined({box, test_shapes::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
+  const Shape box = test::box({1, 1, 1}, 6);
+  const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
   const Shape coarse = decimate(pair, 200);
   expect_valid(coarse);
   EXPECT_TRUE(is_watertight(coarse));
@@ -93,30 +92,30 @@ TEST(Decimate, StaysClosedWhereSurfacesMeet) {
 
 TEST(Decimate, WorksOnBrokenMeshes) {
   RandomNumbers random(1);
-  const Shape broken = remove_faces(test_shapes::sphere(1, 4), 0.15, random);
+  const Shape broken = remove_faces(test::sphere(1, 4), 0.15, random);
   const Shape coarse = decimate(broken, 1500);
   expect_valid(coarse);
   EXPECT_LT(coarse.triangles.rows(), broken.triangles.rows() / 2 + 500);
 }
 
 TEST(Decimate, DoesNotDependOnSizeOrPlace) {
-  const Shape torus = test_shapes::torus(3, 1, 40, 30);
+  const Shape torus = test::torus(3, 1, 40, 30);
   Shape tiny = torus;
   tiny.vertices *= 0x1p-200;
   EXPECT_EQ(decimate(tiny, 500).triangles, decimate(torus, 500).triangles);
 }
 
 TEST(Decimate, ReturnsASmallMeshAsItIs) {
-  const Shape box = test_shapes::box({1, 1, 1}, 2);
+  const Shape box = test::box({1, 1, 1}, 2);
   EXPECT_EQ(decimate(box, 48).triangles, box.triangles);
 }
 
 TEST(Decimate, RefusesWhatCannotBeDone) {
   Shape cloud;
-  cloud.vertices = test_shapes::sphere(1, 2).vertices;
+  cloud.vertices = test::sphere(1, 2).vertices;
   EXPECT_THROW(decimate(cloud, 100), InputError);
   EXPECT_THROW(decimate(Shape{}, 100), InputError);
-  EXPECT_THROW(decimate(test_shapes::sphere(1, 2), 0), InputError);
+  EXPECT_THROW(decimate(test::sphere(1, 2), 0), InputError);
   Shape tetrahedron;
   tetrahedron.vertices.resize(4, 3);
   tetrahedron.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1;

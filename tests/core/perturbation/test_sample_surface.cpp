@@ -3,7 +3,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -15,7 +15,7 @@ Shape sampled(const Shape& shape, const SampleSurfaceOptions& options, std::uint
 }
 
 TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {
-  const Shape box = test_shapes::box({1, 2, 4}, 3);
+  const Shape box = test::box({1, 2, 4}, 3);
   const Shape cloud = sampled(box, {.points = 28000}, 1);
   ASSERT_EQ(cloud.vertices.rows(), 28000);
   EXPECT_EQ(cloud.triangles.rows(), 0);
@@ -39,7 +39,7 @@ TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {
 
 TEST(SampleSurface, EveryPartOfTheAreaHasItsPoint) {
   // 1280 triangles of nearly the same area and two points for each: independent points would miss one in seven.
-  const Shape sphere = test_shapes::sphere(1, 3);
+  const Shape sphere = test::sphere(1, 3);
   const Shape cloud = sampled(sphere, {.points = 2560, .with_normals = true}, 1);
   Eigen::Index different = 0;
   for (Eigen::Index i = 1; i < cloud.normals.rows(); ++i) {
@@ -49,7 +49,7 @@ TEST(SampleSurface, EveryPartOfTheAreaHasItsPoint) {
 }
 
 TEST(SampleSurface, NormalsAreTheTriangles) {
-  const Shape cloud = sampled(test_shapes::sphere(2, 4), {.points = 1000, .with_normals = true}, 1);
+  const Shape cloud = sampled(test::sphere(2, 4), {.points = 1000, .with_normals = true}, 1);
   ASSERT_EQ(cloud.normals.rows(), 1000);
   for (Eigen::Index i = 0; i < 1000; ++i) {
     EXPECT_NEAR(cloud.normals.row(i).norm(), 1, 1e-12);
@@ -58,7 +58,7 @@ TEST(SampleSurface, NormalsAreTheTriangles) {
 }
 
 TEST(SampleSurface, DependsOnTheSeedAndNotOnSize) {
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_EQ(sampled(box, {.points = 100}, 1).vertices, sampled(box, {.points = 100}, 1).vertices);
   EXPECT_NE(sampled(box, {.points = 100}, 1).vertices, sampled(box, {.points = 100}, 2).vertices);
   Shape tiny = box;
@@ -67,7 +67,7 @@ TEST(SampleSurface, DependsOnTheSeedAndNotOnSize) {
 }
 
 TEST(SampleSurface, PassesOverTrianglesWithoutArea) {
-  Shape shape = test_shapes::box({1, 1, 1}, 1);
+  Shape shape = test::box({1, 1, 1}, 1);
   Triangles triangles(14, 3);
   triangles << 0, 0, 1, shape.triangles, 1, 1, 1;
   shape.triangles = triangles;
@@ -76,7 +76,7 @@ TEST(SampleSurface, PassesOverTrianglesWithoutArea) {
 
 TEST(SampleSurface, ThinsACloud) {
   Shape cloud;
-  cloud.vertices = test_shapes::sphere(1, 3).vertices;
+  cloud.vertices = test::sphere(1, 3).vertices;
   cloud.normals = cloud.vertices;
   const Shape fewer = sampled(cloud, {.points = 101, .with_normals = true}, 1);
   EXPECT_EQ(fewer.vertices.rows(), 101);
@@ -87,16 +87,12 @@ TEST(SampleSurface, ThinsACloud) {
 
 TEST(SampleSurface, RefusesWhatHasNoArea) {
   EXPECT_THROW(sampled(Shape{}, {}, 1), InputError);
-  EXPECT_THROW(sampled(test_shapes::box({1, 1, 1}, 1), {.points = 0}, 1), InputError);
-  EXPECT_THROW(sampled(test_shapes::box({0, 0, 1}, 1), {}, 1), InputError);
+  EXPECT_THROW(sampled(test::box({1, 1, 1}, 1), {.points = 0}, 1), InputError);
+  EXPECT_THROW(sampled(test::box({0, 0, 1}, 1), {}, 1), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(VertexCloud, HasTheVerticesThatTrianglesUse) {
-  Shape sphere = test_shapes::sphere(1, 1);
+  Shape sphere = test::sphere(1, 1);
   const Points used = sphere.vertices;
   sphere.vertices.conservativeResize(used.rows() + 1, 3);
   sphere.vertices.bottomRows(1).setConstant(9);
@@ -106,7 +102,7 @@ TEST(VertexCloud, HasTheVerticesThatTrianglesUse) {
 }
 
 TEST(VertexCloud, OfACloudIsItsPoints) {
-  const Points points = test_shapes::sphere(1, 1).vertices;
+  const Points points = test::sphere(1, 1).vertices;
   const Shape cloud = vertex_cloud({points, {}, points});
   EXPECT_EQ(cloud.vertices, points);
   EXPECT_EQ(cloud.normals.rows(), 0);

@@ -7,8 +7,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/denoise.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -33,14 +32,14 @@ TEST(VertexNeighbours, OfTwoTrianglesAndAVertexOfNone) {
 }
 
 TEST(VertexNeighbours, OfATorusAreSixEach) {
-  const Shape torus = test_shapes::torus(2, 0.7, 8, 12);
+  const Shape torus = test::torus(2, 0.7, 8, 12);
   const VertexNeighbours neighbours = vertex_neighbours(torus);
   for (Eigen::Index v = 0; v < torus.vertices.rows(); ++v) EXPECT_EQ(neighbours.of(v).size(), 6U) << v;
 }
 
 TEST(VertexNeighbours, OfASoupAreThoseOfItsMesh) {
-  const Shape torus = test_shapes::torus(2, 0.7, 8, 12);
-  const Shape soup = test_shapes::soup(torus);
+  const Shape torus = test::torus(2, 0.7, 8, 12);
+  const Shape soup = test::soup(torus);
   const VertexNeighbours expected = vertex_neighbours(torus);
   const VertexNeighbours found = vertex_neighbours(soup);
   for (Eigen::Index v = 0; v < soup.vertices.rows(); ++v) {
@@ -52,21 +51,17 @@ TEST(VertexNeighbours, OfASoupAreThoseOfItsMesh) {
 }
 
 TEST(VertexNeighbours, OfACloudOrOfNothingAreNone) {
-  const Shape cloud{test_shapes::sphere(1, 1).vertices, {}};
+  const Shape cloud{test::sphere(1, 1).vertices, {}};
   const VertexNeighbours neighbours = vertex_neighbours(cloud);
   for (Eigen::Index v = 0; v < cloud.vertices.rows(); ++v) EXPECT_THAT(neighbours.of(v), IsEmpty());
   EXPECT_THAT(vertex_neighbours({}).neighbours, IsEmpty());
 }
 
 TEST(VertexNeighbours, RefusesATriangleWithoutVertices) {
-  Shape shape = test_shapes::sphere(1, 0);
+  Shape shape = test::sphere(1, 0);
   shape.triangles(3, 1) = 12;
   EXPECT_THROW(vertex_neighbours(shape), InputError);
 }
-
-}  // namespace
-
-namespace {
 
 NoiseLevel level_of(const Shape& shape) { return noise_level(shape, vertex_neighbours(shape)); }
 
@@ -92,7 +87,7 @@ Shape with_isotropic_noise(const Shape& shape, double deviation) {
 TEST(NoiseLevel, IsTheDeviationOfTheNoiseOfASphere) {
   // The estimate's own error: 1.2 / sqrt(n), 1 % here; what the smoothing keeps of the noise lowers it by some per
   // cent. An edge is 0.038 long.
-  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape sphere = test::sphere(1, 5);
   for (const double deviation : {0.003, 0.008, 0.015}) {
     for (const Shape& noisy : {with_isotropic_noise(sphere, deviation), with_normal_noise(sphere, deviation)}) {
       const NoiseLevel level = level_of(noisy);
@@ -106,25 +101,25 @@ TEST(NoiseLevel, IsTheDeviationOfTheNoiseOfASphere) {
 
 TEST(NoiseLevel, FindsNoNoiseOnCleanShapes) {
   const std::vector<Shape> clean = {
-      test_shapes::sphere(1, 3),
-      test_shapes::sphere(1, 5),
-      test_shapes::torus(2, 0.7, 60, 120),
-      test_shapes::torus(2, 0.7, 12, 50),  // long triangles
-      test_shapes::box({1, 2, 3}, 12),
-      test_shapes::box({1, 1, 1}, 30),
-      test_shapes::box({1, 40, 0.01}, 12),  // a strip of needles
-      test_shapes::capsule(0.5, 4, 48, 12),
-      test_shapes::capsule(0.5, 400, 48, 12),
-      test_shapes::joined({test_shapes::box({1, 1, 5}, 10), test_shapes::box({5, 1, 1}, 10)}),
+      test::sphere(1, 3),
+      test::sphere(1, 5),
+      test::torus(2, 0.7, 60, 120),
+      test::torus(2, 0.7, 12, 50),  // long triangles
+      test::box({1, 2, 3}, 12),
+      test::box({1, 1, 1}, 30),
+      test::box({1, 40, 0.01}, 12),  // a strip of needles
+      test::capsule(0.5, 4, 48, 12),
+      test::capsule(0.5, 400, 48, 12),
+      test::joined({test::box({1, 1, 5}, 10), test::box({5, 1, 1}, 10)}),
   };
   for (std::size_t i = 0; i < clean.size(); ++i) EXPECT_FALSE(is_noisy(clean[i])) << i;
 }
 
 TEST(NoiseLevel, DoesNotDependOnTheOrientation) {
-  const Shape noisy = with_isotropic_noise(test_shapes::torus(2, 0.7, 40, 80), 0.02);
+  const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   RandomNumbers random(1);
   const NoiseLevel clean = level_of(noisy);
-  for (const Shape& turned : {test_shapes::flipped(noisy), flip_orientation(noisy, 0.5, random)}) {
+  for (const Shape& turned : {test::flipped(noisy), flip_orientation(noisy, 0.5, random)}) {
     const NoiseLevel level = level_of(turned);
     EXPECT_NEAR(level.deviation, clean.deviation, 1e-9 * clean.deviation);
     EXPECT_EQ(level.edge_length, clean.edge_length);
@@ -133,11 +128,10 @@ TEST(NoiseLevel, DoesNotDependOnTheOrientation) {
 }
 
 TEST(NoiseLevel, GoesWithTheScaleAndNotWithThePlace) {
-  const Shape noisy = with_isotropic_noise(test_shapes::torus(2, 0.7, 40, 80), 0.02);
+  const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel level = level_of(noisy);
   for (const double scale : {1e-30, 1e-4, 1e30}) {
-    const Shape moved =
-        test_shapes::transformed(noisy, scale, test_shapes::rotation(2), scale * Eigen::Vector3d(5, 6, 7));
+    const Shape moved = test::transformed(noisy, scale, test::rotation(2), scale * Eigen::Vector3d(5, 6, 7));
     const NoiseLevel found = level_of(moved);
     EXPECT_NEAR(found.deviation / scale, level.deviation, 1e-9 * level.deviation);
     EXPECT_NEAR(found.edge_length / scale, level.edge_length, 1e-9 * level.edge_length);
@@ -147,38 +141,33 @@ TEST(NoiseLevel, GoesWithTheScaleAndNotWithThePlace) {
 
 TEST(NoiseLevel, OfASoupIsThatOfItsMesh) {
   // Each vertex counts as often as it has triangles, six times as a rule.
-  const Shape noisy = with_isotropic_noise(test_shapes::torus(2, 0.7, 40, 80), 0.02);
+  const Shape noisy = with_isotropic_noise(test::torus(2, 0.7, 40, 80), 0.02);
   const NoiseLevel mesh = level_of(noisy);
-  const NoiseLevel soup = level_of(test_shapes::soup(noisy));
+  const NoiseLevel soup = level_of(test::soup(noisy));
   EXPECT_NEAR(soup.deviation, mesh.deviation, 1e-6 * mesh.deviation);
   EXPECT_NEAR(soup.agreement, mesh.agreement, 1e-6);
-  EXPECT_TRUE(is_noisy(test_shapes::soup(noisy)));
-  const Shape far = test_shapes::transformed(test_shapes::soup(test_shapes::sphere(1, 3)), 1,
-                                             Eigen::Matrix3d::Identity(), {1e7, 1e7, 1e7});
+  EXPECT_TRUE(is_noisy(test::soup(noisy)));
+  const Shape far = test::transformed(test::soup(test::sphere(1, 3)), 1, Eigen::Matrix3d::Identity(), {1e7, 1e7, 1e7});
   EXPECT_FALSE(is_noisy(far));
 }
 
 TEST(NoiseLevel, SaysNothingOfFewVertices) {
-  const Shape few = with_isotropic_noise(test_shapes::sphere(1, 2), 0.1);  // 162 vertices
+  const Shape few = with_isotropic_noise(test::sphere(1, 2), 0.1);  // 162 vertices
   EXPECT_GE(level_of(few).relative(), 0.1);
   EXPECT_FALSE(is_noisy(few));
   Shape padded = few;
   padded.vertices.conservativeResize(1000, 3);
   padded.vertices.bottomRows(1000 - 162).setOnes();
   EXPECT_FALSE(is_noisy(padded));
-  EXPECT_FALSE(is_noisy(test_shapes::soup(few)));
+  EXPECT_FALSE(is_noisy(test::soup(few)));
 }
 
 TEST(NoiseLevel, IsZeroForACloud) {
-  const NoiseLevel level = level_of({test_shapes::sphere(1, 3).vertices, {}});
+  const NoiseLevel level = level_of({test::sphere(1, 3).vertices, {}});
   EXPECT_EQ(level.deviation, 0);
   EXPECT_EQ(level.edge_length, 0);
   EXPECT_EQ(level.relative(), 0);
 }
-
-}  // namespace
-
-namespace {
 
 /// The factor that the documentation promises for a frequency.
 double gain(double k, double pass_band) {
@@ -218,7 +207,7 @@ TEST(TaubinSmoothing, ScalesAWaveOnARingByTheTransferFunction) {
 TEST(TaubinSmoothing, ScalesAWaveOnATorusMeshByTheTransferFunction) {
   constexpr int around = 24;
   constexpr int along = 36;
-  const VertexNeighbours neighbours = vertex_neighbours(test_shapes::torus(2, 0.7, around, along));
+  const VertexNeighbours neighbours = vertex_neighbours(test::torus(2, 0.7, around, along));
   for (const auto& [p, q] : {std::pair(1, 0), std::pair(2, 3), std::pair(5, 7), std::pair(18, 12)}) {
     const double a = 2 * std::numbers::pi * p / along;
     const double b = 2 * std::numbers::pi * q / around;
@@ -250,7 +239,7 @@ TEST(TaubinSmoothing, KeepsWhatIsInThePassBandAndFadesWhatIsNot) {
 }
 
 TEST(TaubinSmoothing, DoesNotShrinkASphere) {
-  const Shape sphere = test_shapes::sphere(1, 4);
+  const Shape sphere = test::sphere(1, 4);
   const Points smoothed = taubin_smoothed(sphere.vertices, vertex_neighbours(sphere), 0.1);
   // As many rounds of plain averaging take 3 % off.
   EXPECT_NEAR(smoothed.rowwise().norm().mean(), 1, 3e-3);
@@ -258,12 +247,12 @@ TEST(TaubinSmoothing, DoesNotShrinkASphere) {
 }
 
 TEST(TaubinSmoothing, LeavesVerticesWithoutNeighboursAndMovesThoseAtOnePlaceTogether) {
-  Shape soup = test_shapes::soup(test_shapes::box({1, 2, 3}, 3));
+  Shape soup = test::soup(test::box({1, 2, 3}, 3));
   soup.vertices.conservativeResize(soup.vertices.rows() + 1, 3);
   soup.vertices.bottomRows(1) << 0.1, 0.2, 0.3;
   const Points smoothed = taubin_smoothed(soup.vertices, vertex_neighbours(soup), 0.1);
   EXPECT_EQ(smoothed.bottomRows(1), soup.vertices.bottomRows(1));
-  const Shape mesh = test_shapes::box({1, 2, 3}, 3);
+  const Shape mesh = test::box({1, 2, 3}, 3);
   const Points expected = taubin_smoothed(mesh.vertices, vertex_neighbours(mesh), 0.1);
   for (Eigen::Index i = 0; i < mesh.triangles.size(); ++i) {
     EXPECT_LT((smoothed.row(i) - expected.row(mesh.triangles(i / 3, i % 3))).norm(), 1e-12);
@@ -276,10 +265,6 @@ TEST(TaubinSmoothing, RefusesAPassBandOutOfRange) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Root of the mean squared distance of the vertices from the unit sphere.
 double distance_from_sphere(const Shape& shape) {
   return std::sqrt((shape.vertices.rowwise().norm().array() - 1).square().mean());
@@ -288,7 +273,7 @@ double distance_from_sphere(const Shape& shape) {
 TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
   // By how much, at least, for noise of a fraction of the diagonal: 3.1, 3.9, 4.7 and 5.2 times as measured. The edges
   // are 0.011 of the diagonal long.
-  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape sphere = test::sphere(1, 5);
   for (const auto& [noise, factor] : {std::pair(0.0025, 2.8), {0.005, 3.5}, {0.01, 4.2}, {0.02, 4.6}}) {
     for (const std::uint64_t seed : {1, 2, 3}) {
       RandomNumbers random(seed);
@@ -304,9 +289,8 @@ TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
 }
 
 TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
-  for (const Shape& shape :
-       {test_shapes::sphere(1, 4), test_shapes::torus(2, 0.7, 30, 60), test_shapes::box({1, 2, 3}, 12),
-        test_shapes::capsule(0.5, 400, 48, 12), test_shapes::random_points(test_shapes::sphere(1, 4), 3000, 1)}) {
+  for (const Shape& shape : {test::sphere(1, 4), test::torus(2, 0.7, 30, 60), test::box({1, 2, 3}, 12),
+                             test::capsule(0.5, 400, 48, 12), test::random_points(test::sphere(1, 4), 3000, 1)}) {
     const DenoisedShape result = denoised(shape);
     EXPECT_EQ(result.shape.vertices, shape.vertices);
     EXPECT_EQ(result.shape.triangles, shape.triangles);
@@ -316,10 +300,10 @@ TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
 
 TEST(Denoise, LeavesASoupConnected) {
   RandomNumbers random(1);
-  const Shape noisy = vertex_noise(test_shapes::sphere(1, 4), {.amplitude = 0.01}, random);
+  const Shape noisy = vertex_noise(test::sphere(1, 4), {.amplitude = 0.01}, random);
   const DenoisedShape mesh = denoised(noisy);
-  const DenoisedShape soup = denoised(test_shapes::soup(noisy));
-  const Shape expected = test_shapes::soup(mesh.shape);
+  const DenoisedShape soup = denoised(test::soup(noisy));
+  const Shape expected = test::soup(mesh.shape);
   EXPECT_LT((soup.shape.vertices - expected.vertices).rowwise().norm().maxCoeff(), 1e-3);
 }
 

@@ -9,10 +9,9 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/preparation/gap_size.h"
-#include "shapegauge/core/shape/diagnostics.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -58,14 +57,14 @@ double total_length(const std::vector<BoundaryLoop>& loops) {
 }
 
 TEST(BoundaryLoops, NoneOfClosedMeshesAndClouds) {
-  EXPECT_TRUE(boundary_loops(test_shapes::torus(2, 0.7, 8, 12)).empty());
-  EXPECT_TRUE(boundary_loops(test_shapes::soup(test_shapes::box({1, 2, 3}, 3))).empty());
-  EXPECT_TRUE(boundary_loops({test_shapes::sphere(1, 2).vertices, {}}).empty());
+  EXPECT_TRUE(boundary_loops(test::torus(2, 0.7, 8, 12)).empty());
+  EXPECT_TRUE(boundary_loops(test::soup(test::box({1, 2, 3}, 3))).empty());
+  EXPECT_TRUE(boundary_loops({test::sphere(1, 2).vertices, {}}).empty());
   EXPECT_TRUE(boundary_loops({}).empty());
 }
 
 TEST(BoundaryLoops, OneForEachFaceRemovedFromABox) {
-  const Shape box = test_shapes::box({2, 2, 2}, 4);  // cells of 0.5
+  const Shape box = test::box({2, 2, 2}, 4);  // cells of 0.5
   for (const std::set<Eigen::Index>& removed : {std::set<Eigen::Index>{0}, {0, 40, 100}, {5, 70, 75, 130, 191}}) {
     const std::vector<BoundaryLoop> loops = boundary_loops(without_faces(box, removed));
     ASSERT_EQ(loops.size(), removed.size());
@@ -79,7 +78,7 @@ TEST(BoundaryLoops, OneForEachFaceRemovedFromABox) {
 }
 
 TEST(BoundaryLoops, HolesThatTouchAtAVertexPart) {
-  const Shape box = test_shapes::box({2, 2, 2}, 4);
+  const Shape box = test::box({2, 2, 2}, 4);
   // A side's cells come one after the other, two triangles each: (0, 0) and (1, 1) touch at a corner.
   const std::vector<BoundaryLoop> loops = boundary_loops(without_faces(box, {0, 1, 10, 11}));
   ASSERT_EQ(loops.size(), 2U);
@@ -92,7 +91,7 @@ TEST(BoundaryLoops, HolesThatTouchAtAVertexPart) {
 
 TEST(BoundaryLoops, OfAnOpenCylinderAreItsTwoCircles) {
   constexpr int n = 64;
-  for (const Shape& cylinder : {band(n, 3, false), test_shapes::soup(band(n, 3, false))}) {
+  for (const Shape& cylinder : {band(n, 3, false), test::soup(band(n, 3, false))}) {
     const std::vector<BoundaryLoop> loops = boundary_loops(cylinder);
     ASSERT_EQ(loops.size(), 2U);
     for (const BoundaryLoop& loop : loops) {
@@ -125,7 +124,7 @@ TEST(BoundaryLoops, OfABookOfPagesCoverEveryBoundaryEdgeOnce) {
 }
 
 TEST(BoundaryLoops, OfACrackedMeshAddUpToItsBoundary) {
-  const Shape torus = test_shapes::torus(2, 0.7, 30, 60);
+  const Shape torus = test::torus(2, 0.7, 30, 60);
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     RandomNumbers random(seed);
     Shape cracked = remove_faces(torus, 0.1 * static_cast<double>(seed), random);
@@ -147,14 +146,10 @@ TEST(BoundaryLoops, OfACrackedMeshAddUpToItsBoundary) {
 }
 
 TEST(BoundaryLoops, RefusesAnUnusableShape) {
-  Shape shape = test_shapes::sphere(1, 0);
+  Shape shape = test::sphere(1, 0);
   shape.triangles(3, 1) = -1;
   EXPECT_THROW(boundary_loops(shape), InputError);
 }
-
-}  // namespace
-
-namespace {
 
 using Polygon = std::vector<Eigen::Vector2d>;
 
@@ -190,20 +185,16 @@ RC_GTEST_PROP(InscribedCircle, OfAnyTriangleIsTwiceTheAreaByTheLength, ()) {
   RC_ASSERT(radius * 1.01 + 1.5e-3 * diagonal >= doubled_area / std::max(length, 1e-9) * (1 - 1e-9));
 }
 
-}  // namespace
-
-namespace {
-
 /// A box with cells of 0.5, the side x = -1 open.
 Shape open_box() {
-  Shape box = test_shapes::box({2, 2, 2}, 4);
+  Shape box = test::box({2, 2, 2}, 4);
   box.triangles = box.triangles.bottomRows(box.triangles.rows() - 32).eval();
   return box;
 }
 
 TEST(GapSize, OfAClosedMeshIsZero) {
-  EXPECT_EQ(gap_size(test_shapes::torus(2, 0.7, 8, 12)), 0);
-  EXPECT_EQ(gap_size(test_shapes::soup(test_shapes::box({1, 2, 3}, 3))), 0);
+  EXPECT_EQ(gap_size(test::torus(2, 0.7, 8, 12)), 0);
+  EXPECT_EQ(gap_size(test::soup(test::box({1, 2, 3}, 3))), 0);
   EXPECT_EQ(gap_size({}), 0);
 }
 
@@ -219,7 +210,7 @@ TEST(GapSize, IsTheLargestHolesInscribedCircleUpToTheLimit) {
   const double radius_by_size = 1 / (2 + std::sqrt(2.0));  // 2 (size^2 / 2) / ((2 + sqrt 2) size)
   std::vector<Shape> parts;
   for (const double size : {0.01, 0.3, 0.02, 0.1}) parts.push_back(triangle_at(std::ssize(parts), size));
-  const Shape shape = test_shapes::joined(parts);
+  const Shape shape = test::joined(parts);
   EXPECT_NEAR(gap_size(shape), 0.3 * radius_by_size, 0.3 * 1e-3);
   EXPECT_NEAR(gap_size(shape, 0.2 * radius_by_size), 0.1 * radius_by_size, 0.1 * 1e-3);
   EXPECT_EQ(gap_size(shape, 0.001 * radius_by_size), 0);
@@ -241,13 +232,12 @@ TEST(GapSize, OfFewPointsReachesTheLast) {
 }
 
 TEST(GapSize, GoesWithTheScaleAndFallsWithDensity) {
-  const Shape sphere = test_shapes::sphere(1, 4);
-  const Shape cloud = test_shapes::random_points(sphere, 2000, 1);
+  const Shape sphere = test::sphere(1, 4);
+  const Shape cloud = test::random_points(sphere, 2000, 1);
   const double gap = gap_size(cloud);
-  EXPECT_NEAR(gap_size(test_shapes::transformed(cloud, 1e30, test_shapes::rotation(1), {0, 0, 0})), 1e30 * gap,
-              1e21 * gap);
+  EXPECT_NEAR(gap_size(test::transformed(cloud, 1e30, test::rotation(1), {0, 0, 0})), 1e30 * gap, 1e21 * gap);
   // Four times the points, half of the distances.
-  EXPECT_NEAR(gap_size(test_shapes::random_points(sphere, 8000, 1)) / gap, 0.5, 0.1);
+  EXPECT_NEAR(gap_size(test::random_points(sphere, 8000, 1)) / gap, 0.5, 0.1);
 }
 
 TEST(GapSize, RefusesAnUnusableShape) {

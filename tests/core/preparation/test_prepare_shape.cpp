@@ -4,7 +4,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/point_cloud.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -15,13 +15,13 @@ using ::testing::ThrowsMessage;
 
 TEST(ScaledToUnitArea, AreaIsOneAtEveryScale) {
   for (const double scale : {1e-30, 1e-3, 1.0, 1e30}) {
-    const Shape shape = scaled_to_unit_area(test_shapes::box(scale * Eigen::Vector3d(1, 2, 3), 2));
+    const Shape shape = scaled_to_unit_area(test::box(scale * Eigen::Vector3d(1, 2, 3), 2));
     EXPECT_NEAR(surface_area(shape), 1, 1e-14) << scale;
   }
 }
 
 TEST(ScaledToUnitArea, ScalesAboutTheOriginAndKeepsTriangles) {
-  const Shape box = test_shapes::transformed(test_shapes::box({1, 1, 1}, 1), 2, Eigen::Matrix3d::Identity(), {5, 6, 7});
+  const Shape box = test::transformed(test::box({1, 1, 1}, 1), 2, Eigen::Matrix3d::Identity(), {5, 6, 7});
   const Shape unit = scaled_to_unit_area(box);
   EXPECT_TRUE(unit.vertices.isApprox(box.vertices / std::sqrt(24.0), 1e-14));
   EXPECT_EQ(unit.triangles, box.triangles);
@@ -29,7 +29,7 @@ TEST(ScaledToUnitArea, ScalesAboutTheOriginAndKeepsTriangles) {
 
 TEST(ScaledToUnitArea, OfACloudIsTheEstimatedArea) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
-    Shape cloud{test_shapes::box(scale * Eigen::Vector3d(1, 2, 3), 5).vertices, {}, {}};
+    Shape cloud{test::box(scale * Eigen::Vector3d(1, 2, 3), 5).vertices, {}, {}};
     cloud.normals = Points::Ones(cloud.vertices.rows(), 3).rowwise().normalized();
     const Shape unit = scaled_to_unit_area(cloud);
     EXPECT_NEAR(point_weights(unit.vertices).sum(), 1, 1e-12) << scale;
@@ -51,9 +51,9 @@ TEST(ScaledToUnitArea, RefusesACloudWithoutArea) {
 
 TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
   EXPECT_THROW(scaled_to_unit_area(Shape{}), InputError);
-  EXPECT_THROW(scaled_to_unit_area(test_shapes::box({1, 0, 0}, 1)), InputError);
-  EXPECT_THROW(scaled_to_unit_area(test_shapes::box({1e200, 1e200, 1}, 1)), InputError);
-  Shape with_nan = test_shapes::box({1, 1, 1}, 1);
+  EXPECT_THROW(scaled_to_unit_area(test::box({1, 0, 0}, 1)), InputError);
+  EXPECT_THROW(scaled_to_unit_area(test::box({1e200, 1e200, 1}, 1)), InputError);
+  Shape with_nan = test::box({1, 1, 1}, 1);
   with_nan.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(scaled_to_unit_area(with_nan), InputError);
 }

@@ -6,8 +6,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/preparation/tube_area.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -24,29 +23,28 @@ double tube_area_of_box(const Eigen::Vector3d& size, double r) {
 }
 
 TEST(TubeArea, IsWeylsForASphereATorusAndABox) {
-  const Shape sphere = test_shapes::sphere(1, 5);
-  const Shape torus = test_shapes::torus(2, 0.7, 120, 240);
+  const Shape sphere = test::sphere(1, 5);
+  const Shape torus = test::torus(2, 0.7, 120, 240);
   const Eigen::Vector3d size(1, 2, 3);
   for (const double radius : {0.01, 0.02, 0.05}) {
     const double r = radius * bounding_box_diagonal(sphere);
     EXPECT_NEAR(tube_area(sphere, {.radius = radius}) / surface_area(sphere), 1 + r * r / 3, 1e-3) << radius;
     EXPECT_NEAR(tube_area(torus, {.radius = radius}) / surface_area(torus), 1, 1e-3) << radius;
-    const Shape box = test_shapes::box(size, 6);
+    const Shape box = test::box(size, 6);
     const double expected = tube_area_of_box(size, radius * bounding_box_diagonal(box));
     EXPECT_NEAR(tube_area(box, {.radius = radius}) / expected, 1, 5e-3) << radius;
   }
 }
 
 TEST(TubeArea, OfATubeFinerThanTheFinestCubes) {
-  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape sphere = test::sphere(1, 5);
   for (const double radius : {0.0005, 0.001, 0.002}) {
     EXPECT_NEAR(tube_area(sphere, {.radius = radius}) / surface_area(sphere), 1, 0.02) << radius;
   }
 }
 
 TEST(TubeArea, StaysWhereFacesAreMissing) {
-  for (const Shape& mesh :
-       {test_shapes::sphere(1, 4), test_shapes::torus(2, 0.7, 60, 120), test_shapes::box({1, 2, 3}, 20)}) {
+  for (const Shape& mesh : {test::sphere(1, 4), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     RandomNumbers random(1);
     const Shape cracked = remove_faces(mesh, 0.15, random);
     EXPECT_NEAR(surface_area(cracked) / surface_area(mesh), 0.85, 0.01);
@@ -55,7 +53,7 @@ TEST(TubeArea, StaysWhereFacesAreMissing) {
 }
 
 TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
-  const Shape torus = test_shapes::torus(2, 0.7, 60, 120);
+  const Shape torus = test::torus(2, 0.7, 60, 120);
   RandomNumbers random(1);
   const Shape noisy = vertex_noise(torus, {.amplitude = 0.005, .distribution = NoiseDistribution::gaussian}, random);
   EXPECT_GT(surface_area(noisy) / surface_area(torus), 1.5);
@@ -63,31 +61,29 @@ TEST(TubeArea, GrowsLessUnderNoiseThanTheArea) {
 }
 
 TEST(TubeArea, OfACloudIsThatOfItsSurface) {
-  for (const Shape& mesh :
-       {test_shapes::sphere(1, 5), test_shapes::torus(2, 0.7, 60, 120), test_shapes::box({1, 2, 3}, 20)}) {
+  for (const Shape& mesh : {test::sphere(1, 5), test::torus(2, 0.7, 60, 120), test::box({1, 2, 3}, 20)}) {
     for (const auto& [points, tolerance] : {std::pair(3000, 0.03), {10000, 0.01}}) {
-      const Shape cloud = test_shapes::random_points(mesh, points, 1);
+      const Shape cloud = test::random_points(mesh, points, 1);
       EXPECT_NEAR(tube_area(cloud) / tube_area(mesh), 1, tolerance) << points;
-      EXPECT_EQ(tube_area(test_shapes::joined({cloud, cloud})), tube_area(cloud));
+      EXPECT_EQ(tube_area(test::joined({cloud, cloud})), tube_area(cloud));
     }
   }
 }
 
 TEST(TubeArea, GoesWithTheScaleAndNotWithThePlace) {
-  const Shape torus = test_shapes::torus(2, 0.7, 40, 80);
+  const Shape torus = test::torus(2, 0.7, 40, 80);
   const double area = tube_area(torus);
   for (const double scale : {1e-30, 1e-3, 1e30}) {
-    const Shape scaled = test_shapes::transformed(torus, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
+    const Shape scaled = test::transformed(torus, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
     EXPECT_NEAR(tube_area(scaled) / scale / scale, area, 1e-3 * area);
     // Turned, the box and its diagonal, and so r, are others.
-    const Shape turned =
-        test_shapes::transformed(scaled, 1, test_shapes::rotation(3), scale * Eigen::Vector3d(5, 6, 7));
+    const Shape turned = test::transformed(scaled, 1, test::rotation(3), scale * Eigen::Vector3d(5, 6, 7));
     EXPECT_NEAR(tube_area(turned) / scale / scale, area, 3e-3 * area);
   }
 }
 
 TEST(TubeArea, RefusesWhatHasNoExtentAndARadiusOutOfRange) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   for (const double radius : {0.0, -1.0, 1.1, std::nan("")}) {
     EXPECT_THROW(tube_area(sphere, {.radius = radius}), InputError);
   }

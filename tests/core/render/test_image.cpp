@@ -62,10 +62,6 @@ TEST(ColourMap, OfARangeWithoutWidth) {
   EXPECT_EQ(colours, (std::vector<Colour>{colour_of(0), colour_of(0.5), colour_of(1), colour_of(nan)}));
 }
 
-}  // namespace
-
-namespace {
-
 Image gradient(int width, int height, int seed) {
   Image image{.width = width, .height = height, .pixels = {}};
   for (int i = 0; i < 4 * width * height; ++i) image.pixels.push_back(static_cast<std::uint8_t>(seed + 37 * i));
@@ -81,11 +77,6 @@ Image decoded(const std::string& png) {
   image.pixels.resize(PNG_IMAGE_SIZE(header));
   EXPECT_NE(png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr), 0);
   return image;
-}
-
-std::vector<std::uint8_t> pixel(const Image& image, int column, int row) {
-  const auto begin = image.pixels.begin() + 4 * (row * image.width + column);
-  return {begin, begin + 4};
 }
 
 TEST(Image, PngHoldsThePixels) {
@@ -117,29 +108,6 @@ TEST(Image, RefusesWhatIsNoImage) {
   Image short_of_a_pixel = gradient(3, 3, 0);
   short_of_a_pixel.pixels.resize(32);
   EXPECT_THROW(encode_png(short_of_a_pixel), std::invalid_argument);
-}
-
-TEST(ContactSheet, CentresImagesInCellsOfTheLargest) {
-  const Image wide = gradient(6, 2, 3);
-  const Image tall = gradient(2, 4, 4);
-  const Image sheet = contact_sheet({wide, tall, wide}, 2);
-  EXPECT_EQ(sheet.width, 12);
-  EXPECT_EQ(sheet.height, 8);
-  const std::vector<std::uint8_t> white = {255, 255, 255, 255};
-  EXPECT_EQ(pixel(sheet, 0, 0), white);
-  EXPECT_EQ(pixel(sheet, 0, 1), pixel(wide, 0, 0));
-  EXPECT_EQ(pixel(sheet, 5, 2), pixel(wide, 5, 1));
-  EXPECT_EQ(pixel(sheet, 6, 0), white);
-  EXPECT_EQ(pixel(sheet, 8, 0), pixel(tall, 0, 0));
-  EXPECT_EQ(pixel(sheet, 9, 3), pixel(tall, 1, 3));
-  EXPECT_EQ(pixel(sheet, 3, 5), pixel(wide, 3, 0));
-  EXPECT_EQ(pixel(sheet, 8, 6), white);
-}
-
-TEST(ContactSheet, FewerImagesThanColumns) {
-  EXPECT_EQ(contact_sheet({gradient(3, 3, 0)}, 5).width, 3);
-  EXPECT_EQ(contact_sheet({}, 5).width, 0);
-  EXPECT_THROW(contact_sheet({gradient(3, 3, 0)}, 0), std::invalid_argument);
 }
 
 }  // namespace

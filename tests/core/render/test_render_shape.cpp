@@ -10,8 +10,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/samples.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -48,7 +47,7 @@ const std::uint8_t* pixel(const Image& image, int column, int row) {
 
 TEST(RenderShape, SphereCoversADiskThatFillsTheHeight) {
   const RenderOptions options = small_transparent();
-  const Image image = render(test_shapes::sphere(1, 5), options);
+  const Image image = render(test::sphere(1, 5), options);
   const double radius = 0.5 * options.height * (1 - 2 * options.margin);
   // Rays sample the outline every 1/rays_per_side pixels: along all of it they are off by at most half of that.
   const double bound = 2 * std::numbers::pi * radius * 0.5 / options.rays_per_side;
@@ -58,7 +57,7 @@ TEST(RenderShape, SphereCoversADiskThatFillsTheHeight) {
 TEST(RenderShape, SilhouetteOfABoxFromTheFront) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 2};
-  const Image image = render(test_shapes::box({2, 1, 7}, 1), options);
+  const Image image = render(test::box({2, 1, 7}, 1), options);
   const double width = options.width * (1 - 2 * options.margin);
   EXPECT_NEAR(covered(image), width * width / 2, 1.5 * width / options.rays_per_side);
   EXPECT_EQ(pixel(image, 60, 45)[3], 255);
@@ -67,16 +66,16 @@ TEST(RenderShape, SilhouetteOfABoxFromTheFront) {
 
 TEST(RenderShape, SizeAndPlaceDoNotMatter) {
   const RenderOptions options = small_transparent();
-  const Shape torus = test_shapes::torus(3, 1, 20, 40);
+  const Shape torus = test::torus(3, 1, 20, 40);
   const double expected = covered(render(torus, options));
   for (const double scale : {1e-30, 1e30}) {
-    const Shape moved = test_shapes::transformed(torus, scale, Eigen::Matrix3d::Identity(), {7 * scale, scale, scale});
+    const Shape moved = test::transformed(torus, scale, Eigen::Matrix3d::Identity(), {7 * scale, scale, scale});
     EXPECT_NEAR(covered(render(moved, options)), expected, 1) << scale;
   }
 }
 
 TEST(RenderShape, SameBytesOnAnyNumberOfThreads) {
-  const Shape torus = test_shapes::torus(3, 1, 20, 40);
+  const Shape torus = test::torus(3, 1, 20, 40);
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   const auto bytes = [&](int threads) {
     return tbb::task_arena(threads).execute([&] { return encode_png(render(torus, RenderOptions{})); });
@@ -87,7 +86,7 @@ TEST(RenderShape, SameBytesOnAnyNumberOfThreads) {
 TEST(RenderShape, WhiteBackgroundIsOpaque) {
   RenderOptions options = small_transparent();
   options.transparent = false;
-  const Image image = render(test_shapes::sphere(1, 3), options);
+  const Image image = render(test::sphere(1, 3), options);
   EXPECT_NEAR(covered(image), options.width * options.height, 1e-9);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(pixel(image, 0, 0)[k], 255);
 }
@@ -95,7 +94,7 @@ TEST(RenderShape, WhiteBackgroundIsOpaque) {
 TEST(RenderShape, ColoursBelongToTheirTriangles) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
-  const Shape box = test_shapes::box({2, 2, 2}, 1);
+  const Shape box = test::box({2, 2, 2}, 1);
   const Samples samples = sample_shape(box, SampleSite::faces);
   std::vector<Colour> colours;
   for (Eigen::Index f = 0; f < box.triangles.rows(); ++f) colours.push_back(samples.normals(f, 2) > 0.5 ? green : red);
@@ -111,7 +110,7 @@ TEST(RenderShape, ColoursBelongToTheirTriangles) {
 TEST(RenderShape, ColoursOfVerticesBlend) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
-  const Shape box = test_shapes::box({2, 1, 1}, 1);
+  const Shape box = test::box({2, 1, 1}, 1);
   std::vector<Colour> colours;
   for (Eigen::Index v = 0; v < box.vertices.rows(); ++v) colours.push_back(box.vertices(v, 0) < 0 ? red : green);
   const Image image = render_shape(box, colours, SampleSite::vertices, options);
@@ -126,27 +125,27 @@ TEST(RenderShape, ColoursOfVerticesBlend) {
 }
 
 TEST(RenderShape, TurnedTrianglesLookTheSame) {
-  const Shape torus = test_shapes::torus(3, 1, 20, 40);
-  EXPECT_EQ(render(torus, small_transparent()).pixels, render(test_shapes::flipped(torus), small_transparent()).pixels);
+  const Shape torus = test::torus(3, 1, 20, 40);
+  EXPECT_EQ(render(torus, small_transparent()).pixels, render(test::flipped(torus), small_transparent()).pixels);
 }
 
 TEST(RenderShape, LitFromAbove) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
-  const Image image = render(test_shapes::sphere(1, 4), options);
+  const Image image = render(test::sphere(1, 4), options);
   EXPECT_GT(pixel(image, 60, 15)[0], pixel(image, 60, 75)[0] + 20);
 }
 
 TEST(RenderShape, FlatShapeEdgeOn) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
-  EXPECT_NO_THROW(render(test_shapes::box({0, 0, 1}, 1), options));
+  EXPECT_NO_THROW(render(test::box({0, 0, 1}, 1), options));
 }
 
 TEST(RenderShape, ACloudLooksLikeItsSurface) {
   const RenderOptions options = small_transparent();
-  const Shape sphere = test_shapes::sphere(1, 5);
-  const Shape cloud = test_shapes::random_points(sphere, 5000, 1);
+  const Shape sphere = test::sphere(1, 5);
+  const Shape cloud = test::random_points(sphere, 5000, 1);
   const Image image = render_shape(cloud, all(red, 5000), SampleSite::vertices, options);
   const Image of_mesh = render(sphere, options);
   // Hexagons of a radius of 3 % of the sphere's stand out from its rim, and leave few holes.
@@ -164,7 +163,7 @@ TEST(RenderShape, ACloudLooksLikeItsSurface) {
 TEST(RenderShape, PointsOfACloudHaveTheirColours) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};
-  const Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 4), 5000, 1);
+  const Shape cloud = test::random_points(test::sphere(1, 4), 5000, 1);
   std::vector<Colour> colours;
   for (Eigen::Index v = 0; v < 5000; ++v) colours.push_back(cloud.vertices(v, 0) < 0 ? red : green);
   const Image image = render_shape(cloud, colours, SampleSite::vertices, options);
@@ -175,9 +174,9 @@ TEST(RenderShape, PointsOfACloudHaveTheirColours) {
 }
 
 TEST(RenderShape, RefusesWhatCannotBeDrawn) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(render(Shape{}, {}), InputError);
-  EXPECT_THROW(render(test_shapes::box({0, 0, 0}, 1), {}), InputError);
+  EXPECT_THROW(render(test::box({0, 0, 0}, 1), {}), InputError);
   EXPECT_THROW(render_shape(sphere, all(red, 3), SampleSite::faces), InputError);
   EXPECT_THROW(render_shape({Points::Ones(20, 3), {}, {}}, all(red, 20), SampleSite::vertices), InputError);
   const auto with = [&](auto change) {
@@ -194,24 +193,20 @@ TEST(RenderShape, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(with([](RenderOptions& o) { o.towards_viewer.setConstant(std::nan("")); }), InputError);
 }
 
-}  // namespace
-
-namespace {
-
 /// A shape without symmetries: a body, a head at one end, something on its back and at its side.
 Shape lopsided() {
   const auto placed = [](const Shape& part, const Eigen::Vector3d& move) {
-    return test_shapes::transformed(part, 1, Eigen::Matrix3d::Identity(), move);
+    return test::transformed(part, 1, Eigen::Matrix3d::Identity(), move);
   };
-  return test_shapes::joined({test_shapes::box({6, 2, 1}, 2), placed(test_shapes::sphere(0.9, 2), {4, 0.4, 0}),
-                              placed(test_shapes::box({0.5, 1, 0.5}, 1), {1, 1.6, 0}),
-                              placed(test_shapes::box({0.4, 0.4, 0.8}, 1), {0.5, 0, 1})});
+  return test::joined({test::box({6, 2, 1}, 2), placed(test::sphere(0.9, 2), {4, 0.4, 0}),
+                       placed(test::box({0.5, 1, 0.5}, 1), {1, 1.6, 0}),
+                       placed(test::box({0.4, 0.4, 0.8}, 1), {0.5, 0, 1})});
 }
 
 double cosine(const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a.normalized().dot(b.normalized()); }
 
 TEST(PrincipalView, TheLongestAxisLiesAcrossTheImageAndTheShortestTowardsTheViewer) {
-  const RenderOptions view = principal_view(test_shapes::box({3, 9, 1}, 2));
+  const RenderOptions view = principal_view(test::box({3, 9, 1}, 2));
   EXPECT_GT(std::abs(view.up.x()), 0.999);
   const Eigen::Vector3d across = view.up.cross(view.towards_viewer);
   EXPECT_GT(std::abs(cosine(across, Eigen::Vector3d(0, 1, 0))), 0.9);
@@ -224,21 +219,21 @@ TEST(PrincipalView, FollowsTheShape) {
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, 2, -1).normalized()) *
                                 Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()))
                                    .toRotationMatrix();
-  const RenderOptions turned = principal_view(test_shapes::transformed(shape, 3, turn, {5, -7, 11}));
+  const RenderOptions turned = principal_view(test::transformed(shape, 3, turn, {5, -7, 11}));
   EXPECT_GT(cosine(turned.up, turn * view.up), 1 - 1e-9);
   EXPECT_GT(cosine(turned.towards_viewer, turn * view.towards_viewer), 1 - 1e-9);
 }
 
 TEST(PrincipalView, DoesNotDependOnTheTriangulation) {
-  const Shape coarse = test_shapes::box({3, 9, 1}, 1);
-  const Shape fine = test_shapes::box({3, 9, 1}, 8);
+  const Shape coarse = test::box({3, 9, 1}, 1);
+  const Shape fine = test::box({3, 9, 1}, 8);
   EXPECT_GT(cosine(principal_view(coarse).towards_viewer, principal_view(fine).towards_viewer), 1 - 1e-9);
 }
 
 TEST(PrincipalView, OfACloudIsAboutThatOfItsSurface) {
   const Shape shape = lopsided();
   const RenderOptions of_surface = principal_view(shape);
-  const RenderOptions of_cloud = principal_view(test_shapes::random_points(shape, 20000, 1));
+  const RenderOptions of_cloud = principal_view(test::random_points(shape, 20000, 1));
   EXPECT_GT(cosine(of_surface.up, of_cloud.up), 0.99);
   EXPECT_GT(cosine(of_surface.towards_viewer, of_cloud.towards_viewer), 0.99);
 }
@@ -250,11 +245,7 @@ TEST(PrincipalView, OtherOptionsStayAndNothingToLookAtIsNoError) {
   EXPECT_EQ(principal_view(Shape{}, options).up, options.up);
 }
 
-}  // namespace
-
-namespace {
-
-Shape sphere_cloud() { return test_shapes::random_points(test_shapes::sphere(1, 5), 3000, 1); }
+Shape sphere_cloud() { return test::random_points(test::sphere(1, 5), 3000, 1); }
 
 TEST(Splats, LieInTheTangentPlanesAndOverlap) {
   const Shape cloud = sphere_cloud();

@@ -5,14 +5,13 @@
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
 
 TEST(AutomaticOffset, OfACleanClosedMeshIsTheLeast) {
-  for (const Shape& shape : {test_shapes::sphere(1, 3), test_shapes::torus(2, 0.7, 30, 60)}) {
+  for (const Shape& shape : {test::sphere(1, 3), test::torus(2, 0.7, 30, 60)}) {
     const AutomaticOffset chosen = automatic_offset(shape, {.least = 0.007, .most = 0.04});
     EXPECT_EQ(chosen.offset, 0.007);
     EXPECT_EQ(chosen.gap, 0);
@@ -22,7 +21,7 @@ TEST(AutomaticOffset, OfACleanClosedMeshIsTheLeast) {
 }
 
 TEST(AutomaticOffset, OfACrackedMeshClosesItsGaps) {
-  const Shape torus = test_shapes::torus(2, 0.7, 12, 24);
+  const Shape torus = test::torus(2, 0.7, 12, 24);
   RandomNumbers random(1);
   const Shape cracked = remove_faces(torus, 0.1, random);
   const AutomaticOffset chosen = automatic_offset(cracked, {.most = 1});
@@ -35,7 +34,7 @@ TEST(AutomaticOffset, OfACrackedMeshClosesItsGaps) {
 TEST(AutomaticOffset, OfANoisyMeshIsTwiceTheNoise) {
   RandomNumbers random(1);
   const Shape noisy =
-      vertex_noise(test_shapes::sphere(1, 5), {.amplitude = 0.01, .distribution = NoiseDistribution::gaussian}, random);
+      vertex_noise(test::sphere(1, 5), {.amplitude = 0.01, .distribution = NoiseDistribution::gaussian}, random);
   const AutomaticOffset chosen = automatic_offset(noisy);
   EXPECT_EQ(chosen.gap, 0);
   EXPECT_NEAR(chosen.noise, 0.02, 0.003);
@@ -44,9 +43,9 @@ TEST(AutomaticOffset, OfANoisyMeshIsTwiceTheNoise) {
 
 TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
   // Without a leak no value is far below the diameter: a ray through a hole would end half way, in the inside.
-  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape sphere = test::sphere(1, 5);
   for (const auto& [points, seed] : {std::pair(1000, 1), {3000, 2}, {3000, 3}, {10000, 4}}) {
-    const Shape cloud = test_shapes::random_points(sphere, points, static_cast<std::uint64_t>(seed));
+    const Shape cloud = test::random_points(sphere, points, static_cast<std::uint64_t>(seed));
     const AutomaticOffset chosen = automatic_offset(cloud, {.most = 0.2});
     EXPECT_TRUE(chosen.sufficient);
     EXPECT_EQ(chosen.noise, 0);
@@ -63,7 +62,7 @@ TEST(AutomaticOffset, ClosesARandomCloudOfASphere) {
 }
 
 TEST(AutomaticOffset, SaysWhereTheMostIsNotEnough) {
-  const Shape sparse = test_shapes::random_points(test_shapes::sphere(1, 4), 300, 1);
+  const Shape sparse = test::random_points(test::sphere(1, 4), 300, 1);
   const AutomaticOffset chosen = automatic_offset(sparse);
   EXPECT_GT(chosen.gap, 0.05);
   EXPECT_EQ(chosen.offset, 0.05);
@@ -71,16 +70,16 @@ TEST(AutomaticOffset, SaysWhereTheMostIsNotEnough) {
 }
 
 TEST(AutomaticOffset, GoesWithTheShapeWhateverTheScale) {
-  const Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 4), 3000, 1);
+  const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
   const double offset = automatic_offset(cloud).offset;
   for (const double scale : {1e-30, 1e30}) {
-    const Shape scaled = test_shapes::transformed(cloud, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
+    const Shape scaled = test::transformed(cloud, scale, Eigen::Matrix3d::Identity(), {0, 0, 0});
     EXPECT_NEAR(automatic_offset(scaled).offset, offset, 1e-9);
   }
 }
 
 TEST(AutomaticOffset, RefusesWhatHasNoExtentAndBoundsOutOfOrder) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(automatic_offset({}), InputError);
   EXPECT_THROW(automatic_offset({Points::Ones(5, 3), {}}), InputError);
   EXPECT_THROW(automatic_offset(sphere, {.least = 0.1, .most = 0.05}), InputError);

@@ -13,7 +13,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -79,9 +79,7 @@ ConeSdfResult cone_sdf_at(const Shape& shape, SampleSite site, const ConeSdfOpti
 }
 
 /// A mesh without symmetry to the axes, so that no ray meets an edge and no normal lies on an axis.
-Shape generic(const Shape& shape) {
-  return test_shapes::transformed(shape, 1.7, test_shapes::rotation(11), {3, -1, 2});
-}
+Shape generic(const Shape& shape) { return test::transformed(shape, 1.7, test::rotation(11), {3, -1, 2}); }
 
 double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return (a - b).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
@@ -92,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(Both, ConeSdfSites, testing::Values(SampleSite::faces, 
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
 
 double relative_error_on_sphere(int subdivisions, SampleSite site, const ConeSdfOptions& options, double expected) {
-  const ConeSdfResult result = cone_sdf_at(test_shapes::sphere(2, subdivisions), site, options);
+  const ConeSdfResult result = cone_sdf_at(test::sphere(2, subdivisions), site, options);
   EXPECT_EQ(result.missing, 0U);
   return (result.values.array() - expected).abs().mean() / expected;
 }
@@ -100,7 +98,7 @@ double relative_error_on_sphere(int subdivisions, SampleSite site, const ConeSdf
 /// A chord is too short by the depth of the mesh below the sphere at either end, along the ray: relative to the chord
 /// at most depth / cos^2 for the ray furthest from the axis.
 double chord_error_bound(int subdivisions, double opening) {
-  const Samples centroids = sample_shape(test_shapes::sphere(1, subdivisions), SampleSite::faces);
+  const Samples centroids = sample_shape(test::sphere(1, subdivisions), SampleSite::faces);
   const double depth = 1 - centroids.points.rowwise().norm().minCoeff();
   const double cosine = std::cos(opening / 360 * std::numbers::pi);
   return depth / (cosine * cosine);
@@ -141,7 +139,7 @@ TEST_P(ConeSdfSites, SphereWithoutTheOutliersOfManyRays) {
 
 TEST_P(ConeSdfSites, SlabAwayFromItsRim) {
   const double thickness = 0.7;
-  const Shape slab = test_shapes::box({20 * thickness, 20 * thickness, thickness}, 11);
+  const Shape slab = test::box({20 * thickness, 20 * thickness, thickness}, 11);
   const Samples samples = sample_shape(slab, GetParam());
   const ConeSdfResult result = cone_sdf(slab, samples, {});
   const double expected = expected_value([&](const ConeRay& ray) { return thickness / std::cos(ray.from_axis); }).mean;
@@ -156,7 +154,7 @@ TEST_P(ConeSdfSites, SlabAwayFromItsRim) {
 
 TEST_P(ConeSdfSites, NoRayIsLostAtEdgesThatFaceEachOther) {
   // The rays from the vertices of one side pass exactly through vertices and edges of the other.
-  const Shape slab = test_shapes::box({10, 10, 1}, 40);
+  const Shape slab = test::box({10, 10, 1}, 40);
   const Samples samples = sample_shape(slab, GetParam());
   const Eigen::VectorXd values = cone_sdf(slab, samples, {}).values;
   const double expected = expected_value([](const ConeRay& ray) { return 1 / std::cos(ray.from_axis); }).mean;
@@ -181,7 +179,7 @@ TEST_P(ConeSdfSites, CapsuleOnItsSide) {
     lowest = std::min(lowest, value);
     highest = std::max(highest, value);
   }
-  const Shape capsule = test_shapes::capsule(radius, 10, 128, 16);
+  const Shape capsule = test::capsule(radius, 10, 128, 16);
   const Samples samples = sample_shape(capsule, GetParam());
   const ConeSdfResult result = cone_sdf_at(generic(capsule), GetParam());
   for (Eigen::Index i = 0; i < result.values.size(); ++i) {
@@ -192,34 +190,34 @@ TEST_P(ConeSdfSites, CapsuleOnItsSide) {
 }
 
 TEST_P(ConeSdfSites, FollowsScaleAndIgnoresPlace) {
-  const Shape torus = generic(test_shapes::torus(3, 1, 20, 40));
+  const Shape torus = generic(test::torus(3, 1, 20, 40));
   const ConeSdfResult expected = cone_sdf_at(torus, GetParam());
   ASSERT_EQ(expected.missing, 0U);
   for (const double scale : {1e-30, 1e-6, 1e30}) {
     const Eigen::Vector3d move = scale * Eigen::Vector3d(100, -200, 50);
-    const Shape moved = test_shapes::transformed(torus, scale, Eigen::Matrix3d::Identity(), move);
+    const Shape moved = test::transformed(torus, scale, Eigen::Matrix3d::Identity(), move);
     const ConeSdfResult result = cone_sdf_at(moved, GetParam());
     EXPECT_LT(largest_difference(result.values / scale, expected.values), 1e-9) << scale;
   }
 }
 
 TEST_P(ConeSdfSites, RotationTurnsTheSpiralOnly) {
-  const Shape torus = test_shapes::torus(3, 1, 40, 80);
+  const Shape torus = test::torus(3, 1, 40, 80);
   const ConeSdfResult before = cone_sdf_at(torus, GetParam());
   for (unsigned seed = 1; seed < 4; ++seed) {
-    const Shape turned = test_shapes::transformed(torus, 1, test_shapes::rotation(seed), {1, 2, 3});
+    const Shape turned = test::transformed(torus, 1, test::rotation(seed), {1, 2, 3});
     const ConeSdfResult after = cone_sdf_at(turned, GetParam());
     // The 25 rays are at other places of the same cone: single values move, their mean hardly.
     EXPECT_NEAR(after.values.mean() / before.values.mean(), 1, 5e-3);
   }
-  const Shape sphere = test_shapes::sphere(1, 4);
-  const Shape turned = test_shapes::transformed(sphere, 1, test_shapes::rotation(1), {1, 2, 3});
+  const Shape sphere = test::sphere(1, 4);
+  const Shape turned = test::transformed(sphere, 1, test::rotation(1), {1, 2, 3});
   EXPECT_LT(largest_difference(cone_sdf_at(sphere, GetParam()).values, cone_sdf_at(turned, GetParam()).values), 1e-2);
 }
 
 TEST_P(ConeSdfSites, FollowsTheOrderOfTheShape) {
-  const Shape torus = generic(test_shapes::torus(3, 1, 20, 40));
-  const test_shapes::Permuted permuted = test_shapes::permuted(torus, 3);
+  const Shape torus = generic(test::torus(3, 1, 20, 40));
+  const test::Permuted permuted = test::permuted(torus, 3);
   const Eigen::VectorXd before = cone_sdf_at(torus, GetParam()).values;
   const Eigen::VectorXd after = cone_sdf_at(permuted.shape, GetParam()).values;
   const auto& order = GetParam() == SampleSite::faces ? permuted.triangles : permuted.vertices;
@@ -227,7 +225,7 @@ TEST_P(ConeSdfSites, FollowsTheOrderOfTheShape) {
 }
 
 TEST_P(ConeSdfSites, SameBytesOnAnyNumberOfThreads) {
-  const Shape torus = test_shapes::torus(3, 1, 40, 80);
+  const Shape torus = test::torus(3, 1, 40, 80);
   ConeSdfOptions serial;
   serial.parallel = false;
   const Eigen::VectorXd expected = cone_sdf_at(torus, GetParam(), serial).values;
@@ -240,14 +238,14 @@ TEST_P(ConeSdfSites, SameBytesOnAnyNumberOfThreads) {
 }
 
 TEST_P(ConeSdfSites, NothingIsHitFromAConvexShapeTurnedInsideOut) {
-  const Shape box = test_shapes::flipped(test_shapes::box({1, 2, 3}, 3));
+  const Shape box = test::flipped(test::box({1, 2, 3}, 3));
   const ConeSdfResult result = cone_sdf_at(box, GetParam());
   EXPECT_TRUE(result.values.array().isNaN().all());
   EXPECT_EQ(result.missing, static_cast<std::size_t>(result.values.size()));
 }
 
 TEST(ConeSdf, HitsOnFacesTurnedInwardsDoNotCount) {
-  Shape slab = test_shapes::box({20, 20, 1}, 4);
+  Shape slab = test::box({20, 20, 1}, 4);
   const Samples samples = sample_shape(slab, SampleSite::faces);
   for (Eigen::Index f = 0; f < slab.triangles.rows(); ++f) {
     if (samples.normals(f, 2) > 0.5) std::swap(slab.triangles(f, 1), slab.triangles(f, 2));
@@ -290,15 +288,15 @@ TEST(ConeSdf, NoRayIsLostAtAnEdge) {
 }
 
 TEST(ConeSdf, FacesListedTwiceDoNotEndEachOthersRays) {
-  const Shape torus = generic(test_shapes::torus(3, 1, 20, 40));
+  const Shape torus = generic(test::torus(3, 1, 20, 40));
   const Eigen::VectorXd once = cone_sdf_at(torus, SampleSite::faces).values;
-  const Eigen::VectorXd twice = cone_sdf_at(test_shapes::joined({torus, torus}), SampleSite::faces).values;
+  const Eigen::VectorXd twice = cone_sdf_at(test::joined({torus, torus}), SampleSite::faces).values;
   EXPECT_EQ(twice.head(once.size()), once);
   EXPECT_EQ(twice.tail(once.size()), once);
 }
 
 TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {
-  Shape sphere = test_shapes::sphere(1, 2);
+  Shape sphere = test::sphere(1, 2);
   const ConeSdfResult before = cone_sdf_at(sphere, SampleSite::faces);
   const Eigen::Index count = sphere.triangles.rows();
   sphere.triangles.conservativeResize(count + 2, 3);
@@ -310,13 +308,13 @@ TEST(ConeSdf, DegenerateTrianglesHaveNoValueAndAreCounted) {
 }
 
 TEST(ConeSdf, VerticesDoubledAlongSeamsDoNotEndTheirOwnRays) {
-  const ConeSdfResult result = cone_sdf_at(test_shapes::soup(test_shapes::sphere(1, 3)), SampleSite::vertices);
+  const ConeSdfResult result = cone_sdf_at(test::soup(test::sphere(1, 3)), SampleSite::vertices);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_GT(result.values.minCoeff(), 1.8);
 }
 
 TEST(ConeSdf, UnusedVerticesHaveNoValue) {
-  Shape sphere = test_shapes::sphere(1, 2);
+  Shape sphere = test::sphere(1, 2);
   sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
   sphere.vertices.bottomRows<1>() << 0.1, 0.2, 0.3;
   const ConeSdfResult result = cone_sdf_at(sphere, SampleSite::vertices);
@@ -325,7 +323,7 @@ TEST(ConeSdf, UnusedVerticesHaveNoValue) {
 }
 
 TEST(ConeSdf, RefusesOptionsOutOfRange) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   const auto with = [&](double angle, int rays) {
     ConeSdfOptions options;
     options.opening_angle_degrees = angle;
@@ -336,12 +334,12 @@ TEST(ConeSdf, RefusesOptionsOutOfRange) {
     EXPECT_THROW(with(angle, 25), InputError) << angle;
   }
   EXPECT_THROW(with(60, 0), InputError);
-  EXPECT_THROW(with(60, 2'000'000), InputError);
+  EXPECT_THROW(with(60, 10'001), InputError);
   EXPECT_NO_THROW(with(179, 1));
 }
 
 TEST(ConeSdf, RefusesWhatItCannotAnswer) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   ConeSdfOptions options;
   options.postprocess = true;
   EXPECT_THROW(cone_sdf_at(sphere, SampleSite::faces, options), InputError);
@@ -353,7 +351,7 @@ TEST(ConeSdf, RefusesWhatItCannotAnswer) {
                   testing::ThrowsMessage<InputError>(testing::StartsWith("the conventional SDF needs triangles")));
     }
   }
-  EXPECT_THROW(cone_sdf(sphere, sample_shape(test_shapes::sphere(1, 2), SampleSite::faces), {}), InputError);
+  EXPECT_THROW(cone_sdf(sphere, sample_shape(test::sphere(1, 2), SampleSite::faces), {}), InputError);
 }
 
 }  // namespace

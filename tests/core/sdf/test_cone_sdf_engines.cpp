@@ -9,7 +9,7 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -60,10 +60,6 @@ RC_GTEST_PROP(MeanWithoutOutliers, IsTheDefinition, (bool many_equal)) {
   RC_ASSERT(std::ranges::is_sorted(values));
 }
 
-}  // namespace
-
-namespace {
-
 ConeSdfResult cone_sdf_by(ConeSdfEngine engine, const Shape& shape, bool postprocess = false) {
   ConeSdfOptions options;
   options.engine = engine;
@@ -73,7 +69,7 @@ ConeSdfResult cone_sdf_by(ConeSdfEngine engine, const Shape& shape, bool postpro
 
 /// Without symmetry to the axes: no ray meets an edge, and no normal is on an axis, where the two engines, which round
 /// normals differently, might begin their spirals at different angles.
-Shape generic(const Shape& shape) { return test_shapes::transformed(shape, 1, test_shapes::rotation(2), {3, -1, 2}); }
+Shape generic(const Shape& shape) { return test::transformed(shape, 1, test::rotation(2), {3, -1, 2}); }
 
 void expect_agreement(const Shape& shape) {
   const ConeSdfResult ours = cone_sdf_by(ConeSdfEngine::embree, shape);
@@ -88,9 +84,9 @@ void expect_agreement(const Shape& shape) {
 }
 
 TEST(ConeSdfCgal, BothEnginesAgree) {
-  expect_agreement(generic(test_shapes::torus(3, 1, 20, 40)));
-  expect_agreement(generic(test_shapes::capsule(0.5, 3, 20, 5)));
-  expect_agreement(generic(test_shapes::joined({test_shapes::sphere(1, 2), test_shapes::sphere(0.3, 1)})));
+  expect_agreement(generic(test::torus(3, 1, 20, 40)));
+  expect_agreement(generic(test::capsule(0.5, 3, 20, 5)));
+  expect_agreement(generic(test::joined({test::sphere(1, 2), test::sphere(0.3, 1)})));
 }
 
 TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
@@ -102,7 +98,7 @@ TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
 }
 
 TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
-  const Shape torus = generic(test_shapes::flipped(test_shapes::torus(3, 1, 20, 40)));
+  const Shape torus = generic(test::flipped(test::torus(3, 1, 20, 40)));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus);
   EXPECT_GT(result.missing, 0U);
   EXPECT_LT(result.missing, static_cast<std::size_t>(result.values.size()));
@@ -110,14 +106,14 @@ TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
 }
 
 TEST(ConeSdfCgal, PostprocessingScalesToTheUnitInterval) {
-  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, generic(test_shapes::capsule(0.5, 3, 20, 5)), true);
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, generic(test::capsule(0.5, 3, 20, 5)), true);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_EQ(result.values.minCoeff(), 0);
   EXPECT_EQ(result.values.maxCoeff(), 1);
 }
 
 TEST(ConeSdfCgal, PostprocessingFillsWhatIsMissing) {
-  const Shape torus = generic(test_shapes::flipped(test_shapes::torus(3, 1, 20, 40)));
+  const Shape torus = generic(test::flipped(test::torus(3, 1, 20, 40)));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus, true);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_EQ(result.values.minCoeff(), 0);
@@ -125,13 +121,13 @@ TEST(ConeSdfCgal, PostprocessingFillsWhatIsMissing) {
 }
 
 TEST(ConeSdfCgal, PostprocessingWithoutAnyValueLeavesAllMissing) {
-  const Shape box = test_shapes::flipped(test_shapes::box({1, 2, 3}, 2));
+  const Shape box = test::flipped(test::box({1, 2, 3}, 2));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, box, true);
   EXPECT_EQ(result.missing, static_cast<std::size_t>(box.triangles.rows()));
 }
 
 TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_NO_THROW(cone_sdf_by(ConeSdfEngine::cgal, box));
   Shape one_turned = box;
   one_turned.triangles.row(5).reverseInPlace();
@@ -153,7 +149,7 @@ TEST(ConeSdfCgal, RefusesWhatIsNoOrientedManifold) {
 }
 
 TEST(ConeSdfCgal, AnswersAtFacesOnly) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   ConeSdfOptions options;
   options.engine = ConeSdfEngine::cgal;
   EXPECT_THROW(cone_sdf(sphere, sample_shape(sphere, SampleSite::vertices), options), InputError);

@@ -13,7 +13,7 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/connectivity.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 /// Shapes that nobody wants, and what becomes of them: a defined value or an InputError, in bounded time.
 namespace shapegauge {
@@ -55,7 +55,7 @@ Shape many_tetrahedra(int count, double size) {
   RandomNumbers random(1, 0);
   std::vector<Shape> parts;
   for (int i = 0; i < count; ++i) parts.push_back(tetrahedron_at(random_place(random), size));
-  return test_shapes::joined(parts);
+  return test::joined(parts);
 }
 
 /// Both SDFs at both sites: values from 0 up, finite except where the conventional SDF has none. Returns the offset SDF
@@ -84,8 +84,8 @@ double seconds_of(const std::function<void()>& work) {
 
 TEST(HostileShapes, ASheetHasNoThickness) {
   const Shape triangle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
-  const Shape plane = test_shapes::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
-  for (const double offset : {0.01, 0.1, 1.0, 5.0, 100.0}) {
+  const Shape plane = test::box({1, 1, 0}, 3);  // top and bottom at the same place, and sides of no area
+  for (const double offset : {0.01, 0.1, 1.0}) {
     const double r = offset * std::sqrt(2.0);
     EXPECT_LE(values_of(triangle, offset).maxCoeff(), 2e-3 * r) << offset;
     const Samples samples = sample_shape(plane, SampleSite::faces);
@@ -101,15 +101,15 @@ TEST(HostileShapes, ASheetHasNoThickness) {
 TEST(HostileShapes, ANeedleIsMeasuredAlongItsLengthOrNotAtAll) {
   // Of no area: p + r n is not to be had, and any direction across the needle is as good as another.
   const Shape needle = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 0, 0}});
-  for (const double offset : {0.01, 0.3, 5.0}) {
+  for (const double offset : {0.01, 0.3, 1.0}) {
     EXPECT_LE(values_of(needle, offset).maxCoeff(), 1 + 1e-2 * offset) << offset;
   }
   const Shape thin = triangles_of({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-12, 0}});
-  for (const double offset : {0.01, 0.3, 5.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
+  for (const double offset : {0.01, 0.3, 1.0}) EXPECT_LE(values_of(thin, offset).maxCoeff(), 2e-3 * offset) << offset;
 }
 
 TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
-  Shape point = test_shapes::box({0, 0, 0}, 2);
+  Shape point = test::box({0, 0, 0}, 2);
   point.vertices.array() += 3;
   EXPECT_FALSE(is_watertight(point));
   EXPECT_TRUE((sample_shape(point, SampleSite::vertices).weights.array() == 0).all());
@@ -122,7 +122,7 @@ TEST(HostileShapes, WhatHasNoExtentIsAnInputError) {
 
 TEST(HostileShapes, TwoPartsFarApart) {
   const double distance = 1e6;
-  const Shape parts = test_shapes::joined({tetrahedron_at({0, 0, 0}, 1), tetrahedron_at({distance, 0, 0}, 1)});
+  const Shape parts = test::joined({tetrahedron_at({0, 0, 0}, 1), tetrahedron_at({distance, 0, 0}, 1)});
   for (const double offset : {0.01, 0.4}) {  // r is 10,000 and 400,000: neither joins the two balls
     EXPECT_LE(values_of(parts, offset).maxCoeff(), 2 + 1e-2 * offset * distance) << offset;
   }
@@ -132,16 +132,15 @@ TEST(HostileShapes, TwoPartsFarApart) {
 
 TEST(HostileShapes, HugeAndTinyCoordinates) {
   for (const double scale : {1e-300, 1e-30, 1e30, 1e300}) {
-    const Shape sphere = test_shapes::transformed(test_shapes::sphere(1, 2), scale, Eigen::Matrix3d::Identity(),
-                                                  Eigen::Vector3d::Constant(3 * scale));
+    const Shape sphere =
+        test::transformed(test::sphere(1, 2), scale, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Constant(3 * scale));
     const Eigen::VectorXd values = values_of(sphere, 0.05) / scale;
     EXPECT_GE(values.minCoeff(), 1.8) << scale;
     EXPECT_LE(values.maxCoeff(), 2.01) << scale;
   }
   // Parts of size 1 and 1e-30 at a corner of a triangle of size 1e30: no value exceeds the extent, and rounding.
-  const Shape mixed =
-      test_shapes::joined({test_shapes::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
-                           triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
+  const Shape mixed = test::joined({test::sphere(1, 1), triangles_of({{0, 0, 0}, {1e30, 0, 0}, {0, 1e30, 0}}),
+                                    triangles_of({{0, 0, 1e-30}, {1e-30, 0, 1e-30}, {0, 1e-30, 1e-30}})});
   for (const double offset : {0.02, 1.0}) {
     const double diagonal = bounding_box_diagonal(mixed);
     EXPECT_LE(values_of(mixed, offset).maxCoeff(), (1 + 2e-3 * offset) * diagonal) << offset;
@@ -195,19 +194,17 @@ TEST(HostileShapes, TinyPartsAreAsThinAsTheyAre) {
   EXPECT_LE(*middle, std::sqrt(2.0) * size + 2e-3 * offset * bounding_box_diagonal(parts));
 }
 
-TEST(HostileShapes, AnOffsetLargerThanTheShape) {
-  const Shape sphere = test_shapes::sphere(1, 3);
-  for (const double offset : {1.0, 5.0, 100.0}) {
-    const Eigen::VectorXd values = values_of(sphere, offset);
-    const double r = offset * bounding_box_diagonal(sphere);
-    EXPECT_GE(values.minCoeff(), 1.95 - 2e-3 * r) << offset;
-    EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r) << offset;
-  }
+TEST(HostileShapes, AnOffsetAsLargeAsTheShape) {
+  const Shape sphere = test::sphere(1, 3);
+  const Eigen::VectorXd values = values_of(sphere, OffsetSdfOptions::offset_bounds.high);
+  const double r = bounding_box_diagonal(sphere);
+  EXPECT_GE(values.minCoeff(), 1.95 - 2e-3 * r);
+  EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r);
 }
 
 TEST(HostileShapes, DuplicatedFacesChangeNothing) {
-  const Shape sphere = test_shapes::sphere(1, 3);
-  Shape twice = test_shapes::joined({sphere, sphere});
+  const Shape sphere = test::sphere(1, 3);
+  Shape twice = test::joined({sphere, sphere});
   twice.triangles.bottomRows(sphere.triangles.rows()) = sphere.triangles;  // the very same vertices
   for (const double offset : {0.01, 0.05, 0.3}) {
     const double tolerance = 0.02 * offset * bounding_box_diagonal(sphere);

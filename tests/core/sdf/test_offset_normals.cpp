@@ -5,8 +5,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/offset_normals.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -25,7 +24,7 @@ Points normals_of(const Shape& shape, const Samples& samples, double offset) {
 }
 
 TEST(OffsetNormals, OfAFineSphereAreWithinADegree) {
-  const Shape sphere = test_shapes::sphere(1, 5);  // 20480 faces
+  const Shape sphere = test::sphere(1, 5);  // 20480 faces
   for (const SampleSite site : {SampleSite::faces, SampleSite::vertices}) {
     const Samples samples = sample_shape(sphere, site);
     for (const double offset : {0.01, 0.03, 0.05}) {
@@ -36,7 +35,7 @@ TEST(OffsetNormals, OfAFineSphereAreWithinADegree) {
 
 TEST(OffsetNormals, DoNotNeedTheOrientation) {
   RandomNumbers random(1);
-  const Shape mixed = flip_orientation(test_shapes::sphere(1, 5), 0.5, random);
+  const Shape mixed = flip_orientation(test::sphere(1, 5), 0.5, random);
   const Samples faces = sample_shape(mixed, SampleSite::faces);
   EXPECT_LT(errors_on_sphere(faces.points, normals_of(mixed, faces, 0.03)).maxCoeff(), 1);
   // At a vertex the offset surface is a patch of a ball: all directions between its faces' are as good.
@@ -46,7 +45,7 @@ TEST(OffsetNormals, DoNotNeedTheOrientation) {
 
 TEST(OffsetNormals, OfARegularDenseCloudOfASphereAreWithinADegree) {
   // The icosphere's 10242 vertices, 0.011 of the diagonal apart.
-  const Shape cloud{test_shapes::sphere(1, 5).vertices, {}};
+  const Shape cloud{test::sphere(1, 5).vertices, {}};
   const Samples samples = sample_shape(cloud, SampleSite::vertices);
   for (const double offset : {0.03, 0.05}) {
     EXPECT_LT(errors_on_sphere(samples.points, normals_of(cloud, samples, offset)).mean(), 1) << offset;
@@ -59,8 +58,8 @@ TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdg
   for (const auto& [noise, site] :
        {std::pair(0.005, SampleSite::faces), {0.02, SampleSite::faces}, {0.02, SampleSite::vertices}}) {
     RandomNumbers random(1);
-    const Shape noisy = vertex_noise(test_shapes::sphere(1, 5),
-                                     {.amplitude = noise, .distribution = NoiseDistribution::uniform}, random);
+    const Shape noisy =
+        vertex_noise(test::sphere(1, 5), {.amplitude = noise, .distribution = NoiseDistribution::uniform}, random);
     const Samples samples = sample_shape(noisy, site);
     const double averaged = errors_on_sphere(samples.points, samples.normals).mean();
     const double by_offset = errors_on_sphere(samples.points, normals_of(noisy, samples, 0.05)).mean();
@@ -69,7 +68,7 @@ TEST(OffsetNormals, OfANoisySphereAreTwiceAsGoodAsItsOwnWhereNoiseIsAsLargeAsEdg
 }
 
 TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
-  Shape sphere = test_shapes::sphere(1, 2);
+  Shape sphere = test::sphere(1, 2);
   sphere.vertices.conservativeResize(sphere.vertices.rows() + 1, 3);
   sphere.vertices.bottomRows(1) << 0.5, 0, 0;
   const OffsetNormals result = offset_normals(sphere, sample_shape(sphere, SampleSite::vertices), {.offset = 0.05});
@@ -78,7 +77,7 @@ TEST(OffsetNormals, AreZeroWhereTheSampleIsNotOnTheSurface) {
 }
 
 TEST(OffsetNormals, RefusesWhatTheOffsetSdfRefuses) {
-  const Shape sphere = test_shapes::sphere(1, 1);
+  const Shape sphere = test::sphere(1, 1);
   EXPECT_THROW(offset_normals(sphere, sample_shape(sphere, SampleSite::faces), {.offset = 0}), InputError);
 }
 

@@ -6,8 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -20,7 +19,7 @@ OffsetSdfResult at_faces(const Shape& shape, double offset) {
 const std::vector<double> offsets = {0.001, 0.003, 0.01, 0.03, 0.05, 0.12};
 
 TEST(OffsetSdf, OfASphereIsItsDiameter) {
-  const Shape sphere = test_shapes::sphere(1, 4);
+  const Shape sphere = test::sphere(1, 4);
   // The polyhedron's faces lie below the sphere by this much at most.
   const double sagitta = 1 - sample_shape(sphere, SampleSite::faces).points.rowwise().norm().minCoeff();
   for (const double offset : offsets) {
@@ -33,7 +32,7 @@ TEST(OffsetSdf, OfASphereIsItsDiameter) {
 }
 
 TEST(OffsetSdf, OfACapsuleOnItsSideIsItsDiameter) {
-  const Shape capsule = test_shapes::capsule(0.5, 4, 96, 24);
+  const Shape capsule = test::capsule(0.5, 4, 96, 24);
   const Samples samples = sample_shape(capsule, SampleSite::faces);
   for (const double offset : offsets) {
     const OffsetSdfResult result = offset_sdf(capsule, samples, {.offset = offset});
@@ -46,7 +45,7 @@ TEST(OffsetSdf, OfACapsuleOnItsSideIsItsDiameter) {
 }
 
 TEST(OffsetSdf, OfASlabIsItsThicknessAwayFromTheRim) {
-  const Shape slab = test_shapes::box({4, 4, 0.3}, 12);
+  const Shape slab = test::box({4, 4, 0.3}, 12);
   const Samples samples = sample_shape(slab, SampleSite::faces);
   for (const double offset : offsets) {
     const OffsetSdfResult result = offset_sdf(slab, samples, {.offset = offset});
@@ -61,7 +60,7 @@ TEST(OffsetSdf, OfASlabIsItsThicknessAwayFromTheRim) {
 }
 
 TEST(OffsetSdf, OfATorusOnTheOuterEquatorIsTheTubesDiameter) {
-  const Shape torus = test_shapes::torus(2, 0.4, 120, 60);
+  const Shape torus = test::torus(2, 0.4, 120, 60);
   const Samples samples = sample_shape(torus, SampleSite::faces);
   for (const double offset : {0.001, 0.01, 0.03, 0.05, 0.2}) {  // the hole of radius 1.6 stays open: r <= 1.13
     const OffsetSdfResult result = offset_sdf(torus, samples, {.offset = offset});
@@ -77,7 +76,7 @@ TEST(OffsetSdf, OfATorusOnTheOuterEquatorIsTheTubesDiameter) {
 TEST(OffsetSdf, OfAClosedHoleOfATorusGoesThroughToTheOtherSide) {
   // The hole's radius is 0.3 and r is 0.85: the offset solid has no hole, and a ray from the outer equator goes all the
   // way through the middle.
-  const Shape torus = test_shapes::torus(1, 0.7, 120, 60);
+  const Shape torus = test::torus(1, 0.7, 120, 60);
   const double offset = 0.85 / bounding_box_diagonal(torus);
   const Samples samples = sample_shape(torus, SampleSite::faces);
   const OffsetSdfResult result = offset_sdf(torus, samples, {.offset = offset});
@@ -89,9 +88,9 @@ TEST(OffsetSdf, OfAClosedHoleOfATorusGoesThroughToTheOtherSide) {
 }
 
 TEST(OffsetSdf, OfTwoJoinedSpheresReachesThroughBothAlongTheirAxis) {
-  Shape second = test_shapes::sphere(1, 4);
+  Shape second = test::sphere(1, 4);
   second.vertices.col(0).array() += 1.2;
-  const Shape both = test_shapes::joined({test_shapes::sphere(1, 4), second});
+  const Shape both = test::joined({test::sphere(1, 4), second});
   const OffsetSdfResult result = at_faces(both, 0.02);
   const Samples samples = sample_shape(both, SampleSite::faces);
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
@@ -107,8 +106,8 @@ TEST(OffsetSdf, OfTwoJoinedSpheresReachesThroughBothAlongTheirAxis) {
 }
 
 TEST(OffsetSdf, IgnoresAVoidInsideTheShape) {
-  Shape inner = test_shapes::flipped(test_shapes::sphere(0.5, 3));
-  const Shape hollow = test_shapes::joined({test_shapes::sphere(1, 3), inner});
+  Shape inner = test::flipped(test::sphere(0.5, 3));
+  const Shape hollow = test::joined({test::sphere(1, 3), inner});
   const Samples samples = sample_shape(hollow, SampleSite::faces);
   const OffsetSdfResult result = offset_sdf(hollow, samples, {.offset = 0.03});
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
@@ -192,7 +191,7 @@ TEST(OffsetSdf, SeesAShaftThatLiesBetweenTheCubesOfASmallOffset) {
 }
 
 TEST(OffsetSdf, GivesNormalsOfASphere) {
-  const Shape sphere = test_shapes::sphere(1, 4);
+  const Shape sphere = test::sphere(1, 4);
   const Samples samples = sample_shape(sphere, SampleSite::vertices);
   const OffsetSdfResult result = offset_sdf(sphere, samples, {.offset = 0.05});
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
@@ -202,7 +201,7 @@ TEST(OffsetSdf, GivesNormalsOfASphere) {
 
 /// A sphere with random bumps and dents: closed, with concavities of many widths.
 Shape bumpy_sphere(unsigned seed) {
-  Shape shape = test_shapes::sphere(1, 2);
+  Shape shape = test::sphere(1, 2);
   std::srand(seed);
   const Eigen::Matrix<double, 12, 3> centres = Eigen::Matrix<double, 12, 3>::Random().rowwise().normalized();
   const Eigen::Matrix<double, 12, 1> heights = 0.5 * Eigen::Matrix<double, 12, 1>::Random();
@@ -237,8 +236,8 @@ RC_GTEST_PROP(OffsetSdf, IsInvariantUnderRigidMotionAndProportionalToScale, ()) 
   const Shape shape = bumpy_sphere(*rc::gen::arbitrary<unsigned>());
   const double offset = *rc::gen::inRange(15, 150) / 1000.0;
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
-  const Shape moved = test_shapes::transformed(shape, scale, test_shapes::rotation(*rc::gen::arbitrary<unsigned>()),
-                                               scale * Eigen::Vector3d(3, -2, 5));
+  const Shape moved = test::transformed(shape, scale, test::rotation(*rc::gen::arbitrary<unsigned>()),
+                                        scale * Eigen::Vector3d(3, -2, 5));
   const double r = offset * bounding_box_diagonal(shape);
   // The box turns too: r is the same length only when it is given as a fraction of the turned box.
   const Eigen::VectorXd before = at_faces(shape, offset).values;
@@ -251,8 +250,8 @@ RC_GTEST_PROP(OffsetSdf, DoesNotDependOnOrderOrOrientation, ()) {
   const double offset = *rc::gen::inRange(15, 150) / 1000.0;
   const double r = offset * bounding_box_diagonal(shape);
   const Eigen::VectorXd before = at_faces(shape, offset).values;
-  RC_ASSERT(share_that_differs(before, at_faces(test_shapes::flipped(shape), offset).values, 0.05 * r) < 0.02);
-  const test_shapes::Permuted permuted = test_shapes::permuted(shape, *rc::gen::arbitrary<unsigned>());
+  RC_ASSERT(share_that_differs(before, at_faces(test::flipped(shape), offset).values, 0.05 * r) < 0.02);
+  const test::Permuted permuted = test::permuted(shape, *rc::gen::arbitrary<unsigned>());
   const Eigen::VectorXd shuffled = at_faces(permuted.shape, offset).values;
   Eigen::VectorXd restored(shuffled.size());
   for (std::size_t f = 0; f < permuted.triangles.size(); ++f) {
@@ -262,7 +261,7 @@ RC_GTEST_PROP(OffsetSdf, DoesNotDependOnOrderOrOrientation, ()) {
 }
 
 TEST(OffsetSdf, TendsToTheRayLengthAsTheOffsetVanishes) {
-  const Shape slab = test_shapes::box({3, 2, 1}, 6);
+  const Shape slab = test::box({3, 2, 1}, 6);
   const OffsetSdfResult result = at_faces(slab, 1e-3);
   const Samples samples = sample_shape(slab, SampleSite::faces);
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
@@ -282,7 +281,7 @@ TEST(OffsetSdf, GivesTheSameBytesWithAnyNumberOfThreads) {
 }
 
 TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
-  Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 5), 4000, 1);
+  Shape cloud = test::random_points(test::sphere(1, 5), 4000, 1);
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Shape scaled = cloud;
     scaled.vertices *= scale;
@@ -302,7 +301,7 @@ TEST(OffsetSdf, OfASphereCloudIsItsDiameter) {
 }
 
 TEST(OffsetSdf, OfPointsInAPlaneIsNothingAwayFromTheRim) {
-  const Shape plane = test_shapes::random_points(test_shapes::box({1, 1, 0}, 1), 4000, 1);
+  const Shape plane = test::random_points(test::box({1, 1, 0}, 1), 4000, 1);
   const OffsetSdfResult result = at_faces(plane, 0.05);
   const double r = 0.05 * bounding_box_diagonal(plane);
   EXPECT_GE(result.values.minCoeff(), 0);
@@ -317,7 +316,7 @@ TEST(OffsetSdf, OfPointsInAPlaneIsNothingAwayFromTheRim) {
 }
 
 TEST(OffsetSdf, OfTwoFarPointsAndADenseCluster) {
-  Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 3), 1000, 1);
+  Shape cloud = test::random_points(test::sphere(1, 3), 1000, 1);
   cloud.vertices.row(0) << 1000, 0, 0;
   cloud.vertices.row(1) << -1000, 500, 0;
   const OffsetSdfResult result = at_faces(cloud, 0.01);
@@ -336,8 +335,8 @@ TEST(OffsetSdf, OfACloudOfFewPoints) {
 }
 
 TEST(OffsetSdf, RefusesWhatItCannotMeasure) {
-  const Shape sphere = test_shapes::sphere(1, 1);
-  for (const double offset : {0.0, -0.1, std::nan(""), std::numeric_limits<double>::infinity()}) {
+  const Shape sphere = test::sphere(1, 1);
+  for (const double offset : {0.0, -0.1, 0.9e-6, 1.001, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(at_faces(sphere, offset), InputError);
   }
   EXPECT_THROW(at_faces(Shape{}, 0.05), InputError);

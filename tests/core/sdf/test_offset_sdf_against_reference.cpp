@@ -8,7 +8,7 @@
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "tests/core/sdf/offset_sdf_reference.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -25,29 +25,29 @@ void PrintTo(const Case& one, std::ostream* stream) { *stream << one.name << ", 
 Shape star() {
   std::vector<Shape> arms;
   for (unsigned i = 0; i < 4; ++i) {
-    arms.push_back(test_shapes::transformed(test_shapes::capsule(0.18, 1, 8, 3), 1, test_shapes::rotation(i),
-                                            0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
+    arms.push_back(test::transformed(test::capsule(0.18, 1, 8, 3), 1, test::rotation(i),
+                                     0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
   }
-  return test_shapes::joined(arms);
+  return test::joined(arms);
 }
 
 /// Two walls that face each other, joined at one end.
 Shape clamp() {
-  Shape upper = test_shapes::box({2, 1, 0.2}, 2);
+  Shape upper = test::box({2, 1, 0.2}, 2);
   upper.vertices.col(2).array() += 0.45;
-  Shape end = test_shapes::box({0.2, 1, 0.65}, 2);
+  Shape end = test::box({0.2, 1, 0.65}, 2);
   end.vertices.col(2).array() += 0.225;
   end.vertices.col(0).array() -= 0.95;
-  return test_shapes::joined({test_shapes::box({2, 1, 0.2}, 2), upper, end});
+  return test::joined({test::box({2, 1, 0.2}, 2), upper, end});
 }
 
 std::vector<Case> cases() {
   std::vector<Case> result;
   for (const double offset : {0.05, 0.1}) {
-    result.push_back({"torus", test_shapes::torus(1, 0.45, 14, 9), offset});
+    result.push_back({"torus", test::torus(1, 0.45, 14, 9), offset});
     result.push_back({"star", star(), offset});
     result.push_back({"clamp", clamp(), offset});
-    result.push_back({"sphere", test_shapes::sphere(1, 1), offset});
+    result.push_back({"sphere", test::sphere(1, 1), offset});
   }
   return result;
 }
@@ -55,8 +55,8 @@ std::vector<Case> cases() {
 class OffsetSdfAgainstReference : public testing::TestWithParam<Case> {};
 
 TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
-  const Shape shape = test_shapes::transformed(GetParam().shape, 1 / bounding_box_diagonal(GetParam().shape),
-                                               test_shapes::rotation(5), Eigen::Vector3d::Zero());
+  const Shape shape = test::transformed(GetParam().shape, 1 / bounding_box_diagonal(GetParam().shape),
+                                        test::rotation(5), Eigen::Vector3d::Zero());
   const double r = GetParam().offset;
   const OffsetSdfReference reference(shape, r);
   const TriangleBVH tree(shape);

@@ -12,7 +12,7 @@
 #include "shapegauge/core/spatial/exterior_entry.h"
 #include "shapegauge/core/spatial/nearest_exterior.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 /// The exterior is one, whether a closed surface helps to decide it or connectivity alone does (the design, section
 /// 2.2).
@@ -71,21 +71,21 @@ Shape random_part() {
   Shape part;
   switch (*rc::gen::inRange(0, 4)) {
     case 0:
-      part = test_shapes::sphere(size, 2);
+      part = test::sphere(size, 2);
       break;
     case 1:
-      part = test_shapes::capsule(size / 2, 1.5, 16, 5);
+      part = test::capsule(size / 2, 1.5, 16, 5);
       break;
     case 2:
-      part = test_shapes::box({size, 2 * size, 0.8}, 4);
+      part = test::box({size, 2 * size, 0.8}, 4);
       break;
     default:
-      part = test_shapes::torus(1, size / 2, 12, 24);
+      part = test::torus(1, size / 2, 12, 24);
   }
   const auto turn = *rc::gen::inRange(1U, 1000U);
   Eigen::Vector3d move;
   for (double& coordinate : move) coordinate = *rc::gen::inRange(-100, 100) / 100.0;
-  return test_shapes::transformed(part, 1, test_shapes::rotation(turn), move);
+  return test::transformed(part, 1, test::rotation(turn), move);
 }
 
 RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
@@ -93,7 +93,7 @@ RC_GTEST_PROP(OneDefinition, ConnectivityAgreesWithTheLocalDecision, ()) {
   const int count = *rc::gen::inRange(1, 4);
   for (int i = 0; i < count; ++i) parts.push_back(random_part());
   const double offset = *rc::gen::inRange(6, 60) / 1000.0;
-  const Shape joined = test_shapes::joined(parts);
+  const Shape joined = test::joined(parts);
   RC_ASSERT(is_watertight_and_oriented(joined));
   const Shape shape = in_unit_frame(joined, unit_frame(joined));
   const Samples samples = sample_shape(shape, SampleSite::faces);
@@ -115,9 +115,9 @@ void expect_no_dispute(const Shape& given, double offset) {
 /// cubes for a third of r.
 TEST(OneDefinition, HoldsInTheWedgeBetweenTwoWalls) {
   const auto part = [](double size, unsigned turn, const Eigen::Vector3d& move) {
-    return test_shapes::transformed(test_shapes::box({size, 2 * size, 0.8}, 4), 1, test_shapes::rotation(turn), move);
+    return test::transformed(test::box({size, 2 * size, 0.8}, 4), 1, test::rotation(turn), move);
   };
-  expect_no_dispute(test_shapes::joined({part(0.34, 149, {-0.53, -0.5, -0.18}), part(0.3, 342, {-0.21, -0.09, -0.29})}),
+  expect_no_dispute(test::joined({part(0.34, 149, {-0.53, -0.5, -0.18}), part(0.3, 342, {-0.21, -0.09, -0.29})}),
                     0.018);
 }
 
@@ -143,7 +143,7 @@ class DamagedTorus : public testing::Test {
   }
 
   static constexpr double offset = 0.02;
-  Shape torus = test_shapes::torus(1, 0.4, 24, 48);
+  Shape torus = test::torus(1, 0.4, 24, 48);
   Samples samples = sample_shape(torus, SampleSite::faces);
   Eigen::VectorXd clean = offset_sdf(torus, samples, {.offset = offset}).values;
 };
@@ -160,12 +160,12 @@ TEST_F(DamagedTorus, FacesTwiceAndOnBothSides) {
   twice.triangles.conservativeResize(2 * torus.triangles.rows(), 3);
   twice.triangles.bottomRows(torus.triangles.rows()) = torus.triangles;
   expect_same_in(twice);
-  twice.triangles.bottomRows(torus.triangles.rows()) = test_shapes::flipped(torus).triangles;
+  twice.triangles.bottomRows(torus.triangles.rows()) = test::flipped(torus).triangles;
   expect_same_in(twice);
 }
 
 TEST_F(DamagedTorus, VerticesSplitAndNotUsed) {
-  expect_same_in(test_shapes::soup(torus));
+  expect_same_in(test::soup(torus));
   Shape with_others = torus;
   with_others.vertices.conservativeResize(torus.vertices.rows() + 2, 3);
   with_others.vertices.bottomRows(2) << 9, 9, 9, 0.5, 0, 0;
@@ -178,11 +178,10 @@ TEST_F(DamagedTorus, DebrisInside) {
     const double angle = 0.5 * i;
     const Eigen::Vector3d place(std::cos(angle), std::sin(angle), 0.1);
     // Some are oriented the other way: what they enclose, then, is a void.
-    const Shape part = test_shapes::sphere(0.02 + 0.01 * (i % 6), 1);
-    parts.push_back(test_shapes::transformed(i % 2 == 0 ? part : test_shapes::flipped(part), 1,
-                                             Eigen::Matrix3d::Identity(), place));
+    const Shape part = test::sphere(0.02 + 0.01 * (i % 6), 1);
+    parts.push_back(test::transformed(i % 2 == 0 ? part : test::flipped(part), 1, Eigen::Matrix3d::Identity(), place));
   }
-  expect_same_in(test_shapes::joined(parts));
+  expect_same_in(test::joined(parts));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "shapegauge/core/shape/connectivity.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -27,10 +27,6 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
     }
   }
 }
-
-}  // namespace
-
-namespace {
 
 TEST(DisjointSets, AreNamedByTheirLeastNumber) {
   DisjointSets sets;
@@ -57,19 +53,11 @@ TEST(DisjointSets, GrowWithoutForgetting) {
   EXPECT_EQ(sets.find(3), 3);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(MergedByPlace, NamesTheFirstVertexAtEachPlace) {
   const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
   EXPECT_EQ(merged_by_place(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
   EXPECT_TRUE(merged_by_place(Points(0, 3)).empty());
 }
-
-}  // namespace
-
-namespace {
 
 TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
   const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
@@ -103,30 +91,24 @@ TEST(EdgeUses, NamesVerticesByTheirPlace) {
   EXPECT_EQ(edges, 3U);
 }
 
-}  // namespace
-
-namespace {
-
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
-  const Shape sphere = test_shapes::sphere(1, 2);
+  const Shape sphere = test::sphere(1, 2);
   EXPECT_TRUE(is_watertight(sphere));
-  EXPECT_TRUE(is_watertight(test_shapes::flipped(sphere)));
-  EXPECT_TRUE(is_watertight(test_shapes::joined({sphere, test_shapes::torus(3, 1, 12, 8)})));
+  EXPECT_TRUE(is_watertight(test::flipped(sphere)));
+  EXPECT_TRUE(is_watertight(test::joined({sphere, test::torus(3, 1, 12, 8)})));
 }
 
 TEST(Closedness, EndsWithOneTriangle) {
-  Shape sphere = test_shapes::sphere(1, 2);
+  Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);
   EXPECT_FALSE(is_watertight(sphere));
   EXPECT_FALSE(is_watertight(Shape{}));
 }
 
-TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) {
-  EXPECT_TRUE(is_watertight(test_shapes::soup(test_shapes::sphere(1, 1))));
-}
+TEST(Closedness, TakesVerticesAtTheSamePlaceAsOne) { EXPECT_TRUE(is_watertight(test::soup(test::sphere(1, 1)))); }
 
 TEST(Closedness, LeavesOutTrianglesWithoutArea) {
-  Shape sphere = test_shapes::sphere(1, 1);
+  Shape sphere = test::sphere(1, 1);
   sphere.triangles.conservativeResize(sphere.triangles.rows() + 1, Eigen::NoChange);
   sphere.triangles.bottomRows(1) << 0, 0, 1;
   EXPECT_TRUE(is_watertight(sphere));

@@ -13,8 +13,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/point_cloud.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -61,14 +60,10 @@ TEST(PointNeighbours, NoMoreThanThereAre) {
   EXPECT_EQ(nearest_neighbours(Points(0, 3), 8).indices.rows(), 0);
 }
 
-}  // namespace
-
-namespace {
-
-Points random_points_of_sphere() { return test_shapes::random_points(test_shapes::sphere(1, 5), 5000, 1).vertices; }
+Points random_points_of_sphere() { return test::random_points(test::sphere(1, 5), 5000, 1).vertices; }
 
 TEST(PointNormals, OfAPlaneAreItsNormalAtAnyScale) {
-  const Eigen::Matrix3d turn = test_shapes::rotation(4);
+  const Eigen::Matrix3d turn = test::rotation(4);
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Points points = Points::Random(500, 3);
     points.col(2).setZero();
@@ -104,11 +99,7 @@ TEST(PointNormals, OfPointsAtOnePlaceAreZero) {
   for (Eigen::Index i = 13; i < points.rows(); ++i) EXPECT_NEAR(normals.row(i).norm(), 1, 1e-12);
 }
 
-}  // namespace
-
-namespace {
-
-using test_shapes::random_points;
+using test::random_points;
 
 /// Relative error of the weights' sum as an estimate of the mesh's area.
 double bias(const Shape& mesh, Eigen::Index points) {
@@ -117,22 +108,22 @@ double bias(const Shape& mesh, Eigen::Index points) {
 
 /// Points far apart, so that each has a weight of its own.
 Points scattered(unsigned seed, Eigen::Index count) {
-  return random_points(test_shapes::torus(2, 0.5, 30, 60), count, seed).vertices;
+  return random_points(test::torus(2, 0.5, 30, 60), count, seed).vertices;
 }
 
 TEST(PointWeights, SumToTheAreaOfTheSurface) {
   // The relative standard deviation of a weight is about 1/sqrt(8), that of the sum of 10,000, which overlap, 1 %.
-  EXPECT_NEAR(bias(test_shapes::sphere(3, 5), 10'000), 0, 0.03);
-  EXPECT_NEAR(bias(test_shapes::torus(2, 0.4, 40, 120), 10'000), 0, 0.03);
-  EXPECT_NEAR(bias(test_shapes::capsule(0.3, 5, 40, 10), 10'000), 0, 0.03);
-  EXPECT_NEAR(bias(test_shapes::box({1, 2, 3}, 1), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test::sphere(3, 5), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test::torus(2, 0.4, 40, 120), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test::capsule(0.3, 5, 40, 10), 10'000), 0, 0.03);
+  EXPECT_NEAR(bias(test::box({1, 2, 3}, 1), 10'000), 0, 0.03);
 }
 
 TEST(PointWeights, FollowTheDensity) {
   // As many points on the small sphere as on the large one.
-  Shape small = random_points(test_shapes::sphere(1, 4), 4000, 1);
+  Shape small = random_points(test::sphere(1, 4), 4000, 1);
   small.vertices.col(0).array() += 20;
-  const Shape large = random_points(test_shapes::sphere(10, 4), 4000, 2);
+  const Shape large = random_points(test::sphere(10, 4), 4000, 2);
   Points both(8000, 3);
   both << small.vertices, large.vertices;
   const Eigen::VectorXd weights = point_weights(both);
@@ -142,7 +133,7 @@ TEST(PointWeights, FollowTheDensity) {
 
 TEST(PointWeights, OfAGridAreAboutATenthTooLarge) {
   // The disc to the k-th neighbour holds k + 1/2 points of a grid on the average, instead of k.
-  const Shape mesh = test_shapes::sphere(1, 5);
+  const Shape mesh = test::sphere(1, 5);
   const double ratio = point_weights(mesh.vertices).sum() / surface_area(mesh);
   EXPECT_GT(ratio, 1);
   EXPECT_LT(ratio, 1.13);
@@ -152,7 +143,7 @@ RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
   Points points = scattered(seed, 60);
   points.bottomRows(5) = points.topRows(5);  // at the same places
   const Shape cloud{points, {}, {}};
-  const test_shapes::Permuted permuted = test_shapes::permuted(cloud, seed);
+  const test::Permuted permuted = test::permuted(cloud, seed);
   const Eigen::VectorXd before = point_weights(points);
   const Eigen::VectorXd after = point_weights(permuted.shape.vertices);
   for (std::size_t i = 0; i < permuted.vertices.size(); ++i) {
@@ -163,8 +154,7 @@ RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
 RC_GTEST_PROP(PointWeights, FollowScaleAndMotion, (unsigned seed)) {
   const Shape cloud{scattered(seed, 60), {}, {}};
   const double scale = std::pow(10, *rc::gen::inRange(-30, 31));
-  const Shape moved =
-      test_shapes::transformed(cloud, scale, test_shapes::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
+  const Shape moved = test::transformed(cloud, scale, test::rotation(seed), scale * Eigen::Vector3d(3, -2, 5));
   const Eigen::VectorXd before = point_weights(cloud.vertices);
   RC_ASSERT(before.minCoeff() > 0);
   RC_ASSERT((point_weights(moved.vertices) / scale / scale).isApprox(before, 1e-9));

@@ -6,13 +6,13 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/samples.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_shapes::Permuted;
+using test::Permuted;
 
 Shape triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   Shape shape;
@@ -28,8 +28,8 @@ INSTANTIATE_TEST_SUITE_P(Both, SampleSites, testing::Values(SampleSite::faces, S
                          [](const auto& site) { return site.param == SampleSite::faces ? "faces" : "vertices"; });
 
 TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
-  for (const Shape& shape : {test_shapes::sphere(2, 3), test_shapes::box({1, 2, 3}, 4),
-                             test_shapes::capsule(0.1, 20, 12, 3), test_shapes::torus(3, 1, 10, 40)}) {
+  for (const Shape& shape :
+       {test::sphere(2, 3), test::box({1, 2, 3}, 4), test::capsule(0.1, 20, 12, 3), test::torus(3, 1, 10, 40)}) {
     const Samples samples = sample_shape(shape, GetParam());
     EXPECT_GT(samples.weights.minCoeff(), 0);
     EXPECT_NEAR(samples.weights.sum() / surface_area(shape), 1, 1e-13);
@@ -38,19 +38,19 @@ TEST_P(SampleSites, WeightsSumToTheSurfaceArea) {
 }
 
 TEST_P(SampleSites, NormalsOfASpherePointAwayFromItsCentre) {
-  const Samples samples = sample_shape(test_shapes::sphere(2, 4), GetParam());
+  const Samples samples = sample_shape(test::sphere(2, 4), GetParam());
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     EXPECT_GT(samples.normals.row(i).dot(samples.points.row(i).normalized()), std::cos(0.01));
   }
 }
 
 TEST_P(SampleSites, FollowRotationTranslationAndScale) {
-  const Shape shape = test_shapes::capsule(1, 2, 12, 4);
+  const Shape shape = test::capsule(1, 2, 12, 4);
   const Samples before = sample_shape(shape, GetParam());
-  const Eigen::Matrix3d rotation = test_shapes::rotation(1);
+  const Eigen::Matrix3d rotation = test::rotation(1);
   const Eigen::RowVector3d move(4, -5, 6);
   for (const double scale : {1e-3, 1.0, 1e4}) {
-    const Samples after = sample_shape(test_shapes::transformed(shape, scale, rotation, move.transpose()), GetParam());
+    const Samples after = sample_shape(test::transformed(shape, scale, rotation, move.transpose()), GetParam());
     EXPECT_TRUE(after.points.isApprox(((before.points * scale) * rotation.transpose()).rowwise() + move, 1e-13));
     EXPECT_TRUE(after.normals.isApprox(before.normals * rotation.transpose(), 1e-9));
     EXPECT_TRUE(after.weights.isApprox(before.weights * scale * scale, 1e-9));
@@ -58,8 +58,8 @@ TEST_P(SampleSites, FollowRotationTranslationAndScale) {
 }
 
 TEST_P(SampleSites, FollowTheOrderOfTheShape) {
-  const Shape shape = test_shapes::box({1, 2, 3}, 3);
-  const Permuted permuted = test_shapes::permuted(shape, 7);
+  const Shape shape = test::box({1, 2, 3}, 3);
+  const Permuted permuted = test::permuted(shape, 7);
   const Samples before = sample_shape(shape, GetParam());
   const Samples after = sample_shape(permuted.shape, GetParam());
   const auto& order = GetParam() == SampleSite::faces ? permuted.triangles : permuted.vertices;
@@ -114,7 +114,7 @@ TEST(SampleVertices, ObtuseTriangleGivesHalfToItsObtuseCorner) {
 }
 
 TEST(SampleVertices, CornerNormalDoesNotDependOnHowTheSidesAreCut) {
-  const Samples samples = sample_shape(test_shapes::box({2, 2, 2}, 2), SampleSite::vertices);
+  const Samples samples = sample_shape(test::box({2, 2, 2}, 2), SampleSite::vertices);
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     if (samples.points.row(i).norm() < std::sqrt(3.0) - 1e-9) continue;
     EXPECT_TRUE(samples.normals.row(i).isApprox(samples.points.row(i).normalized(), 1e-14));
@@ -131,8 +131,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
 }
 
 TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
-  Shape sheet =
-      test_shapes::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test_shapes::rotation(3), {1, 2, 3});
+  Shape sheet = test::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test::rotation(3), {1, 2, 3});
   sheet.vertices.conservativeResize(4, 3);
   sheet.vertices.bottomRows<1>() << 9, 9, 9;
   sheet.triangles.conservativeResize(2, 3);
@@ -146,7 +145,7 @@ TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
 TEST(Samples, OfAnEmptyShape) { EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0); }
 
 TEST_P(SampleSites, OfACloudAreItsPoints) {
-  Shape cloud{test_shapes::box({1, 1, 1}, 3).vertices, {}, {}};
+  Shape cloud{test::box({1, 1, 1}, 3).vertices, {}, {}};
   const Samples without_normals = sample_shape(cloud, GetParam());
   EXPECT_EQ(without_normals.site, SampleSite::vertices);
   EXPECT_EQ(without_normals.points, cloud.vertices);
@@ -181,7 +180,7 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
 }
 
 TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {
-  const Shape cloud{test_shapes::box({1, 1, 1}, 6).vertices, {}, {}};
+  const Shape cloud{test::box({1, 1, 1}, 6).vertices, {}, {}};
   const Samples all = sample_shape(cloud, SampleSite::vertices);
   const Samples some = sample_surface_of(cloud, 50);
   EXPECT_EQ(some.site, SampleSite::vertices);

@@ -6,7 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/shape.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -18,45 +18,41 @@ TEST(Shape, EmptyShapeHasNoExtentAndNoArea) {
 }
 
 TEST(Shape, MeasuresOfABox) {
-  const Shape box = test_shapes::box({1, 2, 2}, 3);
+  const Shape box = test::box({1, 2, 2}, 3);
   EXPECT_NEAR(bounding_box_diagonal(box), 3, 1e-14);
   EXPECT_NEAR(surface_area(box), 16, 1e-13);
 }
 
 TEST(Shape, AreaOfATorusConvergesToTheFormula) {
   const double expected = 4 * std::numbers::pi * std::numbers::pi * 3 * 1;
-  EXPECT_NEAR(surface_area(test_shapes::torus(3, 1, 200, 200)) / expected, 1, 1e-3);
+  EXPECT_NEAR(surface_area(test::torus(3, 1, 200, 200)) / expected, 1, 1e-3);
 }
 
 TEST(Shape, VerticesThatNoTriangleUsesDoNotCount) {
-  Shape box = test_shapes::box({1, 2, 2}, 1);
+  Shape box = test::box({1, 2, 2}, 1);
   box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
   box.vertices.bottomRows<1>() << 100, 100, 100;
   EXPECT_NEAR(bounding_box_diagonal(box), 3, 1e-14);
 }
 
 TEST(Shape, AllPointsOfACloudCount) {
-  Shape cloud = test_shapes::box({1, 2, 2}, 1);
+  Shape cloud = test::box({1, 2, 2}, 1);
   cloud.triangles.resize(0, 3);
   EXPECT_NEAR(bounding_box_diagonal(cloud), 3, 1e-14);
   EXPECT_EQ(surface_area(cloud), 0);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::StrEq;
 using testing::ThrowsMessage;
 
 TEST(Validity, ShapesWithoutADefect) {
-  EXPECT_EQ(defect_of(test_shapes::box({1, 2, 0}, 1)), std::nullopt);
+  EXPECT_EQ(defect_of(test::box({1, 2, 0}, 1)), std::nullopt);
   EXPECT_EQ(defect_of(Shape{}), std::nullopt);
-  EXPECT_NO_THROW(require_usable(test_shapes::sphere(1e300, 1)));
+  EXPECT_NO_THROW(require_usable(test::sphere(1e300, 1)));
 }
 
 TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
-  Shape shape = test_shapes::box({1, 1, 1}, 1);
+  Shape shape = test::box({1, 1, 1}, 1);
   shape.vertices(5, 2) = std::numeric_limits<double>::quiet_NaN();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
   EXPECT_EQ(defect_of(shape), "vertex 3 has a coordinate that is not a finite number");
@@ -66,7 +62,7 @@ TEST(Validity, NamesTheFirstVertexThatIsNotFinite) {
 }
 
 TEST(Validity, NamesTheFirstTriangleWhoseVertexThereIsNot) {
-  Shape shape = test_shapes::box({1, 1, 1}, 1);
+  Shape shape = test::box({1, 1, 1}, 1);
   const auto vertices = static_cast<std::int32_t>(shape.vertices.rows());
   shape.triangles(7, 0) = -1;
   EXPECT_EQ(defect_of(shape), "triangle 7 has a vertex outside 0.." + std::to_string(vertices - 1));

@@ -5,7 +5,7 @@
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "tests/core/spatial/random_triangle.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -16,8 +16,8 @@ double distance_to_ring(const Eigen::Vector3d& x, double ring) { return std::hyp
 RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ()) {
   constexpr double ring = 0.35;
   constexpr double tube = 0.12;
-  static const Shape torus = test_shapes::torus(ring, tube, 64, 32);
-  static const Shape flipped = test_shapes::flipped(torus);
+  static const Shape torus = test::torus(ring, tube, 64, 32);
+  static const Shape flipped = test::flipped(torus);
   const bool flip = *rc::gen::arbitrary<bool>();
   const bool closed = *rc::gen::arbitrary<bool>();  // without the help of parity the flood decides alone
   const double r = *rc::gen::inRange(25, 80) / 1000.0;
@@ -35,7 +35,7 @@ RC_GTEST_PROP(OffsetExterior, TellsInsideFromOutsideOfATorusHoweverOriented, ())
 }
 
 TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
-  const Shape torus = test_shapes::torus(0.35, 0.12, 64, 32);
+  const Shape torus = test::torus(0.35, 0.12, 64, 32);
   const Samples samples = sample_shape(torus, SampleSite::faces);
   const TriangleBVH tree(torus);
   for (const double r : {0.0005, 0.001, 0.002, 0.003, 0.004, 0.0055}) {
@@ -52,8 +52,7 @@ TEST(OffsetExterior, TellsInsideFromOutsideWhereCubesAreLargerThanTheOffset) {
 }
 
 TEST(OffsetExterior, SeesAShellsVoidAsEnclosed) {
-  const Shape hollow =
-      test_shapes::joined({test_shapes::sphere(0.5, 3), test_shapes::flipped(test_shapes::sphere(0.25, 3))});
+  const Shape hollow = test::joined({test::sphere(0.5, 3), test::flipped(test::sphere(0.25, 3))});
   const TriangleBVH tree(hollow);
   for (const bool closed : {true, false}) {
     const OffsetExterior exterior(tree, bounding_box(hollow), 0.05, closed);
@@ -65,9 +64,9 @@ TEST(OffsetExterior, SeesAShellsVoidAsEnclosed) {
 }
 
 TEST(OffsetExterior, SeesTheOverlapOfTwoPartsAsEnclosed) {
-  Shape second = test_shapes::sphere(0.3, 3);
+  Shape second = test::sphere(0.3, 3);
   second.vertices.col(0).array() += 0.3;
-  const Shape both = test_shapes::joined({test_shapes::sphere(0.3, 3), second});
+  const Shape both = test::joined({test::sphere(0.3, 3), second});
   const TriangleBVH tree(both);
   const OffsetExterior exterior(tree, bounding_box(both), 0.05, is_watertight(both));
   EXPECT_EQ(exterior.contains({0.15, 0, 0}), false);
@@ -77,7 +76,7 @@ TEST(OffsetExterior, SeesTheOverlapOfTwoPartsAsEnclosed) {
 
 TEST(OffsetExterior, ClosesAGapThatIsNarrowerThanTwiceTheOffset) {
   // An open half sphere of two layers would be needed for a real shell: a sphere without its cap of radius 0.1 will do.
-  Shape sphere = test_shapes::sphere(0.5, 4);
+  Shape sphere = test::sphere(0.5, 4);
   Triangles kept(sphere.triangles.rows(), 3);
   Eigen::Index count = 0;
   for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "shapegauge/core/spatial/ray_caster.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -105,7 +105,7 @@ RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) 
 }
 
 TEST(RayCaster, NoRayEscapesThroughAnEdgeOrVertex) {
-  const Shape sphere = test_shapes::transformed(test_shapes::sphere(1, 3), 3, test_shapes::rotation(5), {7, -2, 1});
+  const Shape sphere = test::transformed(test::sphere(1, 3), 3, test::rotation(5), {7, -2, 1});
   const Eigen::Vector3d centre(7, -2, 1);
   const RayCaster caster(sphere);
   for (Eigen::Index f = 0; f < sphere.triangles.rows(); ++f) {
@@ -139,9 +139,9 @@ std::vector<Eigen::Vector3d> directions_to(const Shape& shape, const Eigen::Vect
 
 /// Spheres within each other, the outer one listed twice, and a third time turned over.
 Shape nested_spheres(int subdivisions) {
-  const Shape outer = test_shapes::sphere(1, subdivisions);
-  const Shape shape = test_shapes::joined({outer, test_shapes::sphere(0.4, 2), test_shapes::flipped(outer), outer});
-  return test_shapes::transformed(shape, 3, test_shapes::rotation(5), {7, -2, 1});
+  const Shape outer = test::sphere(1, subdivisions);
+  const Shape shape = test::joined({outer, test::sphere(0.4, 2), test::flipped(outer), outer});
+  return test::transformed(shape, 3, test::rotation(5), {7, -2, 1});
 }
 
 std::vector<RayHit> hits_of(const Shape& shape, RaysAtEdges at_edges, const Eigen::Vector3d& origin,
@@ -176,7 +176,7 @@ TEST(RayCaster, ManyRaysHitWhatEachHits) {
 TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
   const Shape shape = nested_spheres(5);  // enough triangles for Embree to build with many threads
   const Eigen::Vector3d origin(7.3, -1, -1);
-  const std::vector<Eigen::Vector3d> directions = directions_to(test_shapes::sphere(1, 4), {0.1, 0.2, 0.3});
+  const std::vector<Eigen::Vector3d> directions = directions_to(test::sphere(1, 4), {0.1, 0.2, 0.3});
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
   for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
     tbb::task_arena alone(1);
@@ -206,14 +206,14 @@ TEST(RayCaster, TrianglesThatTheOriginLiesOnAreNotHit) {
 }
 
 TEST(RayCaster, SizeAndPlaceDoNotMatter) {
-  const Shape torus = test_shapes::torus(3, 1, 30, 60);
+  const Shape torus = test::torus(3, 1, 30, 60);
   const Eigen::Vector3d origin(3.2, 0.1, 0.2);
   const Eigen::Vector3d direction = Eigen::Vector3d(0.3, 0.2, -0.9).normalized();
   const RayHit expected = RayCaster(torus).first_hit(origin, direction);
   ASSERT_TRUE(expected);
   for (const double scale : {1e-150, 1e-30, 1e-3, 1e30, 1e150}) {
     const Eigen::Vector3d move = scale * Eigen::Vector3d(1000, -2000, 500);
-    const Shape moved = test_shapes::transformed(torus, scale, Eigen::Matrix3d::Identity(), move);
+    const Shape moved = test::transformed(torus, scale, Eigen::Matrix3d::Identity(), move);
     const RayHit hit = RayCaster(moved).first_hit(scale * origin + move, direction);
     EXPECT_EQ(hit.triangle, expected.triangle) << scale;
     EXPECT_NEAR(hit.distance / scale, expected.distance, 1e-11) << scale;
@@ -222,8 +222,8 @@ TEST(RayCaster, SizeAndPlaceDoNotMatter) {
 }
 
 TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
-  const Shape sheet = test_shapes::box({1, 1, 1}, 1);
-  const Shape sheets = test_shapes::joined({sheet, sheet, test_shapes::flipped(sheet)});
+  const Shape sheet = test::box({1, 1, 1}, 1);
+  const Shape sheets = test::joined({sheet, sheet, test::flipped(sheet)});
   for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
     const RayHit alone = RayCaster(sheet, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
     const RayHit hit = RayCaster(sheets, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
@@ -233,7 +233,7 @@ TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
 }
 
 TEST(RayCaster, SkipsAllThatAreNamed) {
-  const Shape box = test_shapes::box({1, 1, 1}, 1);
+  const Shape box = test::box({1, 1, 1}, 1);
   const RayCaster caster(box);
   std::vector<std::int32_t> skipped;
   for (int i = 0; i < 2; ++i) skipped.push_back(caster.first_hit({0.1, 0.2, 5}, {0, 0, -1}, skipped).triangle);
@@ -242,7 +242,7 @@ TEST(RayCaster, SkipsAllThatAreNamed) {
 }
 
 TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
-  Shape box = test_shapes::box({1, 1, 1}, 1);
+  Shape box = test::box({1, 1, 1}, 1);
   const Eigen::Index triangles = box.triangles.rows();
   box.vertices.conservativeResize(box.vertices.rows() + 1, 3);
   box.vertices.bottomRows<1>().setConstant(1e12);
@@ -256,10 +256,10 @@ TEST(RayCaster, NothingToHit) {
   EXPECT_FALSE(RayCaster(Shape{}).first_hit({0, 0, 0}, {0, 0, 1}));
   const std::array<Eigen::Vector3d, 2> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
   for (const RayHit& hit : hits_of(Shape{}, RaysAtEdges::may_slip, {0, 0, 0}, directions)) EXPECT_FALSE(hit);
-  EXPECT_TRUE(hits_of(test_shapes::sphere(1, 1), RaysAtEdges::hit, {0, 0, 0}, {}).empty());
-  Shape point = test_shapes::box({0, 0, 0}, 1);
+  EXPECT_TRUE(hits_of(test::sphere(1, 1), RaysAtEdges::hit, {0, 0, 0}, {}).empty());
+  Shape point = test::box({0, 0, 0}, 1);
   EXPECT_FALSE(RayCaster(point).first_hit({1, 1, 1}, {0, 0, 1}));
-  EXPECT_FALSE(RayCaster(test_shapes::sphere(1, 1)).first_hit({0, 0, 3}, {0, 0, 1}));
+  EXPECT_FALSE(RayCaster(test::sphere(1, 1)).first_hit({0, 0, 3}, {0, 0, 1}));
 }
 
 }  // namespace

@@ -6,9 +6,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -70,7 +68,7 @@ TEST(CacheFolder, SizesHaveUnits) {
   EXPECT_EQ(parse_size("2T", "x"), 2'000'000'000'000U);
   for (const char* wrong :
        {"", "G", "-1", "1.5G", "10 G", "10GB", "10g", "18446744073709551615K", "99999999999999999999"}) {
-    EXPECT_THAT(input_error_of([&] { parse_size(wrong, "LIMIT"); }), HasSubstr("LIMIT must be a size")) << wrong;
+    EXPECT_THAT(test::input_error_of([&] { parse_size(wrong, "LIMIT"); }), HasSubstr("LIMIT must be a size")) << wrong;
   }
 }
 
@@ -86,7 +84,7 @@ TEST(CacheFolder, TheLimitIsThatOfTheVariable) {
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::write_text;
+using test::write_text;
 using testing::HasSubstr;
 
 class CacheContentsTest : public testing::Test {
@@ -100,7 +98,7 @@ class CacheContentsTest : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(CacheContentsTest, EntriesAreCountedByKind) {
@@ -147,7 +145,7 @@ TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
   EXPECT_EQ(cache_contents(folder()).total().entries, 3U);
   // The first is the oldest, but is used now.
   const auto same = [](const nlohmann::json& value) { return value; };
-  EXPECT_TRUE(Cache(folder()).find(EntryKind::field, std::string(64, '1'), same));
+  EXPECT_TRUE(Cache(folder()).lookup(EntryKind::field, std::string(64, '1'), same));
   trim_cache(folder(), 2500);
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '1'))));
   EXPECT_TRUE(fs::exists(entry_path(folder(), EntryKind::field, std::string(64, '2'))));
@@ -167,7 +165,7 @@ TEST_F(CacheContentsTest, WhatAKilledRunLeftIsRemovedOnceItIsOld) {
 
 TEST_F(CacheContentsTest, AFileInPlaceOfTheFolderIsAnError) {
   write_text(folder(), "a file");
-  EXPECT_THAT(input_error_of([&] { cache_contents(folder()); }), HasSubstr("cannot read the cache"));
+  EXPECT_THAT(test::input_error_of([&] { cache_contents(folder()); }), HasSubstr("cannot read the cache"));
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
+#include <cstdlib>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -28,7 +30,7 @@ Json document() {
 std::string message_with(const std::string& pointer, const Json& value) {
   Json changed = document();
   changed[Json::json_pointer(pointer)] = value;
-  return input_error_of([&] { comparison_from_json(changed, "x.json", "/configs"); });
+  return test::input_error_of([&] { comparison_from_json(changed, "x.json", "/configs"); });
 }
 
 TEST(ReadComparison, FillsInDefaults) {
@@ -62,7 +64,7 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
   EXPECT_THAT(message_with("/shapes/1/name", "clean"),
               HasSubstr("shapes.1.name: \"clean\" is the name of shapes.0 already"));
   EXPECT_THAT(message_with("/shapes/2/generate/class", "hose"),
-              HasSubstr("shapes.2.generate.class: there is no class \"hose\"; did you mean \"horse\"?"));
+              HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
   EXPECT_THAT(message_with("/shapes/2/file", "c.off"), HasSubstr("shapes.2.file: does not go with \"generate\""));
   EXPECT_THAT(message_with("/shapes/0/fiel", "c.off"),
               HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));
@@ -75,20 +77,20 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
   Json without = document();
   without.erase("reference");
   without["registered"] = true;
-  EXPECT_THAT(input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
+  EXPECT_THAT(test::input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
               HasSubstr("registered: needs a \"reference\""));
 }
 
 TEST(ReadComparison, TheKindsOfExperimentsAreNotMistakenForEachOther) {
   EXPECT_TRUE(is_comparison(document()));
-  EXPECT_THAT(input_error_of([] { configuration_from_json(document(), "x.json", ""); }),
+  EXPECT_THAT(test::input_error_of([] { configuration_from_json(document(), "x.json", ""); }),
               HasSubstr("it is not a retrieval experiment"));
   Json retrieval = document();
   retrieval.erase("shapes");
   retrieval.erase("reference");
   retrieval["dataset"] = {{"layout", "shrec11"}, {"root", "data"}};
   EXPECT_FALSE(is_comparison(retrieval));
-  EXPECT_THAT(input_error_of([&] { comparison_from_json(retrieval, "x.json", ""); }),
+  EXPECT_THAT(test::input_error_of([&] { comparison_from_json(retrieval, "x.json", ""); }),
               HasSubstr("it is a retrieval experiment"));
 }
 
@@ -101,7 +103,7 @@ TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
     const Json read = read_configuration_document(entry.path());
     if (!is_comparison(read)) continue;
     ++comparisons;
-    EXPECT_EQ(input_error_of([&] { comparison_from_json(read, entry.path().string(), "/"); }), "no error");
+    EXPECT_EQ(test::input_error_of([&] { comparison_from_json(read, entry.path().string(), "/"); }), "no error");
   }
   EXPECT_GE(comparisons, 8);
 }

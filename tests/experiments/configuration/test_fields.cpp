@@ -1,10 +1,12 @@
 #include <gmock/gmock.h>
+#include <stdexcept>
 
+#include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/fields.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -16,7 +18,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.samples.site, SampleSite::vertices);
   EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, samples, false);
@@ -27,7 +29,7 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
 TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "cone_sdf"}, {"rays", 9}, {"opening_angle_degrees", 40}});
   EXPECT_EQ(field.samples.site, SampleSite::faces);
-  const Shape shape = test_shapes::sphere(1, 1);
+  const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   const ConeSdfOptions options{.opening_angle_degrees = 40, .rays = 9, .parallel = false};
   FieldSource source(shape);
@@ -46,8 +48,82 @@ TEST(MakeField, AMissingValueIsCounted) {
   EXPECT_EQ(field.compute(source, take_samples(shape, field.samples), false).outcomes.at("missing"), 1U);
 }
 
+TEST(MakeField, TheAutomaticOffsetIsReported) {
+  const Field field = make_field({{"type", "offset_sdf"}, {"offset", "auto"}});
+  EXPECT_EQ(field.settings["offset"], "auto");
+  EXPECT_EQ(field.versions,
+            (nlohmann::json{{"offset_sdf", offset_sdf_version}, {"automatic_offset", automatic_offset_version}}));
+  const Shape shape = test::sphere(1, 1);
+  const Samples samples = take_samples(shape, field.samples);
+  FieldSource source(shape);
+  const FieldValues computed = field.compute(source, samples, false);
+  EXPECT_EQ(computed.offset, automatic_offset(shape).offset);
+  const OffsetSdfOptions options{.offset = computed.offset.value(), .parallel = false};
+  EXPECT_EQ(computed.values, offset_sdf(shape, samples, options).values);
+}
+
+TEST(MakeField, SettingsThatATypeDoesNotTakeAreErrors) {
+  const auto message = [](const nlohmann::json& settings) {
+    return test::input_error_of([&] { make_field(settings); });
+  };
+  EXPECT_THAT(message({{"type", "offset_sdf"}}), HasSubstr("offset is missing"));
+  EXPECT_THAT(message({{"type", "offset_sdf"}, {"offset", 0}}), HasSubstr("offset is 0"));
+  EXPECT_THAT(message({{"type", "cone_sdf"}, {"rays", 0}}), HasSubstr("rays is 0"));
+  EXPECT_THAT(message({{"type", "cone_sdf"}, {"opening_angle_degrees", 180}}), HasSubstr("is 180"));
+}
+
+TEST(RegisterField, AddsATypeThatConfigurationsCanName) {
+  const std::size_t known = field_types().size();
+  register_field({.name = "test_height",
+                  .description = "Height above the plane z = 0.",
+                  .parameters = {{.name = "factor", .default_value = 1.0, .description = "What it is multiplied by."}},
+                  .make = [](const ParameterValues& values, const SamplePlan& /*samples*/) -> FieldComputation {
+                    return {.versions = {{"test_height", 1}},
+                            .compute = [factor = values.number("factor")](FieldSource& /*source*/,
+                                                                          const Samples& samples, bool /*parallel*/) {
+                              return FieldValues{.values = factor * samples.points.col(2)};
+                            }};
+                  }});
+  ASSERT_EQ(field_types().size(), known + 1);
+  EXPECT_EQ(field_types().back().name, "test_height");
+  const Field field = make_field({{"type", "test_height"}, {"factor", 2}, {"at", "vertices"}});
+  EXPECT_EQ(field.settings, (nlohmann::json{{"type", "test_height"}, {"factor", 2.0}, {"at", "vertices"}}));
+  const Shape shape = test::sphere(1, 1);
+  FieldSource source(shape);
+  const FieldValues computed = field.compute(source, take_samples(shape, field.samples), false);
+  EXPECT_EQ(computed.values, 2 * shape.vertices.col(2));
+  EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 42}, {"missing", 0}}));
+}
+
+TEST(RegisterField, RefusesWhatNoConfigurationCouldName) {
+  const auto make = field_types()[0].make;
+  EXPECT_THROW(register_field({"offset_sdf", "", {}, make}), std::invalid_argument);
+  EXPECT_THROW(register_field({"", "", {}, make}), std::invalid_argument);
+  EXPECT_THROW(register_field({"test_nothing", "", {}, {}}), std::invalid_argument);
+  EXPECT_THROW(register_field({"test_at", "", {{.name = "at", .description = "Where."}}, make}), std::invalid_argument);
+}
+
+TEST(RegisterField, AValueForEachSampleIsNeeded) {
+  register_field({.name = "test_one_value",
+                  .description = "A single value.",
+                  .parameters = {},
+                  .make = [](const ParameterValues& /*values*/, const SamplePlan& /*samples*/) -> FieldComputation {
+                    return {.versions = {{"test_one_value", 1}},
+                            .compute = [](FieldSource& /*source*/, const Samples& /*samples*/, bool /*parallel*/) {
+                              return FieldValues{.values = Eigen::VectorXd::Zero(1)};
+                            }};
+                  }});
+  const Field field = make_field({{"type", "test_one_value"}});
+  const Shape shape = test::sphere(1, 1);
+  FieldSource source(shape);
+  EXPECT_THROW(field.compute(source, take_samples(shape, field.samples), false), std::logic_error);
+}
+
 TEST(MakeField, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(input_error_of([] { make_field({{"type", "heat"}}); }), HasSubstr("no field of type \"heat\""));
+  EXPECT_THAT(test::input_error_of([] {
+                make_field({{"type", "offset_sfd"}});
+              }),
+              HasSubstr("did you mean \"offset_sdf\"?"));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -14,26 +14,26 @@ using testing::StartsWith;
 TEST(ParseJson, GivesTheValue) { EXPECT_EQ(parse_json(R"({"a": [1, "x"]})", "x.json")["a"][1], "x"); }
 
 TEST(ParseJson, ASyntaxErrorHasLineAndColumn) {
-  const std::string message = input_error_of([] { parse_json("{\n  \"a\": 1\n  \"b\": 2\n}", "x.json"); });
+  const std::string message = test::input_error_of([] { parse_json("{\n  \"a\": 1\n  \"b\": 2\n}", "x.json"); });
   EXPECT_THAT(message, StartsWith("x.json:3:"));
   EXPECT_THAT(message, HasSubstr("not valid JSON"));
 }
 
 TEST(ParseJson, TheColumnPointsIntoTheOffendingLine) {
-  EXPECT_THAT(input_error_of([] { parse_json("[1,\n 2,,3]", "x.json"); }), StartsWith("x.json:2:4:"));
+  EXPECT_THAT(test::input_error_of([] { parse_json("[1,\n 2,,3]", "x.json"); }), StartsWith("x.json:2:4:"));
 }
 
 TEST(ParseJson, TruncatedAndEmptyTexts) {
-  EXPECT_THAT(input_error_of([] { parse_json("", "x.json"); }), StartsWith("x.json:1:1: not valid JSON"));
-  EXPECT_THAT(input_error_of([] { parse_json("{\"a\": [1,", "x.json"); }), HasSubstr("not valid JSON"));
+  EXPECT_THAT(test::input_error_of([] { parse_json("", "x.json"); }), StartsWith("x.json:1:1: not valid JSON"));
+  EXPECT_THAT(test::input_error_of([] { parse_json("{\"a\": [1,", "x.json"); }), HasSubstr("not valid JSON"));
 }
 
 TEST(ParseJson, ANumberTooLargeIsAnError) {
-  EXPECT_THAT(input_error_of([] { parse_json("[1e999]", "x.json"); }), StartsWith("x.json: not valid JSON"));
+  EXPECT_THAT(test::input_error_of([] { parse_json("[1e999]", "x.json"); }), StartsWith("x.json: not valid JSON"));
 }
 
 TEST(ParseJson, AKeyThatStandsTwiceIsAnError) {
-  EXPECT_THAT(input_error_of([] { parse_json(R"({"a": {"b": 1, "c": 2, "b": 3}})", "x.json"); }),
+  EXPECT_THAT(test::input_error_of([] { parse_json(R"({"a": {"b": 1, "c": 2, "b": 3}})", "x.json"); }),
               HasSubstr("the key \"b\" stands twice"));
   EXPECT_NO_THROW(parse_json(R"([{"b": 1}, {"b": {"b": 3}}])", "x.json"));
 }
@@ -41,33 +41,30 @@ TEST(ParseJson, AKeyThatStandsTwiceIsAnError) {
 TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_NO_THROW(parse_json(nested(100), "x.json"));
-  EXPECT_THAT(input_error_of([&] { parse_json(nested(102), "x.json"); }), HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }), HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }), HasSubstr("not valid JSON"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(102), "x.json"); }), HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }),
+              HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }),
+              HasSubstr("not valid JSON"));
 }
 
 TEST(ParseJson, MessagesAreShort) {
   const std::string word(100'000, 'x');
-  EXPECT_LT(input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
-  EXPECT_LT(input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(), 500U);
+  EXPECT_LT(test::input_error_of([&] { parse_json('"' + word, "x.json"); }).size(), 500U);
+  EXPECT_LT(test::input_error_of([&] { parse_json("{\"" + word + "\": 1, \"" + word + "\": 2}", "x.json"); }).size(),
+            500U);
 }
 
 TEST(ParseIfJson, GivesNothingForOtherText) {
   EXPECT_EQ(parse_if_json("[1]", "x").value()[0], 1);
   EXPECT_FALSE(parse_if_json("per-shape", "x").has_value());
-  EXPECT_THAT(input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("stands twice"));
+  EXPECT_THAT(test::input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("stands twice"));
 }
 
 TEST(ReadJson, AnAbsentFileAndAFolderAreErrors) {
-  EXPECT_THAT(input_error_of([] { read_json("/nowhere/x.json"); }), StartsWith("/nowhere/x.json: no such file"));
-  EXPECT_THAT(input_error_of([] { read_json("/"); }), HasSubstr("cannot be read"));
+  EXPECT_THAT(test::input_error_of([] { read_json("/nowhere/x.json"); }), StartsWith("/nowhere/x.json: no such file"));
+  EXPECT_THAT(test::input_error_of([] { read_json("/"); }), HasSubstr("cannot be read"));
 }
-
-}  // namespace
-
-namespace {
-
-using testing::HasSubstr;
 
 class ExpandVariables : public testing::Test {
  protected:
@@ -90,21 +87,16 @@ TEST_F(ExpandVariables, WhatAVariableHoldsIsNotExpandedAgain) {
 
 TEST_F(ExpandVariables, AnUnsetVariableIsAnErrorThatSaysToSetIt) {
   for (const std::string name : {"SHAPEGAUGE_TEST_UNSET", "SHAPEGAUGE_TEST_EMPTY"}) {
-    const std::string message = input_error_of([&] { expand_variables("${" + name + "}/x"); });
+    const std::string message = test::input_error_of([&] { expand_variables("${" + name + "}/x"); });
     EXPECT_THAT(message, HasSubstr("variable " + name + " is not set"));
     EXPECT_THAT(message, HasSubstr("export " + name));
   }
 }
 
 TEST_F(ExpandVariables, AMissingBraceIsAnError) {
-  EXPECT_THAT(input_error_of([] { expand_variables("${SHAPEGAUGE"); }), HasSubstr("without its }"));
+  EXPECT_THAT(test::input_error_of([] { expand_variables("${SHAPEGAUGE"); }), HasSubstr("without its }"));
 }
 
-}  // namespace
-
-namespace {
-
-using testing::HasSubstr;
 using Json = nlohmann::json;
 
 Json overridden(const std::string& assignment) {
@@ -131,24 +123,24 @@ TEST(ApplyOverride, MakesObjectsOnTheWay) {
 }
 
 TEST(ApplyOverride, WhatLeadsNowhereIsAnError) {
-  EXPECT_THAT(input_error_of([] { overridden("signatures.2.name=x"); }), HasSubstr("\"2\" is not an index"));
-  EXPECT_THAT(input_error_of([] { overridden("signatures.-1.name=x"); }), HasSubstr("\"-1\" is not an index"));
-  EXPECT_THAT(input_error_of([] { overridden("signatures.first.name=x"); }), HasSubstr("not an index"));
-  EXPECT_THAT(input_error_of([] { overridden("name.more=1"); }), HasSubstr("there is no \"more\" in \"x\""));
-  EXPECT_THAT(input_error_of([] { overridden("name"); }), HasSubstr("expected dotted.key=value"));
-  EXPECT_THAT(input_error_of([] { overridden("=1"); }), HasSubstr("expected dotted.key=value"));
-  EXPECT_THAT(input_error_of([] { overridden("a..b=1"); }), HasSubstr("is empty"));
+  EXPECT_THAT(test::input_error_of([] { overridden("signatures.2.name=x"); }), HasSubstr("\"2\" is not an index"));
+  EXPECT_THAT(test::input_error_of([] { overridden("signatures.-1.name=x"); }), HasSubstr("\"-1\" is not an index"));
+  EXPECT_THAT(test::input_error_of([] { overridden("signatures.first.name=x"); }), HasSubstr("not an index"));
+  EXPECT_THAT(test::input_error_of([] { overridden("name.more=1"); }), HasSubstr("there is no \"more\" in \"x\""));
+  EXPECT_THAT(test::input_error_of([] { overridden("name"); }), HasSubstr("expected dotted.key=value"));
+  EXPECT_THAT(test::input_error_of([] { overridden("=1"); }), HasSubstr("expected dotted.key=value"));
+  EXPECT_THAT(test::input_error_of([] { overridden("a..b=1"); }), HasSubstr("is empty"));
 }
 
 TEST(ApplyOverride, WhatNoConfigurationCanHoldIsAnError) {
-  EXPECT_THAT(input_error_of([] { overridden("name=\xFF"); }), HasSubstr("not UTF-8"));
-  EXPECT_THAT(input_error_of([] { overridden("na\xC3me=x"); }), HasSubstr("not UTF-8"));
-  EXPECT_THAT(input_error_of([] { overridden("name=" + std::string(200, '[') + std::string(200, ']')); }),
+  EXPECT_THAT(test::input_error_of([] { overridden("name=\xFF"); }), HasSubstr("not UTF-8"));
+  EXPECT_THAT(test::input_error_of([] { overridden("na\xC3me=x"); }), HasSubstr("not UTF-8"));
+  EXPECT_THAT(test::input_error_of([] { overridden("name=" + std::string(200, '[') + std::string(200, ']')); }),
               HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(input_error_of([] { overridden(R"(name={"a": 1, "a": 2})"); }), HasSubstr("stands twice"));
+  EXPECT_THAT(test::input_error_of([] { overridden(R"(name={"a": 1, "a": 2})"); }), HasSubstr("stands twice"));
   std::string deep = "a";
   for (int i = 0; i < 100; ++i) deep += ".a";
-  EXPECT_THAT(input_error_of([&] { overridden(deep + "=1"); }), HasSubstr("more than 100 keys"));
+  EXPECT_THAT(test::input_error_of([&] { overridden(deep + "=1"); }), HasSubstr("more than 100 keys"));
 }
 
 }  // namespace

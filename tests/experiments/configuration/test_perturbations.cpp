@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +8,8 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -17,7 +18,7 @@ namespace {
 std::vector<Perturbation> steps_of(const char* text) { return make_perturbations(nlohmann::json::parse(text)); }
 
 Points vertices_of(const char* steps, std::uint64_t seed, const char* id, std::size_t model) {
-  return perturb_model(test_shapes::box({1, 2, 3}, 2), steps_of(steps), seed, id, model).shape.vertices;
+  return perturb_model(test::box({1, 2, 3}, 2), steps_of(steps), seed, id, model).shape.vertices;
 }
 
 constexpr const char* noise = R"([{"type": "vertex_noise", "amplitude": 0.01}])";
@@ -32,7 +33,7 @@ TEST(PerturbModel, IsTheSameOnEveryMachine) {
   // Of the id, 64-bit FNV-1a.
   RandomNumbers model(7, 0xaf63dc4c8601ec8cULL);  // the hash of "a", by its authors' table
   RandomNumbers step(model.next());
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_EQ(vertices_of(noise, 7, "a", 0), vertex_noise(box, {.amplitude = 0.01}, step).vertices);
 }
 
@@ -43,16 +44,12 @@ TEST(PerturbModel, AStepDrawsTheSameWhateverTheStepBeforeItDraws) {
 }
 
 TEST(PerturbModel, WithoutStepsChangesNothing) {
-  const Shape box = test_shapes::box({1, 2, 3}, 2);
+  const Shape box = test::box({1, 2, 3}, 2);
   const PerturbedShape same = perturb_model(box, {}, 1, "T3", 0);
   EXPECT_EQ(same.shape.vertices, box.vertices);
   EXPECT_EQ(same.shape.triangles, box.triangles);
   EXPECT_TRUE(same.chosen.empty());
 }
-
-}  // namespace
-
-namespace {
 
 using Json = nlohmann::json;
 
@@ -63,7 +60,7 @@ Json choices() {
 
 PerturbedShape perturbed(const std::string& assign, const std::string& id, std::size_t model) {
   const Json step{{"type", "one_of"}, {"assign", assign}, {"choices", choices()}};
-  return perturb_model(test_shapes::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
+  return perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({step})), 1, id, model);
 }
 
 TEST(OneOf, InTurnGoesByTheModelsPlace) {
@@ -90,29 +87,24 @@ TEST(OneOf, MayHoldAnother) {
   const Json inner{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", choices()}};
   const Json outer{{"type", "one_of"}, {"assign", "in_turn"}, {"choices", {Json::array(), Json::array({inner})}}};
   const PerturbedShape result =
-      perturb_model(test_shapes::box({1, 1, 1}, 2), make_perturbations(Json::array({outer})), 1, "T3", 5);
+      perturb_model(test::box({1, 1, 1}, 2), make_perturbations(Json::array({outer})), 1, "T3", 5);
   EXPECT_EQ(result.chosen, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(result.shape.vertices.rows(), 50);
 }
 
 TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
-  const Json settings = one_of_step(Json{{"type", "one_of"}, {"choices", choices()}}).settings;
+  const Json settings = make_perturbation({{"type", "one_of"}, {"choices", choices()}}).settings;
   EXPECT_EQ(settings["assign"], "random");
   EXPECT_EQ(settings["choices"][0], Json::array());
   EXPECT_EQ(settings["choices"][2][0]["with_normals"], false);
 }
 
-}  // namespace
-
-namespace {
-
 using testing::HasSubstr;
-using Json = nlohmann::json;
 
 /// Expects that the step is what the function of the core does, and that its settings make the same step again.
 template <typename OfTheCore>
 void expect_step(const Json& settings, const OfTheCore& of_the_core) {
-  const Shape sphere = test_shapes::sphere(1, 3);
+  const Shape sphere = test::sphere(1, 3);
   RandomNumbers random(5);
   const Shape expected = of_the_core(sphere, random);
   for (const Perturbation& step :
@@ -153,8 +145,44 @@ TEST(MakePerturbation, FillsInDefaults) {
                 R"([{"type": "holes", "number": 5, "radius": 0.05}, {"type": "flip_orientation", "fraction": 1.0}])"));
 }
 
+TEST(MakePerturbation, SettingsOutOfBoundsAreErrors) {
+  const auto message = [](const Json& settings) { return test::input_error_of([&] { make_perturbation(settings); }); };
+  EXPECT_THAT(message({{"type", "vertex_noise"}, {"amplitude", 2}}), HasSubstr("amplitude is 2"));
+  EXPECT_THAT(message({{"type", "remove_faces"}}), HasSubstr("fraction is missing"));
+  EXPECT_THAT(message({{"type", "motion"}, {"scale", 0.5}}), HasSubstr("scale is 0.5"));
+}
+
+TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
+  EXPECT_EQ(make_perturbation({{"type", "holes"}}).versions, (Json{{"holes", 1}}));
+  const Json inner{{"type", "one_of"}, {"choices", {Json::array({{{"type", "motion"}}})}}};
+  const Json outer{{"type", "one_of"}, {"choices", {Json::array({{{"type", "holes"}}}), Json::array({inner})}}};
+  EXPECT_EQ(make_perturbation(outer).versions, (Json{{"one_of", 1}, {"holes", 1}, {"motion", 1}}));
+}
+
+TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
+  static constexpr std::array parameters{
+      Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
+  register_shape_perturbation({.name = "test_shift",
+                               .description = "Moves the shape along x.",
+                               .parameters = parameters,
+                               .apply =
+                                   [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+                                     shape.vertices.col(0).array() += settings.number("by");
+                                     return shape;
+                                   },
+                               .version = 4});
+  const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
+  EXPECT_EQ(moved, 1U);
+  const Shape box = test::box({1, 2, 3}, 2);
+  const Points shifted = vertices_of(R"([{"type": "test_shift", "by": 3}])", 1, "T1", 0);
+  EXPECT_EQ(shifted.col(0), (box.vertices.col(0).array() + 3).matrix());
+  EXPECT_EQ(shifted.col(1), box.vertices.col(1));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).settings, (Json{{"type", "test_shift"}, {"by", 1.0}}));
+  EXPECT_EQ(make_perturbation({{"type", "test_shift"}}).versions, (Json{{"test_shift", 4}}));
+}
+
 TEST(MakePerturbation, AnUnknownTypeIsAnError) {
-  EXPECT_THAT(input_error_of([] {
+  EXPECT_THAT(test::input_error_of([] {
                 make_perturbation({{"type", "melt"}});
               }),
               HasSubstr("no perturbation of type \"melt\""));

@@ -1,9 +1,9 @@
 #include <cstdlib>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -32,7 +32,7 @@ Configuration configuration_with(const std::string& pointer, const Json& value) 
 }
 
 std::string message_with(const std::string& pointer, const Json& value) {
-  return input_error_of([&] { configuration_with(pointer, value); });
+  return test::input_error_of([&] { configuration_with(pointer, value); });
 }
 
 TEST(Configuration, FillsInDefaults) {
@@ -115,7 +115,7 @@ TEST(Configuration, AnUndefinedSignatureWithTheNearestName) {
   Json changed = document();
   changed["signatures"][0]["name"] = "Our SDF (1 %)";
   changed["signatures"][2]["concatenate"] = {"b", "Our SDF (1%)"};
-  EXPECT_THAT(input_error_of([&] { configuration_from_json(changed, "x.json", "."); }),
+  EXPECT_THAT(test::input_error_of([&] { configuration_from_json(changed, "x.json", "."); }),
               Eq("x.json: signatures.2.concatenate.1: there is no signature \"Our SDF (1%)\"; did you mean \"Our SDF "
                  "(1 %)\"?"));
 }
@@ -156,7 +156,7 @@ TEST(Configuration, SettingsThatContradictEachOther) {
   EXPECT_THAT(message_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
               HasSubstr("dataset.classification: "));
   EXPECT_THAT(message_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
-              HasSubstr("dataset.generate.classes: there are"));
+              HasSubstr("dataset.generate.classes: must be from 1 to 16, not 1000"));
 }
 
 TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
@@ -186,7 +186,7 @@ TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
 }
 
 TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto path = folder.file("x.json", document().dump());
   const std::vector<std::string> overrides{"signatures.0.histogram.bins=7", "name=other"};
   const Configuration configuration = read_configuration(path, overrides);
@@ -194,7 +194,7 @@ TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
   EXPECT_EQ(configuration.name, "other");
   EXPECT_EQ(configuration.location->root, folder.path() / "data");
   const std::vector<std::string> wrong{"signatures.0.histogram.bin=7"};
-  EXPECT_THAT(input_error_of([&] { read_configuration(path, wrong); }),
+  EXPECT_THAT(test::input_error_of([&] { read_configuration(path, wrong); }),
               Eq(path.string() + ": signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
 }
 

@@ -1,12 +1,18 @@
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string_view>
 
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -14,6 +20,7 @@ namespace {
 
 using testing::Eq;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 using Json = nlohmann::json;
 
@@ -32,13 +39,13 @@ Json valid() {
 std::string message_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 std::string message_without(const std::string& parent, const std::string& key) {
   Json document = valid();
   document[Json::json_pointer(parent)].erase(key);
-  return input_error_of([&] { check_against_schema(document, "x.json"); });
+  return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
@@ -62,7 +69,7 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
   Json document = valid();
   document["signatures"][0]["fields"] = document["signatures"][0]["field"];
   document["signatures"][0].erase("field");
-  EXPECT_THAT(input_error_of([&] { check_against_schema(document, "x.json"); }),
+  EXPECT_THAT(test::input_error_of([&] { check_against_schema(document, "x.json"); }),
               Eq("x.json: signatures.0: unknown key \"fields\"; did you mean \"field\"?"));
 }
 
@@ -86,15 +93,15 @@ TEST(SchemaCheck, WrongTypes) {
   EXPECT_THAT(message_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
   EXPECT_THAT(message_with("/signatures", Json::object()), HasSubstr("signatures: must be of type array, not object"));
   EXPECT_THAT(message_with("/dataset", "data"), HasSubstr("dataset: must be of type object, not string"));
-  EXPECT_THAT(input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
+  EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
               HasSubstr("x.json: must be of type object, not array"));
 }
 
 TEST(SchemaCheck, NumbersOutOfRange) {
   EXPECT_THAT(message_with("/signatures/0/field/offset", 0),
-              Eq("x.json: signatures.0.field.offset: must be a number greater than 0, not 0"));
-  EXPECT_THAT(message_with("/signatures/0/field/offset", 5), HasSubstr("less than or equal to 1, not 5"));
-  EXPECT_THAT(message_with("/signatures/0/histogram/bins", 0), HasSubstr("greater than or equal to 1, not 0"));
+              Eq("x.json: signatures.0.field.offset: must be from 1e-06 to 1, not 0"));
+  EXPECT_THAT(message_with("/signatures/0/field/offset", 5), HasSubstr("must be from 1e-06 to 1, not 5"));
+  EXPECT_THAT(message_with("/signatures/0/histogram/bins", 0), HasSubstr("must be from 1 to 100000, not 0"));
 }
 
 TEST(SchemaCheck, MissingKeys) {
@@ -112,6 +119,54 @@ TEST(SchemaCheck, EmptyListsAndLineBreaksInNames) {
   EXPECT_THAT(message_with("/signatures/0/histogram/range", Json::parse(R"({"fixed": [0]})")),
               StartsWith("x.json: signatures.0.histogram.range.fixed: "));
   EXPECT_THAT(message_with("/signatures/0/name", "a\nb"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_THAT(message_with("/signatures/0/name", ""), Eq("x.json: signatures.0.name: must not be empty"));
+}
+
+TEST(SchemaCheck, ANameThatIsNoText) {
+  EXPECT_THAT(message_with("/signatures/0/name", 1),
+              Eq("x.json: signatures.0.name: must be of type string, not number (1)"));
+}
+
+TEST(SchemaCheck, SeedsAreWholeNumbersThatADoubleHolds) {
+  EXPECT_EQ(message_with("/seed", -1), "x.json: seed: must be from 0 to 9007199254740991, not -1");
+  EXPECT_THAT(message_with("/seed", 1.5), HasSubstr("seed: must be of type integer"));
+  EXPECT_EQ(message_with("/seed", 9007199254740991), "no error");
+  EXPECT_THAT(message_with("/seed", 9007199254740992), StartsWith("x.json: seed: must be"));
+}
+
+/// All values of a document, by JSON pointer.
+std::vector<std::string> places_in(const Json& document) {
+  std::vector<std::string> places;
+  const Json flat = document.flatten();
+  for (const auto& item : flat.items()) {
+    for (std::size_t end = item.key().size(); end != std::string::npos && end > 0;
+         end = item.key().rfind('/', end - 1)) {
+      const std::string place = item.key().substr(0, end);
+      if (std::ranges::find(places, place) == places.end()) places.push_back(place);
+    }
+  }
+  return places;
+}
+
+TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
+  Json document = valid();
+  document["perturbations"] = Json::parse(R"([{"type": "holes", "radius": 0.1},
+                                              {"type": "one_of", "choices": [[], [{"type": "motion"}]]}])");
+  document["evaluation"] = {{"measures", {"NN"}}, {"ties", "index"}};
+  document["report"]["pictures"]["range"] = {0, 1};
+  const std::vector<Json> others{nullptr, true,           -1,        0.5, 1e300, "", "x\ny", Json::array(),
+                                 {1, 2},  Json::object(), {{"x", 1}}};
+  for (const std::string& place : places_in(document)) {
+    int refused = 0;
+    for (const Json& other : others) {
+      Json changed = document;
+      changed[Json::json_pointer(place)] = other;
+      const std::string message = test::input_error_of([&] { check_against_schema(changed, "x.json"); });
+      refused += message == "no error" ? 0 : 1;
+      EXPECT_THAT(message, Not(HasSubstr("does not match the schema"))) << place << " = " << other;
+    }
+    EXPECT_GE(refused, 7) << place;
+  }
 }
 
 TEST(SchemaCheck, EndlessTexts) {
@@ -123,8 +178,8 @@ TEST(SchemaCheck, EndlessTexts) {
   EXPECT_LT(message_with("/signatures/0/" + endless, 1).size(), 1000U);
 }
 
-std::vector<std::string> words_at(const std::string& pointer) {
-  return Json::parse(experiment_schema()).at(Json::json_pointer(pointer)).get<std::vector<std::string>>();
+Json schema_at(const std::string& pointer) {
+  return Json::parse(experiment_schema()).at(Json::json_pointer("/definitions" + pointer));
 }
 
 template <typename Types>
@@ -135,11 +190,74 @@ std::vector<std::string> names_of(const Types& types) {
 }
 
 TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
-  EXPECT_EQ(words_at("/definitions/field/properties/type/enum"), names_of(field_types()));
-  EXPECT_EQ(words_at("/definitions/dataset/properties/layout/enum"), names_of(dataset_layouts()));
-  EXPECT_EQ(words_at("/definitions/protocol/enum"), protocol_names());
-  EXPECT_EQ(words_at("/definitions/retrieval_experiment/properties/distance/enum"), distance_names());
-  EXPECT_EQ(words_at("/definitions/retrieval_experiment/properties/evaluation/properties/ties/enum"), ties_names());
+  EXPECT_EQ(schema_at("/field/properties/type/enum"), Json(names_of(field_types())));
+  EXPECT_EQ(schema_at("/perturbation/properties/type/enum"), Json(names_of(perturbation_types())));
+  EXPECT_EQ(schema_at("/layout/enum"), Json(names_of(dataset_layouts())));
+  EXPECT_EQ(schema_at("/protocol/enum"), Json(protocol_names()));
+  EXPECT_EQ(schema_at("/distance/enum"), Json(distance_names()));
+  EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(ties_names()));
+}
+
+TEST(ExperimentSchema, HasTheParametersOfEachType) {
+  const Json cone = schema_at("/field/allOf/1/then");
+  EXPECT_EQ(cone["properties"]["type"]["const"], "cone_sdf");
+  EXPECT_EQ(cone["properties"]["rays"]["minimum"], 1);
+  EXPECT_EQ(cone["properties"]["rays"]["default"], 25);
+  EXPECT_EQ(cone["required"], Json({"type"}));
+  EXPECT_EQ(schema_at("/field/allOf/0/then/required"), Json({"type", "offset"}));
+  EXPECT_EQ(schema_at("/generated_shape/required"), Json({"class"}));
+  EXPECT_EQ(schema_at("/histogram/required"), Json({"range"}));
+  EXPECT_EQ(schema_at("/histogram/properties/bins/maximum"), 100000);
+}
+
+TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
+  const Json field{{"type", "test_flat"}, {"height", 2}};
+  EXPECT_THAT(message_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
+  register_field({.name = "test_flat",
+                  .description = "The same everywhere.",
+                  .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
+                  .make = field_types()[0].make});
+  EXPECT_EQ(message_with("/signatures/0/field", field), "no error");
+  EXPECT_EQ(message_with("/signatures/0/field/type", "test_flat"),
+            "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"height\", \"type\"");
+  EXPECT_EQ(message_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
+            "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
+}
+
+TEST(RegisteredParameter, IsFoundByGroupAndName) {
+  EXPECT_EQ(registered_parameter("offset_sdf", "offset").bounds.high, 1);
+  EXPECT_EQ(registered_parameter("vertex_noise", "amplitude").bounds.high, 1);
+  EXPECT_EQ(registered_parameter("histogram", "bins").default_value, ParameterValue(std::int64_t{80}));
+  EXPECT_THROW(registered_parameter("offset_sdf", "bins"), std::invalid_argument);
+  EXPECT_THROW(registered_parameter("histogramme", "bins"), std::invalid_argument);
+}
+
+// Each test has a process of its own under CTest; within one, what other tests registered is in the way.
+TEST(CommittedReference, IsWhatTheRegistriesSay) {
+  if (field_types().back().name.starts_with("test_")) GTEST_SKIP() << "run alone: another test has registered a field";
+  const std::string advice = "build the target update_reference";
+  EXPECT_TRUE(read_file_bytes(SHAPEGAUGE_CONFIGS_FOLDER "/experiment.schema.json") == experiment_schema()) << advice;
+  const std::string page = read_file_bytes(SHAPEGAUGE_CONFIGURATION_GUIDE);
+  EXPECT_TRUE(page == with_reference_tables(page)) << advice;
+  for (const auto& groups : {field_groups(), perturbation_groups(), section_groups()}) {
+    for (const ParameterGroup& group : groups) {
+      if (group.parameters.empty()) continue;
+      EXPECT_THAT(page, HasSubstr(markdown_table(group.parameters))) << group.name;
+    }
+  }
+}
+
+TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
+  const std::string program = read_file_bytes(SHAPEGAUGE_EXTENDING_EXAMPLE);
+  const std::string page = read_file_bytes(SHAPEGAUGE_EXTENDING_GUIDE);
+  const std::string_view fence = "```cpp\n";
+  int shown = 0;
+  for (auto begin = page.find(fence); begin != std::string::npos; begin = page.find(fence, begin + 1)) {
+    const std::size_t code = begin + fence.size();
+    EXPECT_THAT(program, HasSubstr(page.substr(code, page.find("```", code) - code)));
+    ++shown;
+  }
+  EXPECT_EQ(shown, 5);
 }
 
 }  // namespace

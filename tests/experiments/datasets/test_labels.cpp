@@ -2,15 +2,14 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/datasets/labels.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_experiments::write_text;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -21,12 +20,12 @@ class ModelLabelsTest : public testing::Test {
     return folder_.path() / name;
   }
   std::string error_of(const std::string& text, std::size_t level = 0) {
-    return input_error_of([&] { read_labels(file("labels.csv", text), level); });
+    return test::input_error_of([&] { read_labels(file("labels.csv", text), level); });
   }
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";
@@ -77,12 +76,12 @@ TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
   EXPECT_THAT(labels.queries, ElementsAre("1", "2"));
   EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4"));
   const auto other = file("u.cla", "PSB 1\n1 1\nant 0 1\n2\n");
-  EXPECT_THAT(input_error_of([&] { read_query_and_target_labels(queries, other); }),
+  EXPECT_THAT(test::input_error_of([&] { read_query_and_target_labels(queries, other); }),
               HasSubstr("model \"2\" is of class \"ant\" here and of \"bee\""));
 }
 
 TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
-  EXPECT_THAT(error_of("id,name\n1,a\n"), HasSubstr("must name the columns id and class"));
+  EXPECT_THAT(error_of("id,kind\n1,a\n"), HasSubstr("must name the columns id and class"));
   EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: the model \"T1.off\" occurs twice"));
   EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells where the first row has 2"));
   EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
@@ -90,6 +89,51 @@ TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));
   EXPECT_THAT(error_of("id,class\n"), HasSubstr("there are no models"));
   EXPECT_THAT(error_of("id,class\n1,a\n", 2), HasSubstr("no class has a parent, so there is no level 2"));
+}
+
+std::vector<std::string> classes_of(const ModelLabels& labels) {
+  std::vector<std::string> names;
+  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
+  return names;
+}
+
+TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
+  for (const char* text : {"name,label\nb,bee\na,ant\n", "Label;File\nbee;b\nant;a\n", "b\tbee\na\tant\n",
+                           "b,bee\r\na,ant\r\n", "x,id,Category\n1,b,bee\n2,a,ant\n"}) {
+    const ModelLabels labels = read_labels(file("labels.tsv", text));
+    EXPECT_THAT(labels.models, ElementsAre("b", "a")) << text;
+    EXPECT_THAT(classes_of(labels), ElementsAre("bee", "ant")) << text;
+    EXPECT_TRUE(labels.listed);
+    EXPECT_FALSE(labels.without_ids);
+  }
+}
+
+TEST_F(ModelLabelsTest, AListHasAClassALine) {
+  const ModelLabels labels = read_labels(file("labels.txt", "bee\nbig ant\n\nbee\n"));
+  EXPECT_THAT(labels.models, ElementsAre("0", "1", "2"));
+  EXPECT_THAT(classes_of(labels), ElementsAre("bee", "big ant"));
+  EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
+  EXPECT_TRUE(labels.listed && labels.without_ids);
+  EXPECT_THAT(classes_of(read_labels(file("named.txt", "label\r\nbee\r\nant"))), ElementsAre("bee", "ant"));
+}
+
+TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
+  write_npy_vector(folder() / "y.npy", Eigen::Vector4d(7, -1, 7, 12));
+  const ModelLabels labels = read_labels(folder() / "y.npy");
+  EXPECT_THAT(classes_of(labels), ElementsAre("7", "-1", "12"));
+  EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
+  write_npy_vector(folder() / "z.npy", Eigen::Vector2d(1, 0.5));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "z.npy"); }), HasSubstr("z.npy: entry 1"));
+  write_npy(folder() / "m.npy", DistanceMatrix::Ones(2, 2));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one dimension"));
+}
+
+TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
+  const ModelLabels labels = read_query_and_target_labels(file("q.txt", "bee\nant\n"), file("t.txt", "ant\nant\n"));
+  EXPECT_EQ(labels.queries.size(), 2U);
+  EXPECT_EQ(labels.targets.size(), 2U);
+  EXPECT_EQ(labels.models.size(), 4U);
+  EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
 }
 
 }  // namespace

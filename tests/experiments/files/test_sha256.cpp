@@ -2,7 +2,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/files/sha256.h"
-#include "tests/core/io/temporary_folder.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -15,7 +15,7 @@ TEST(Sha256, PublishedDigests) {
 }
 
 TEST(Sha256, OfAFile) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_file(folder.file("x", "abc")), sha256("abc"));
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
 }

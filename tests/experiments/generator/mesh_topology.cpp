@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -73,7 +73,7 @@ std::string topology_fault(const Shape& mesh) {
   }
   if (!fans_are_cycles(mesh)) return "a vertex that is not manifold";
   if (component_count(mesh) != 1) return "more than one component";
-  if (test_shapes::signed_volume(mesh) <= 0) return "oriented inward";
+  if (test::signed_volume(mesh) <= 0) return "oriented inward";
   return "";
 }
 

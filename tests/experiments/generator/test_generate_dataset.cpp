@@ -11,12 +11,12 @@
 
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/files/classification.h"
+#include "shapegauge/experiments/generator/articulated_body.h"
 #include "shapegauge/experiments/generator/class_skeletons.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
-#include "tests/core/io/temporary_folder.h"
 #include "tests/experiments/generator/mesh_topology.h"
-#include "tests/experiments/input_error.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -122,8 +122,8 @@ TEST(DrawModel, SaysSoWhereNoPoseIsSound) {
 
 namespace {
 
-using test_io::bytes_of;
-using test_io::TemporaryFolder;
+using test::bytes_of;
+using test::TemporaryFolder;
 using testing::HasSubstr;
 
 GeneratorOptions small_options() {
@@ -215,12 +215,12 @@ TEST(GenerateDataset, RefusesOptionsOutOfRange) {
   const auto error_with = [&](auto change) {
     GeneratorOptions options = small_options();
     change(options);
-    return input_error_of([&] { generate_dataset(folder.path(), options); });
+    return test::input_error_of([&] { generate_dataset(folder.path(), options); });
   };
-  EXPECT_THAT(error_with([](auto& o) { o.classes = 0; }), HasSubstr("classes = 0; choose from 1 to"));
-  EXPECT_THAT(error_with([](auto& o) { o.classes = 1000; }), HasSubstr("classes = 1000"));
-  EXPECT_THAT(error_with([](auto& o) { o.models_per_class = 0; }), HasSubstr("models per class = 0"));
-  EXPECT_THAT(error_with([](auto& o) { o.faces = 999; }), HasSubstr("faces = 999; choose from 1000"));
+  EXPECT_THAT(error_with([](auto& o) { o.classes = 0; }), HasSubstr("the number of classes is 0; it must be from 1 to"));
+  EXPECT_THAT(error_with([](auto& o) { o.classes = 1000; }), HasSubstr("the number of classes is 1000"));
+  EXPECT_THAT(error_with([](auto& o) { o.models_per_class = 0; }), HasSubstr("models of each class is 0"));
+  EXPECT_THAT(error_with([](auto& o) { o.faces = 999; }), HasSubstr("the number of faces is 999; it must be from 1000"));
   EXPECT_EQ(folder.size(), 0U);
 }
 
@@ -228,7 +228,7 @@ TEST(GenerateDataset, RefusesAFolderThatCannotBeMade) {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.file("file", "text");
   for (const auto& path : {file, file / "set"}) {
-    EXPECT_THAT(input_error_of([&] { generate_dataset(path, small_options()); }),
+    EXPECT_THAT(test::input_error_of([&] { generate_dataset(path, small_options()); }),
                 HasSubstr("cannot write a data set to " + path.string()));
   }
   EXPECT_EQ(bytes_of(file), "text");
@@ -242,7 +242,7 @@ TEST(GenerateDataset, ReplacesAnotherDataSetOnlyWhenForcedAndLeavesOtherFiles) {
   GeneratorOptions options = small_options();
   options.classes = 1;
   options.models_per_class = 1;
-  EXPECT_THAT(input_error_of([&] { generate_dataset(folder.path(), options); }), HasSubstr("T77.off"));
+  EXPECT_THAT(test::input_error_of([&] { generate_dataset(folder.path(), options); }), HasSubstr("T77.off"));
   EXPECT_EQ(bytes_of(folder.path() / "T77.off"), "old");
   options.force = true;
   generate_dataset(folder.path(), options);

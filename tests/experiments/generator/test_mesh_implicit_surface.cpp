@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "shapegauge/experiments/generator/mesh_implicit_surface.h"
-#include "tests/core/test_shapes.h"
 #include "tests/experiments/generator/mesh_topology.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -22,7 +22,7 @@ TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
   constexpr double pi = std::numbers::pi;
   // Chords of length h err by (h / r)^2 / 24 or so; here h is about 0.03.
   EXPECT_NEAR(surface_area(mesh), 2 * pi * 0.3 * 2 + 4 * pi * 0.09, 0.01);
-  EXPECT_NEAR(test_shapes::signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
+  EXPECT_NEAR(test::signed_volume(mesh), pi * 0.09 * 2 + 4 * pi * 0.027 / 3, 0.005);
 }
 
 TEST(MeshImplicitSurface, TrianglesAreAsManyAsAskedForAndNearlyEquilateral) {
@@ -61,13 +61,13 @@ TEST(MeshImplicitSurface, RingsAndThinPartsKeepTheirTopology) {
 namespace {
 
 TEST(SelfIntersections, AreFoundWhereTwoSpheresCross) {
-  const Shape sphere = test_shapes::sphere(1, 2);
+  const Shape sphere = test::sphere(1, 2);
   const auto moved = [&](double x) {
-    return test_shapes::transformed(sphere, 1, Eigen::Matrix3d::Identity(), {x, 0.01, 0.02});
+    return test::transformed(sphere, 1, Eigen::Matrix3d::Identity(), {x, 0.01, 0.02});
   };
   EXPECT_FALSE(self_intersects(sphere));
-  EXPECT_TRUE(self_intersects(test_shapes::joined({sphere, moved(1.9)})));
-  EXPECT_FALSE(self_intersects(test_shapes::joined({sphere, moved(2.1)})));
+  EXPECT_TRUE(self_intersects(test::joined({sphere, moved(1.9)})));
+  EXPECT_FALSE(self_intersects(test::joined({sphere, moved(2.1)})));
 }
 
 }  // namespace

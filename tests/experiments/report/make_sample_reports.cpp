@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/report/report_page.h"
+#include "shapegauge/experiments/report/report.h"
 #include "tests/experiments/report/sample_reports.h"
 
 int main(int argument_count, char** arguments) {

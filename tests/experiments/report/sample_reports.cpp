@@ -6,7 +6,7 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/runner/model_picture.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge::test_report {
 
@@ -34,7 +34,7 @@ std::vector<Evaluation> evaluations_of(const DistanceMatrix& distances) {
 }
 
 std::string picture_of(int model) {
-  const Shape shape = test_shapes::box({1, 0.3 + 0.1 * labels[static_cast<std::size_t>(model)], 0.2}, 3);
+  const Shape shape = test::box({1, 0.3 + 0.1 * labels[static_cast<std::size_t>(model)], 0.2}, 3);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   return model_picture(shape, samples, samples.points.col(0).cwiseAbs(), {});
 }

@@ -11,6 +11,10 @@ namespace shapegauge {
 
 namespace {
 
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Not;
+
 TEST(Base64, AsInTheRfc) {
   // RFC 4648, section 10.
   EXPECT_EQ(base64(""), "");
@@ -47,12 +51,6 @@ TEST(Rounded, KeepsTheLeadingDigits) {
   EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
 }
 
-}  // namespace
-
-namespace {
-
-using testing::ElementsAre;
-
 TEST(OrderByClass, ClassByClassInTheModelsOrder) {
   EXPECT_THAT(order_by_class(std::vector<int>{2, 0, 1, 0, 2}), ElementsAre(1, 3, 2, 0, 4));
 }
@@ -88,13 +86,6 @@ TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {
   // In the first cell three of nine pairs are of a model with itself: the mean is 4.
   EXPECT_EQ(json["values"].get<std::string>().substr(0, 4), base64(std::string("\xa9\xaa\xfe", 3)));
 }
-
-}  // namespace
-
-namespace {
-
-using testing::Contains;
-using testing::Not;
 
 TEST(ReportJson, HoldsTheFiguresOfTheEvaluations) {
   const test_report::SampleReport& sample = test_report::hostile_report();

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
+#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/report/report_json.h"
-#include "shapegauge/experiments/report/report_page.h"
 #include "tests/experiments/report/sample_reports.h"
 
 namespace shapegauge {

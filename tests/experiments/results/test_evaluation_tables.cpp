@@ -1,4 +1,9 @@
+#include <cmath>
 #include <gmock/gmock.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "shapegauge/experiments/results/evaluation_tables.h"
 
@@ -6,114 +11,205 @@ namespace shapegauge {
 
 namespace {
 
+using testing::Each;
 using testing::ElementsAre;
+using testing::SizeIs;
 
-/// Two classes of two models and one of a single model, under psb: values on a line at 0, 1, 10, 11 and 5.
+/// Values on a line: three of class A, four of class B, and one that is alone in its class, in rows that are in no
+/// order. No two distances of a row are equal. The scores are those of a script that knows the definitions only:
+/// classes differ, queries differ, and so do micro and macro.
 class Evaluations : public testing::Test {
  protected:
   Evaluations() {
-    const Eigen::VectorXd at{{0, 1, 10, 11, 5}};
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances(5, 5);
-    for (int i = 0; i < 5; ++i) {
-      for (int j = 0; j < 5; ++j) distances(i, j) = std::abs(at[i] - at[j]);
+    const Eigen::VectorXd at{{7.4, 0, 2, 5.7, 1.1, 3.6, 9.5, 4.3}};
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances(8, 8);
+    for (int i = 0; i < 8; ++i) {
+      for (int j = 0; j < 8; ++j) distances(i, j) = std::abs(at[i] - at[j]);
     }
     evaluation = evaluate(distances, labels, {});
+    paper = evaluate(distances, labels, {.protocol = Protocol::paper});
   }
 
-  std::vector<int> labels{0, 0, 1, 1, 2};
-  std::vector<std::string> classes{"low", "high", "alone"};
-  std::vector<std::string> ids{"0", "1", "2", "3", "4"};
+  std::vector<int> labels{2, 0, 2, 1, 0, 2, 2, 0};
+  std::vector<std::string> classes{"A", "alone", "B"};
+  std::vector<std::string> ids{"s", "t", "u", "v", "w", "x", "y", "z"};
   Evaluation evaluation;
+  Evaluation paper;
   std::vector<NamedEvaluation> named{{.method = "m", .evaluation = &evaluation}};
 };
 
-TEST_F(Evaluations, Summary) {
+// The precision of the curves at these levels, the 1st, 7th, 10th, 16th and last: over queries, over classes, A, B.
+struct Level {
+  std::size_t index;
+  const char* recall;
+  const char* micro;
+  const char* macro;
+  const char* a;
+  const char* b;
+};
+const std::vector<Level> levels{{0, "0.05", "0.600000", "0.595833", "0.566667", "0.625000"},
+                                {6, "0.35", "0.614583", "0.614583", "0.566667", "0.614583"},
+                                {9, "0.5", "0.540476", "0.543750", "0.566667", "0.520833"},
+                                {15, "0.8", "0.471837", "0.474524", "0.493333", "0.455714"},
+                                {19, "1", "0.484354", "0.479365", "0.444444", "0.514286"}};
+
+TEST_F(Evaluations, SummaryHasMicroAndMacro) {
   const Table table = summary_table(named);
   EXPECT_THAT(table.header, ElementsAre("method", "protocol", "average", "NN", "FT", "ST", "E", "DCG", "mAP"));
-  ASSERT_EQ(table.rows.size(), 2U);
-  // E of a perfect list: k = min(32, 4) results, 1 relevant: 2 / (4 + 1).
-  EXPECT_THAT(table.rows[0],
-              ElementsAre("m", "psb", "micro", "100.00", "100.00", "100.00", "40.00", "100.00", "100.00"));
-  EXPECT_EQ(table.rows[1][2], "macro");
+  EXPECT_EQ(table.text_columns, 3U);
+  EXPECT_THAT(table.rows,
+              ElementsAre(ElementsAre("m", "psb", "micro", "28.57", "33.33", "76.19", "53.33", "67.16", "51.30"),
+                          ElementsAre("m", "psb", "macro", "29.17", "33.33", "75.00", "52.22", "66.72", "51.21")));
 }
 
 TEST_F(Evaluations, FractionsAndDigitsAsAsked) {
-  EXPECT_EQ(summary_table(named, {.percent = false, .decimals = 3}).rows[0][6], "0.400");
+  EXPECT_THAT(summary_table(named, {.percent = false, .decimals = 3}).rows[0],
+              ElementsAre("m", "psb", "micro", "0.286", "0.333", "0.762", "0.533", "0.672", "0.513"));
 }
 
-TEST_F(Evaluations, IntervalsBesideTheFiguresOrInColumnsOfTheirOwn) {
-  named[0].intervals.micro = std::vector<ConfidenceInterval>(6, {0.25, 1});
-  named[0].intervals.macro = std::vector<ConfidenceInterval>(6, {0.5, 1});
-  EXPECT_EQ(summary_table(named, {}, IntervalCells::beside).rows[0][3], "100.00 [25.00, 100.00]");
+TEST_F(Evaluations, EveryEvaluationHasItsOwnRows) {
+  named.push_back({.method = "n", .evaluation = &paper});
+  const Table table = summary_table(named);
+  ASSERT_THAT(table.rows, SizeIs(4));
+  EXPECT_EQ(table.rows[1][2], "macro");
+  EXPECT_THAT(std::vector(table.rows[2].begin(), table.rows[2].begin() + 4),
+              ElementsAre("n", "paper", "micro", "28.57"));
+  // A query that finds itself: the first tier is (1 + hits among the first R - 1) / R.
+  EXPECT_NE(table.rows[2][4], table.rows[0][4]);
+  EXPECT_THAT(per_query_table(named, ids, classes).rows, SizeIs(14));
+  EXPECT_EQ(per_query_table(named, ids, classes).rows[7][1], "paper");
+  EXPECT_THAT(per_class_table(named, classes).rows, SizeIs(4));
+  EXPECT_THAT(precision_recall_table(named).rows, SizeIs(20 + 11));
+  EXPECT_THAT(class_curves_table(named, classes).rows, SizeIs(2 * 20 + 2 * 11));
+}
+
+TEST_F(Evaluations, IntervalsBesideTheScoresOrInColumnsOfTheirOwn) {
+  for (const double i : {0, 1, 2, 3, 4, 5}) {
+    named[0].intervals.micro.push_back({.low = 0.01 * i, .high = 0.9 + 0.01 * i});
+    named[0].intervals.macro.push_back({.low = 0.1 + 0.01 * i, .high = 0.8 + 0.01 * i});
+  }
+  const Table beside = summary_table(named, {}, IntervalCells::beside);
+  EXPECT_EQ(beside.rows[0][3], "28.57 [0.00, 90.00]");
+  EXPECT_EQ(beside.rows[0][8], "51.30 [5.00, 95.00]");
+  EXPECT_EQ(beside.rows[1][4], "33.33 [11.00, 81.00]");
   const Table columns = summary_table(named, {}, IntervalCells::columns);
-  ASSERT_EQ(columns.header.size(), 21U);
+  ASSERT_THAT(columns.header, SizeIs(21));
+  ASSERT_THAT(columns.rows, Each(SizeIs(21)));
   EXPECT_EQ(columns.header[9], "NN_low");
   EXPECT_EQ(columns.header[20], "mAP_high");
-  EXPECT_EQ(columns.rows[1][9], "50.00");
-  EXPECT_EQ(summary_table(named).header.size(), 9U);
+  EXPECT_EQ(columns.rows[0][12], "91.00");  // FT_high
+  EXPECT_EQ(columns.rows[1][19], "15.00");  // mAP_low
+  EXPECT_THAT(summary_table(named).header, SizeIs(9));
   const Table long_table = intervals_table(named);
-  ASSERT_EQ(long_table.rows.size(), 12U);
-  EXPECT_THAT(long_table.rows[9], ElementsAre("m", "psb", "macro", "E", "40.0000", "50.0000", "100.0000"));
+  ASSERT_THAT(long_table.rows, SizeIs(12));
+  EXPECT_THAT(long_table.rows[2], ElementsAre("m", "psb", "micro", "ST", "76.1905", "2.0000", "92.0000"));
+  EXPECT_THAT(long_table.rows[9], ElementsAre("m", "psb", "macro", "E", "52.2222", "13.0000", "83.0000"));
   named[0].intervals = {};
-  EXPECT_EQ(summary_table(named, {}, IntervalCells::columns).header.size(), 9U);
+  EXPECT_THAT(summary_table(named, {}, IntervalCells::columns).header, SizeIs(9));
+  EXPECT_THAT(intervals_table(named).rows, SizeIs(0));
+}
+
+TEST_F(Evaluations, IntervalsHoldTheirAverages) {
+  const EvaluationIntervals over_queries = intervals_of(evaluation, {.blocks = Blocks::queries});
+  const EvaluationIntervals over_classes = intervals_of(evaluation);
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const auto j = static_cast<std::size_t>(i);
+    for (const EvaluationIntervals& intervals : {over_queries, over_classes}) {
+      EXPECT_LE(intervals.micro[j].low, evaluation.micro[i] + 1e-12);
+      EXPECT_GE(intervals.micro[j].high, evaluation.micro[i] - 1e-12);
+      EXPECT_LE(intervals.macro[j].low, evaluation.macro[i] + 1e-12);
+      EXPECT_GE(intervals.macro[j].high, evaluation.macro[i] - 1e-12);
+    }
+  }
+  // Of seven queries none may be drawn that finds its class; of two classes the worse one finds it in a quarter.
+  EXPECT_LT(over_queries.micro[0].low, 0.1);
+  EXPECT_NEAR(over_classes.micro[0].low, 0.25, 1e-12);
 }
 
 TEST_F(Evaluations, IntervalsNeedTwoClasses) {
-  EXPECT_EQ(intervals_of(evaluation).micro.size(), 6U);
+  EXPECT_THAT(intervals_of(evaluation).micro, SizeIs(6));
   const Evaluation one = evaluate(Eigen::MatrixXd::Ones(3, 3), std::vector<int>{0, 0, 0}, {});
   EXPECT_TRUE(intervals_of(one).micro.empty());
-  EXPECT_EQ(intervals_of(one, {.confidence = 0.9, .blocks = Blocks::queries}).macro.size(), 6U);
+  EXPECT_THAT(intervals_of(one, {.confidence = 0.9, .blocks = Blocks::queries}).macro, SizeIs(6));
 }
 
 TEST_F(Evaluations, TheBestOfAnAverageIsBold) {
   Evaluation worse = evaluation;
   worse.micro.setConstant(0.25);
   named.push_back({.method = "worse", .evaluation = &worse});
-  const Table table = summary_table(named);
-  for (const Emphasis& emphasis : table.emphases) EXPECT_NE(emphasis.row, 2U);
-  EXPECT_EQ(table.emphases.size(), 6U + 12U);  // micro: the first method; macro: both are equal
-}
-
-TEST_F(Evaluations, CurvesOfClassesAndAPlot) {
-  const Table table = class_curves_table(named, classes);
-  ASSERT_EQ(table.rows.size(), 40U);
-  EXPECT_THAT(table.rows[20], ElementsAre("m", "psb", "high", "0.05", "1.000000"));
-  EXPECT_THAT(psb_plot(evaluation.micro_curve), testing::StartsWith("0.050000\t1.000000\n0.100000\t1.000000\n"));
+  std::map<std::size_t, int> bold;
+  for (const Emphasis& emphasis : summary_table(named).emphases) ++bold[emphasis.row];
+  // micro: the first method; macro: both are equal.
+  EXPECT_EQ(bold, (std::map<std::size_t, int>{{0, 6}, {1, 6}, {3, 6}}));
 }
 
 TEST_F(Evaluations, PerClassLeavesOutClassesWithoutQueries) {
   const Table table = per_class_table(named, classes);
-  ASSERT_EQ(table.rows.size(), 2U);
-  EXPECT_THAT(table.rows[1], ElementsAre("m", "psb", "high", "2", "100.0000", "100.0000", "100.0000", "40.0000",
-                                         "100.0000", "100.0000"));
+  EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "queries", "NN", "FT", "ST", "E", "DCG", "mAP"));
+  EXPECT_THAT(
+      table.rows,
+      ElementsAre(ElementsAre("m", "psb", "A", "3", "33.3333", "33.3333", "66.6667", "44.4444", "63.6255", "50.5556"),
+                  ElementsAre("m", "psb", "B", "4", "25.0000", "33.3333", "83.3333", "60.0000", "69.8182", "51.8651")));
 }
 
 TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
   const Table table = per_query_table(named, ids, classes);
-  ASSERT_EQ(table.rows.size(), 4U);
-  EXPECT_EQ(table.rows[3][2], "3");
-  EXPECT_EQ(table.rows[3][3], "high");
+  ASSERT_THAT(table.rows, SizeIs(7));
+  EXPECT_THAT(table.rows[0],
+              ElementsAre("m", "psb", "s", "B", "0.0000", "33.3333", "100.0000", "60.0000", "73.3838", "53.3333"));
+  EXPECT_THAT(table.rows[1],
+              ElementsAre("m", "psb", "t", "A", "100.0000", "50.0000", "100.0000", "44.4444", "75.0000", "75.0000"));
+  // v is alone in its class: w follows u.
+  EXPECT_THAT(table.rows[3],
+              ElementsAre("m", "psb", "w", "A", "0.0000", "50.0000", "100.0000", "44.4444", "75.0000", "50.0000"));
+  EXPECT_THAT(table.rows[6],
+              ElementsAre("m", "psb", "z", "A", "0.0000", "0.0000", "0.0000", "44.4444", "40.8765", "26.6667"));
 }
 
-TEST_F(Evaluations, PrecisionRecall) {
+TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {
   const Table table = precision_recall_table(named);
-  ASSERT_EQ(table.rows.size(), 20U);
-  EXPECT_THAT(table.rows.front(), ElementsAre("m", "psb", "0.05", "1.000000", "1.000000"));
-  EXPECT_THAT(table.rows.back(), ElementsAre("m", "psb", "1", "1.000000", "1.000000"));
+  EXPECT_THAT(table.header, ElementsAre("method", "protocol", "recall", "precision", "macro_precision"));
+  ASSERT_THAT(table.rows, SizeIs(20));
+  for (const Level& level : levels) {
+    EXPECT_THAT(table.rows[level.index], ElementsAre("m", "psb", level.recall, level.micro, level.macro));
+  }
+}
+
+TEST_F(Evaluations, EveryClassHasItsOwnCurve) {
+  const Table table = class_curves_table(named, classes);
+  EXPECT_THAT(table.header, ElementsAre("method", "protocol", "class", "recall", "precision"));
+  ASSERT_THAT(table.rows, SizeIs(40));
+  for (const Level& level : levels) {
+    EXPECT_THAT(table.rows[level.index], ElementsAre("m", "psb", "A", level.recall, level.a));
+    EXPECT_THAT(table.rows[20 + level.index], ElementsAre("m", "psb", "B", level.recall, level.b));
+  }
+}
+
+TEST_F(Evaluations, APlotHasRecallAndPrecision) {
+  const std::string plot = psb_plot(evaluation.micro_curve);
+  EXPECT_THAT(plot, testing::StartsWith("0.050000\t0.600000\n0.100000\t0.600000\n"));
+  EXPECT_THAT(plot, testing::EndsWith("0.950000\t0.481224\n1.000000\t0.484354\n"));
 }
 
 TEST_F(Evaluations, AsJsonInFractions) {
   const auto json = evaluation_json(evaluation, classes);
   EXPECT_EQ(json["protocol"], "psb");
   EXPECT_EQ(json["ties"], "index");
-  EXPECT_EQ(json["queries"], 4);
+  EXPECT_EQ(json["queries"], 7);
   EXPECT_EQ(json["queries_with_ties"], 0);
-  EXPECT_FALSE(json.contains("intervals"));
   EXPECT_EQ(json["models_never_queries"], 1);
-  EXPECT_EQ(json["micro"]["NN"], 1.0);
-  EXPECT_DOUBLE_EQ(json["macro"]["E"], 0.4);
-  EXPECT_DOUBLE_EQ(json["per_class"]["high"]["E"], 0.4);
+  EXPECT_FALSE(json.contains("intervals"));
+  EXPECT_DOUBLE_EQ(json["micro"]["NN"], 2.0 / 7);
+  EXPECT_DOUBLE_EQ(json["macro"]["NN"], (1.0 / 3 + 1.0 / 4) / 2);
+  EXPECT_DOUBLE_EQ(json["per_class"]["A"]["NN"], 1.0 / 3);
+  EXPECT_DOUBLE_EQ(json["per_class"]["B"]["NN"], 1.0 / 4);
+  EXPECT_DOUBLE_EQ(json["per_class"]["B"]["E"], 0.6);
   EXPECT_FALSE(json["per_class"].contains("alone"));
+  const auto with_intervals =
+      evaluation_json(evaluation, classes, {.micro = {6, {0.25, 0.5}}, .macro = {6, {0.125, 0.75}}});
+  EXPECT_EQ(with_intervals["intervals"]["micro"]["ST"][0], 0.25);
+  EXPECT_EQ(with_intervals["intervals"]["micro"]["ST"][1], 0.5);
+  EXPECT_EQ(with_intervals["intervals"]["macro"]["mAP"][1], 0.75);
 }
 
 }  // namespace

@@ -2,22 +2,20 @@
 #include <limits>
 
 #include "shapegauge/experiments/results/field_files.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-using test_experiments::text_of;
+using test::text_of;
 using testing::HasSubstr;
 using testing::StartsWith;
 
 class FieldFiles : public testing::Test {
  protected:
-  FieldFiles() : shape(test_shapes::box({1, 1, 1}, 1)), samples(sample_shape(shape, SampleSite::faces)) {
+  FieldFiles() : shape(test::box({1, 1, 1}, 1)), samples(sample_shape(shape, SampleSite::faces)) {
     values.setLinSpaced(shape.triangles.rows(), 0.1, 1);
     values[1] = std::numeric_limits<double>::quiet_NaN();
   }
@@ -27,7 +25,7 @@ class FieldFiles : public testing::Test {
     return text_of(path);
   }
 
-  test_io::TemporaryFolder folder;
+  test::TemporaryFolder folder;
   Shape shape;
   Samples samples;
   Eigen::VectorXd values;
@@ -57,12 +55,13 @@ TEST_F(FieldFiles, PlyAndPng) {
 }
 
 TEST_F(FieldFiles, AnotherExtensionIsAnError) {
-  EXPECT_THAT(input_error_of([] { field_file_writer("x.xlsx"); }), HasSubstr("must end in .csv, .npy, .ply or .png"));
+  EXPECT_THAT(test::input_error_of([] { field_file_writer("x.xlsx"); }),
+              HasSubstr("must end in .csv, .npy, .ply or .png"));
 }
 
 TEST_F(FieldFiles, AnUnwritableFileIsAnError) {
   EXPECT_THAT(
-      input_error_of([&] { field_file_writer("x.csv")(folder.path() / "absent/x.csv", shape, samples, values); }),
+      test::input_error_of([&] { field_file_writer("x.csv")(folder.path() / "absent/x.csv", shape, samples, values); }),
       HasSubstr("cannot write"));
 }
 

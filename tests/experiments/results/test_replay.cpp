@@ -2,9 +2,7 @@
 
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/replay.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -16,17 +14,17 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto error_for = [&](const std::string& text) {
-    test_experiments::write_text(folder.path() / "m.json", text);
-    return input_error_of([&] { read_manifest(folder.path() / "m.json"); });
+    test::write_text(folder.path() / "m.json", text);
+    return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
   };
   EXPECT_EQ(error_for(R"({"configuration": {}, "inputs": {}, "outputs": {}})"), "no error");
   EXPECT_THAT(error_for("[]"), HasSubstr("has no \"configuration\""));
   EXPECT_THAT(error_for(R"({"configuration": {}, "inputs": {}})"), HasSubstr("has no \"outputs\""));
   EXPECT_THAT(error_for(R"({"configuration": 1, "inputs": {}, "outputs": {}})"), HasSubstr("manifest.json"));
   EXPECT_THAT(error_for("{"), HasSubstr("m.json"));
-  EXPECT_THAT(input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
+  EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
 }
 
 TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
@@ -56,9 +54,9 @@ TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
 
 TEST(Replay, WhatIsGeneratedHasNoFolder) {
   const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
-  EXPECT_THAT(input_error_of([&] { recorded_configuration(dataset, "/new"); }), HasSubstr("--dataset-root"));
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new"); }), HasSubstr("--dataset-root"));
   const Json shapes{{"configuration", {{"shapes", {{{"name", "a"}, {"generate", Json::object()}}}}}}};
-  EXPECT_THAT(input_error_of([&] { recorded_configuration(shapes, "/new"); }), HasSubstr("--dataset-root"));
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(shapes, "/new"); }), HasSubstr("--dataset-root"));
 }
 
 TEST(Replay, ChangedInputsAreNamed) {

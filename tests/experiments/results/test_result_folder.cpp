@@ -1,17 +1,20 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
 #include <set>
 
 #include "shapegauge/experiments/results/result_folder.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
 namespace {
 
+namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 TEST(FileSafeName, KeepsWhatIsSafe) {
   EXPECT_EQ(file_safe_name("Our SDF (d = 1%)"), "Our_SDF_d_1");
@@ -36,99 +39,77 @@ RC_GTEST_PROP(FileSafeName, IsAPlainVisibleName, (const std::string& name)) {
             std::string::npos);
 }
 
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using testing::HasSubstr;
-
-std::string error_for(const fs::path& folder) {
-  return input_error_of([&] { const FolderLock lock(folder); });
+std::string lock_error(const fs::path& folder) {
+  return test::input_error_of([&] { const FolderLock lock(folder); });
 }
 
 TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run is under way in"));
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("--output"));
-    EXPECT_EQ(error_for(folder.path() / "a"), "no error");
-    EXPECT_THAT(error_for(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is under way in"));
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("--output"));
+    EXPECT_EQ(lock_error(folder.path() / "a"), "no error");
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
   }
   EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
-  EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
+  EXPECT_EQ(lock_error(folder.path() / "a/b"), "no error");
 }
 
 TEST(FolderLock, AFileThatAKilledRunHasLeftIsNoLock) {
-  const test_io::TemporaryFolder folder;
-  test_experiments::write_text(folder.path() / ".shapegauge-lock", "");
-  EXPECT_EQ(error_for(folder.path()), "no error");
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / ".shapegauge-lock", "");
+  EXPECT_EQ(lock_error(folder.path()), "no error");
 }
 
 TEST(FolderLock, AFolderThatCannotBeWrittenToIsAnError) {
-  EXPECT_THAT(error_for("/proc/x"), HasSubstr("/proc/x"));
-  EXPECT_THAT(error_for("/proc"), HasSubstr("cannot write to the folder /proc"));
+  EXPECT_THAT(lock_error("/proc/x"), HasSubstr("/proc/x"));
+  EXPECT_THAT(lock_error("/proc"), HasSubstr("cannot write to the folder /proc"));
 }
-
-}  // namespace
-
-namespace {
-
-using test_experiments::write_text;
-using testing::HasSubstr;
 
 const nlohmann::json mine{{"name", "mine"}};
 
-std::string error_for(const std::filesystem::path& folder, bool replace = false) {
-  return input_error_of([&] { prepare_result_folder(folder, mine, replace); });
+std::string error_for(const fs::path& folder, bool replace = false) {
+  return test::input_error_of([&] { prepare_result_folder(folder, mine, replace); });
 }
 
 TEST(ResultFolder, IsMadeWithThoseAbove) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(error_for(folder.path() / "a/b"), "no error");
-  EXPECT_TRUE(std::filesystem::is_empty(folder.path() / "a/b"));
+  EXPECT_TRUE(fs::is_empty(folder.path() / "a/b"));
 }
 
 TEST(ResultFolder, OtherFilesDoNotMatter) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "notes.txt", "x");
   EXPECT_EQ(error_for(folder.path()), "no error");
 }
 
 TEST(ResultFolder, TheSameConfigurationMayRunAgain) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "manifest.json", R"({"configuration": {"name": "mine"}})");
   EXPECT_EQ(error_for(folder.path()), "no error");
 }
 
 TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   for (const std::string manifest : {R"({"configuration": {"name": "other"}})", "[]", "{"}) {
-    const test_io::TemporaryFolder folder;
+    const test::TemporaryFolder folder;
     write_text(folder.path() / "manifest.json", manifest);
     EXPECT_THAT(error_for(folder.path()), HasSubstr("holds the results of another configuration")) << manifest;
     EXPECT_EQ(error_for(folder.path(), true), "no error");
   }
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "summary.csv", "method\n");
   EXPECT_THAT(error_for(folder.path()), HasSubstr("--replace"));
 }
 
 TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "x", "a file");
   EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot make the folder"));
   EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot make the folder"));
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
-
-}  // namespace
-
-namespace {
-
-namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
 
 /// A folder with the results of an earlier run and a file of the user's.
 class StagedResultsTest : public testing::Test {
@@ -142,7 +123,7 @@ class StagedResultsTest : public testing::Test {
   }
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
@@ -185,7 +166,7 @@ TEST_F(StagedResultsTest, AFileThatCannotBeMovedIsAnError) {
   write_text(at("summary.csv/x"), "a folder of that name");
   StagedResults staged(folder_.path());
   write_text(staged.folder() / "summary.csv", "new");
-  EXPECT_THAT(input_error_of([&] { staged.publish({"summary.csv"}); }), testing::HasSubstr("cannot write"));
+  EXPECT_THAT(test::input_error_of([&] { staged.publish({"summary.csv"}); }), testing::HasSubstr("cannot write"));
 }
 
 }  // namespace

@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "shapegauge/experiments/results/shape_tables.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
 TEST(DiagnosticsJson, NamesEveryDiagnostic) {
-  Shape box = test_shapes::box({1, 1, 1}, 1);
+  Shape box = test::box({1, 1, 1}, 1);
   box.triangles = box.triangles.topRows(11).eval();
   const nlohmann::ordered_json json = diagnostics_json(diagnose(box));
   EXPECT_EQ(json["closed"], false);
@@ -26,10 +26,6 @@ TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
   EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
 }
 
-}  // namespace
-
-namespace {
-
 ExperimentResults two_models() {
   ExperimentResults results;
   results.classes = {"ant", "bird"};
@@ -37,7 +33,7 @@ ExperimentResults two_models() {
   results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
                      .outcomes = {{"total", 9}, {"undecided", 1}}}};
   results.shapes.resize(2);
-  results.shapes[0] = {.diagnostics = {.triangles = 4, .closed = true},
+  results.shapes[0] = {.diagnostics = {.triangles = 4, .watertight = true},
                        .chosen = {2, 0},
                        .outcomes = {{{"total", 4}}},
                        .offsets = {std::nullopt},

@@ -8,7 +8,7 @@
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 #include "shapegauge/experiments/runner/cache_records.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -145,7 +145,7 @@ void expect_facts(const FieldDescription& found) {
 TEST(CacheRecords, AllThatIsKnownOfAShape) {
   ModelDescription model;
   // Holes, a second part and a vertex too many: every diagnostic but those of clouds and noise is other than zero.
-  Shape shape = test_shapes::joined({test_shapes::box({1, 2, 0.3}, 3), test_shapes::sphere(1, 1)});
+  Shape shape = test::joined({test::box({1, 2, 0.3}, 3), test::sphere(1, 1)});
   shape.triangles.conservativeResize(shape.triangles.rows() - 2, Eigen::NoChange);
   model.diagnostics = diagnose(shape);
   model.diagnostics.point_spacing = 0.125;

@@ -5,10 +5,8 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -16,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -29,7 +27,7 @@ Uses uses_of(const ExperimentResults& results) {
   Uses uses;
   for (const EntryKind kind : {EntryKind::shape, EntryKind::field, EntryKind::histogram, EntryKind::distances}) {
     const CacheUse& use = results.cache.uses.at(static_cast<std::size_t>(kind));
-    uses[std::string(name_of(kind))] = {use.taken, use.computed};
+    uses[std::string(name_of(kind))] = {use.hits, use.computed};
   }
   return uses;
 }
@@ -39,14 +37,14 @@ Uses uses_of(const ExperimentResults& results) {
 /// the data set's range), 6 distance matrices.
 class DescribeThroughCache : public testing::Test {
  protected:
-  void SetUp() override { test_experiments::write_small_dataset(data()); }
+  void SetUp() override { test::write_small_dataset(data()); }
 
   [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
   [[nodiscard]] fs::path folder(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] fs::path cache() const { return folder("cache"); }
 
   [[nodiscard]] Json document() const {
-    Json document = test_experiments::small_configuration(data());
+    Json document = test::small_configuration(data());
     document["signatures"].push_back({{"name", "offset"},
                                       {"field", {{"type", "offset_sdf"}, {"offset", 0.1}, {"at", {{"surface", 100}}}}},
                                       {"histogram", {{"range", "per-shape"}}}});
@@ -87,7 +85,7 @@ class DescribeThroughCache : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 const Uses all_computed{{"shape", {0, 9}}, {"field", {0, 27}}, {"histogram", {0, 36}}, {"distances", {0, 6}}};
@@ -136,7 +134,7 @@ TEST_F(DescribeThroughCache, APictureIsDrawnByTheValuesInTheCache) {
     EXPECT_EQ(uses_of(drawn), all_taken);
     EXPECT_EQ(files_of(drawn), fresh);
     const CacheUse& pictures = run(pictured).cache.uses.at(static_cast<std::size_t>(EntryKind::picture));
-    EXPECT_EQ(pictures.taken, 9U);
+    EXPECT_EQ(pictures.hits, 9U);
     EXPECT_EQ(pictures.computed, 0U);
   }
 }
@@ -236,7 +234,7 @@ TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
       EXPECT_EQ(again.failures[f].message, fresh.failures[f].message);
     }
   }
-  EXPECT_THAT(input_error_of([&] { run(document()); }), HasSubstr("model 3: "));
+  EXPECT_THAT(test::input_error_of([&] { run(document()); }), HasSubstr("model 3: "));
 }
 
 TEST_F(DescribeThroughCache, DamagedEntriesAreComputedAnew) {

@@ -5,7 +5,7 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/runner/field_errors.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -34,7 +34,7 @@ namespace {
 constexpr double rounding = 1e-5;  // degrees; the cross product of unit vectors is good to 1e-15
 
 TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
-  const Shape box = test_shapes::box({3, 2, 1}, 4);
+  const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   const NormalErrors errors = normal_errors(TrueNormals(box), samples.points, samples.normals, samples.weights, true);
   EXPECT_LT(errors.mean, rounding);
@@ -42,7 +42,7 @@ TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
 }
 
 TEST(NormalErrors, AreTheAngleByWhichNormalsAreTurned) {
-  const Shape box = test_shapes::box({3, 2, 1}, 4);
+  const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   Points turned = samples.normals;
   for (Eigen::Index i = 0; i < turned.rows(); ++i) {
@@ -55,7 +55,7 @@ TEST(NormalErrors, AreTheAngleByWhichNormalsAreTurned) {
 }
 
 TEST(NormalErrors, ANormalThatPointsTheOtherWayIsWrongIfSidesMatter) {
-  const Shape box = test_shapes::box({3, 2, 1}, 4);
+  const Shape box = test::box({3, 2, 1}, 4);
   const Samples samples = sample_shape(box, SampleSite::faces);
   const TrueNormals truth(box);
   const Points turned = -samples.normals;
@@ -64,7 +64,7 @@ TEST(NormalErrors, ANormalThatPointsTheOtherWayIsWrongIfSidesMatter) {
 }
 
 TEST(NormalErrors, WhatIsNotThereDoesNotCount) {
-  const Shape box = test_shapes::box({3, 2, 1}, 4);
+  const Shape box = test::box({3, 2, 1}, 4);
   Samples samples = sample_shape(box, SampleSite::faces);
   samples.normals.row(0).setZero();
   samples.normals.row(1) *= -1;
@@ -76,7 +76,7 @@ TEST(NormalErrors, WhatIsNotThereDoesNotCount) {
 }
 
 TEST(TrueNormals, ACloudHasNone) {
-  EXPECT_THROW(TrueNormals({test_shapes::sphere(1, 1).vertices, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), std::invalid_argument);
 }
 
 }  // namespace

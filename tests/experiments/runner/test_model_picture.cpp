@@ -4,8 +4,7 @@
 
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/experiments/runner/model_picture.h"
-#include "tests/core/random_points.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -40,7 +39,7 @@ std::string picture_of(const Shape& shape, SampleSite site, double value) {
 }
 
 TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
-  const Image image = decoded(picture_of(test_shapes::sphere(1, 3), SampleSite::faces, 0.3));
+  const Image image = decoded(picture_of(test::sphere(1, 3), SampleSite::faces, 0.3));
   const PictureOptions options;
   EXPECT_EQ(image.width, options.width);
   EXPECT_EQ(image.height, options.height);
@@ -49,7 +48,7 @@ TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
 }
 
 TEST(ModelPicture, TheSameValueHasTheSameColourWhereverItIsSampled) {
-  const Shape sphere = test_shapes::sphere(1, 4);
+  const Shape sphere = test::sphere(1, 4);
   const Image faces = decoded(picture_of(sphere, SampleSite::faces, 0.1));
   for (const SampleSite site : {SampleSite::vertices, SampleSite::surface}) {
     const Image other = decoded(picture_of(sphere, site, 0.1));
@@ -60,7 +59,7 @@ TEST(ModelPicture, TheSameValueHasTheSameColourWhereverItIsSampled) {
 }
 
 TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
-  const Shape sphere = test_shapes::sphere(1, 3);
+  const Shape sphere = test::sphere(1, 3);
   const auto colour = [&](double value) {
     const Image image = decoded(picture_of(sphere, SampleSite::faces, value));
     return Eigen::Vector3d(mean_channel(image, 0), mean_channel(image, 1), mean_channel(image, 2));
@@ -76,7 +75,7 @@ TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
 }
 
 TEST(ModelPicture, OfACloudToo) {
-  const Shape cloud = test_shapes::random_points(test_shapes::sphere(1, 4), 800, 1);
+  const Shape cloud = test::random_points(test::sphere(1, 4), 800, 1);
   EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
 }
 

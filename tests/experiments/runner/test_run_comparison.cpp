@@ -5,20 +5,18 @@
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/files/csv.h"
-#include "shapegauge/experiments/results/write_comparison.h"
+#include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/test_shapes.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
@@ -26,7 +24,7 @@ using Json = nlohmann::json;
 class RunComparison : public testing::Test {
  protected:
   void SetUp() override {
-    Shape sphere = test_shapes::sphere(10, 3);
+    Shape sphere = test::sphere(10, 3);
     sphere.vertices.rowwise() += Eigen::RowVector3d(5, 0, 1);  // units and place of its own
     write_off(path("sphere.off"), sphere);
   }
@@ -53,7 +51,7 @@ class RunComparison : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
@@ -150,7 +148,7 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
   Json changed = document();
   changed["shapes"][2]["file"] = "flat.off";
   changed["shapes"].push_back({{"name", "absent"}, {"file", "absent.off"}});
-  EXPECT_THAT(input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("shape \"absent\": "));
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("shape \"absent\": "));
   changed["on_error"] = "skip";
   const ComparisonResults results = run(changed);
   ASSERT_EQ(results.failures.size(), 2U);
@@ -159,7 +157,7 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
   EXPECT_EQ(results.shapes.size(), 2U);
   EXPECT_EQ(results.signatures[0].distances[1], 0);
   changed["reference"] = "again";
-  EXPECT_THAT(input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("it is the reference"));
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("it is the reference"));
 }
 
 TEST_F(RunComparison, AnInterruptionStopsIt) {

@@ -12,19 +12,17 @@
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/random_points.h"
-#include "tests/experiments/input_error.h"
-#include "tests/experiments/small_dataset.h"
-#include "tests/experiments/text_files.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 
 Configuration generated(std::uint64_t seed) {
   Configuration configuration;
@@ -43,7 +41,7 @@ int models_made(const Configuration& configuration, const fs::path& folder) {
 }
 
 TEST(PrepareDataset, IsGeneratedOnceForTheSameSettings) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   EXPECT_EQ(models_made(generated(1), folder.path() / "new"), 2);
   const std::string first = text_of(folder.path() / "new/T0.off");
   EXPECT_EQ(models_made(generated(1), folder.path() / "new"), 0);
@@ -52,7 +50,7 @@ TEST(PrepareDataset, IsGeneratedOnceForTheSameSettings) {
 }
 
 TEST(PrepareDataset, WhatAnInterruptionLeftIsMadeAnew) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   RunControl control;
   control.interrupted = [] { return true; };
   EXPECT_THROW(prepare_dataset(generated(1), folder.path() / "new", control), Interrupted);
@@ -60,9 +58,9 @@ TEST(PrepareDataset, WhatAnInterruptionLeftIsMadeAnew) {
 }
 
 TEST(PrepareDataset, AnotherDataSetIsNotReplaced) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   write_text(folder.path() / "T0.off", "mine");
-  EXPECT_NE(input_error_of([&] { prepare_dataset(generated(1), folder.path(), {}); }), "no error");
+  EXPECT_NE(test::input_error_of([&] { prepare_dataset(generated(1), folder.path(), {}); }), "no error");
   EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
 }
 
@@ -73,7 +71,7 @@ namespace {
 CacheUse use_of(const Cache& cache) { return cache.report().uses.at(static_cast<std::size_t>(EntryKind::distances)); }
 
 TEST(DistancesThroughCache, AreComputedOnce) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const Signatures signatures = Signatures::Random(7, 5);
   const DistanceMatrix expected = distance_matrix(signatures);
   Cache first(folder.path() / "cache");
@@ -81,7 +79,7 @@ TEST(DistancesThroughCache, AreComputedOnce) {
   EXPECT_EQ(use_of(first).computed, 1U);
   Cache second(folder.path() / "cache");
   EXPECT_EQ(distances_through_cache(signatures, "l1", second), expected);
-  EXPECT_EQ(use_of(second).taken, 1U);
+  EXPECT_EQ(use_of(second).hits, 1U);
   Signatures other = signatures;
   other(3, 3) += 1;
   EXPECT_EQ(distances_through_cache(other, "l1", second), distance_matrix(other));
@@ -89,7 +87,7 @@ TEST(DistancesThroughCache, AreComputedOnce) {
 }
 
 TEST(DistancesThroughCache, LargeOnesAreNotKept) {
-  const test_io::TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   Cache cache(folder.path() / "cache");
   distances_through_cache(Signatures::Random(2901, 1), "l1", cache);
   EXPECT_EQ(cache_contents(folder.path() / "cache").total().entries, 0U);
@@ -107,20 +105,20 @@ TEST(DistancesThroughCache, WithoutACacheAreComputed) {
 namespace {
 
 namespace fs = std::filesystem;
-using test_experiments::text_of;
-using test_experiments::write_text;
+using test::text_of;
+using test::write_text;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
 class RunExperiment : public testing::Test {
  protected:
-  void SetUp() override { test_experiments::write_small_dataset(data()); }
+  void SetUp() override { test::write_small_dataset(data()); }
 
   [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
   [[nodiscard]] fs::path folder(const std::string& name) const { return folder_.path() / name; }
 
   [[nodiscard]] Configuration configuration(const Json& changes = Json::object()) const {
-    Json document = test_experiments::small_configuration(data());
+    Json document = test::small_configuration(data());
     document.merge_patch(changes);
     return configuration_from_json(document, "test.json", folder_.path());
   }
@@ -129,7 +127,7 @@ class RunExperiment : public testing::Test {
   }
 
  private:
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
@@ -149,7 +147,7 @@ TEST_F(RunExperiment, ClassesThatLookDifferentAreRetrievedPerfectly) {
 TEST_F(RunExperiment, CloudsAreRetrievedToo) {
   for (int i = 0; i < 9; ++i) {
     const fs::path file = data() / fmt::format("T{}.off", i);
-    write_off(file, test_shapes::random_points(read_shape(file), 1500, static_cast<std::uint64_t>(i)));
+    write_off(file, test::random_points(read_shape(file), 1500, static_cast<std::uint64_t>(i)));
   }
   const Json histogram{{"bins", 20}, {"range", {{"fixed", {0, 0.6}}}}};
   const auto signature = [&](const char* site) {
@@ -201,7 +199,7 @@ TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
     const Eigen::VectorXd values = cone_sdf(shape, samples, {}).values;
     range = {.low = std::min(range.low, values.minCoeff()), .high = std::max(range.high, values.maxCoeff())};
   }
-  Json document = test_experiments::small_configuration(data());
+  Json document = test::small_configuration(data());
   document["signatures"][0]["histogram"]["range"]["fixed"] = {range.low, range.high};
   const ExperimentResults fixed =
       run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {.threads = 1});
@@ -236,7 +234,7 @@ TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
 
 TEST_F(RunExperiment, ABadModelStopsTheRunAndIsNamed) {
   write_text(data() / "T4.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 nan\n3 0 1 2\n");
-  const std::string message = input_error_of([&] { static_cast<void>(run()); });
+  const std::string message = test::input_error_of([&] { static_cast<void>(run()); });
   EXPECT_THAT(message, HasSubstr("model 4: "));
   EXPECT_THAT(message, HasSubstr("T4.off"));
   EXPECT_THAT(message, HasSubstr("\"on_error\""));
@@ -265,14 +263,15 @@ TEST_F(RunExperiment, WhatIsPlainlyWrongStopsBeforeAnythingIsComputed) {
   bool began = false;
   RunControl control;
   control.progress = [&](std::string_view, std::size_t, std::size_t) { began = true; };
-  const std::string message = input_error_of([&] { run_experiment(configuration(), folder("generated"), control); });
+  const std::string message =
+      test::input_error_of([&] { run_experiment(configuration(), folder("generated"), control); });
   EXPECT_THAT(message, HasSubstr("model 8: "));
   EXPECT_FALSE(began);
 }
 
 TEST_F(RunExperiment, WithoutAnyModelLeftEvenSkippingStops) {
   for (int i = 0; i < 9; ++i) fs::remove(data() / ("T" + std::to_string(i) + ".off"));
-  EXPECT_THAT(input_error_of([&] { static_cast<void>(run({{"on_error", "skip"}})); }), HasSubstr("(and 8 more"));
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run({{"on_error", "skip"}})); }), HasSubstr("(and 8 more"));
 }
 
 TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
@@ -284,7 +283,10 @@ TEST_F(RunExperiment, AClassOfOneIsNeverAQuery) {
 }
 
 TEST_F(RunExperiment, NoClassLargeEnoughIsAnError) {
-  EXPECT_NE(input_error_of([&] { static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}})); }), "no error");
+  EXPECT_NE(test::input_error_of([&] {
+              static_cast<void>(run({{"evaluation", {{"minimum_class_size", 4}}}}));
+            }),
+            "no error");
 }
 
 TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
@@ -301,7 +303,7 @@ TEST_F(RunExperiment, AnInterruptionStopsWithinAShapeOrTwo) {
 TEST_F(RunExperiment, FilesOfAnEarlierRunAreClearedAwayWithItsManifestOnly) {
   write_results(folder("out"), run());
   write_text(folder("out") / "distances/mine.npy", "x");
-  Json document = test_experiments::small_configuration(data());
+  Json document = test::small_configuration(data());
   document["signatures"].erase(1);
   document["signatures"][2]["concatenate"] = {"fixed"};
   write_results(folder("out"),

@@ -10,8 +10,8 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
-#include "tests/core/io/temporary_folder.h"
-#include "tests/core/test_shapes.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
@@ -23,13 +23,13 @@ class SegmentationBenchmarkFolder : public testing::Test {
   void add(const std::string& id, int people) const {
     std::filesystem::create_directories(folder_.path() / "off");
     std::filesystem::create_directories(folder_.path() / "seg" / id);
-    write_off(folder_.path() / "off" / (id + ".off"), test_shapes::sphere(1, 0));
+    write_off(folder_.path() / "off" / (id + ".off"), test::sphere(1, 0));
     for (int k = 0; k < people; ++k) {
       std::ofstream(folder_.path() / "seg" / id / (id + "_" + std::to_string(k) + ".seg")) << "0\n";
     }
   }
 
-  test_io::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(SegmentationBenchmarkFolder, IsFoundInNaturalOrderWithItsClasses) {
@@ -64,7 +64,7 @@ Labels halves(const Shape& shape, double place) {
 
 TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
   // Cuts of a unit sphere at two heights: about as far apart as the arc between them, both ways.
-  const Shape sphere = test_shapes::sphere(1, 5);
+  const Shape sphere = test::sphere(1, 5);
   const SegmentationScorer scorer(sphere, {});
   const double arc = std::asin(0.5);
   // Ways along edges are up to a seventh longer than the surface's own, cuts zigzag by an edge of 0.05.
@@ -77,9 +77,8 @@ TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
 
 TEST(SegmentationScorer, WeighsByAreaIfWanted) {
   // A box of few large triangles at one end and many small ones at the other.
-  const Shape shape = test_shapes::joined(
-      {test_shapes::box({1, 1, 1}, 1),
-       test_shapes::transformed(test_shapes::box({1, 1, 1}, 6), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
+  const Shape shape = test::joined(
+      {test::box({1, 1, 1}, 1), test::transformed(test::box({1, 1, 1}, 6), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
   const Labels two = halves(shape, 1.5);
   const Labels one(two.size(), 0);
   const double n = static_cast<double>(two.size());
@@ -92,7 +91,7 @@ TEST(SegmentationScorer, WeighsByAreaIfWanted) {
 }
 
 TEST(SegmentationScorer, MeansOverPeopleLeaveOutWhatIsNotDefined) {
-  const Shape sphere = test_shapes::sphere(1, 2);
+  const Shape sphere = test::sphere(1, 2);
   const SegmentationScorer scorer(sphere, {});
   const Labels cut = halves(sphere, 0);
   const Labels none(cut.size(), 0);

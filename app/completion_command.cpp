@@ -1,0 +1,170 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+
+namespace shapegauge {
+
+namespace {
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
+/// "--format", "-o": the names of an option as they are typed; none for what has no name.
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+/// The words that an option takes where it takes one of a few: what its help lists as {a,b,c}.
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t begin = type.find('{');
+  const std::size_t end = type.find('}');
+  if (begin == std::string::npos || end == std::string::npos) return {};
+  return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
+}
+
+/// A command with the words that lead to it, "dataset info".
+struct NamedCommand {
+  std::string path;
+  const CLI::App* app = nullptr;
+};
+
+void collect(const CLI::App& app, const std::string& path, std::vector<NamedCommand>& all) {
+  all.push_back({.path = path, .app = &app});
+  for (const CLI::App* command : commands_of(app)) {
+    collect(*command, path.empty() ? command->get_name() : path + " " + command->get_name(), all);
+  }
+}
+
+std::vector<NamedCommand> all_commands(const CLI::App& program) {
+  std::vector<NamedCommand> all;
+  collect(program, "", all);
+  return all;
+}
+
+std::string bash_completion(const CLI::App& program) {
+  std::string words;
+  std::string choices;
+  for (const auto& [path, app] : all_commands(program)) {
+    std::vector<std::string> next;
+    for (const CLI::App* command : commands_of(*app)) next.push_back(command->get_name());
+    for (const CLI::Option* option : app->get_options()) {
+      const std::vector<std::string> names = names_of(*option);
+      next.insert(next.end(), names.begin(), names.end());
+      const std::vector<std::string> values = choices_of(*option);
+      if (values.empty()) continue;
+      for (const std::string& name : names) {
+        choices += fmt::format("    '{}:{}') COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n", path, name,
+                               fmt::join(values, " "));
+      }
+    }
+    words += fmt::format("    '{}') words='{}' ;;\n", path, fmt::join(next, " "));
+  }
+  return fmt::format(R"(# bash completion of shapegauge; made by 'shapegauge completion bash'
+_shapegauge() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} command='' words='' i next
+  for ((i = 1; i < COMP_CWORD; i++)); do
+    next=${{COMP_WORDS[i]}}
+    case " {} " in *" ${{command:+$command/}}$next "*) command=${{command:+$command/}}$next ;; esac
+  done
+  command=${{command//\// }}
+  case "$command:$previous" in
+{}  esac
+  case "$command" in
+{}  esac
+  COMPREPLY=($(compgen -W "$words" -- "$word"))
+  if [[ -n $command && $word != -* ]]; then COMPREPLY+=($(compgen -f -- "$word")); fi
+}}
+complete -o filenames -F _shapegauge shapegauge
+)",
+                     [&] {
+                       std::vector<std::string> paths;
+                       for (const auto& [path, app] : all_commands(program)) {
+                         paths.push_back(path);
+                         std::ranges::replace(paths.back(), ' ', '/');
+                       }
+                       return fmt::format("{}", fmt::join(paths, " "));
+                     }(),
+                     choices, words);
+}
+
+/// Text for a description in a specification of zsh's _arguments.
+std::string zsh_text(std::string text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '[' || c == ']' || c == ':' || c == '\\') escaped += '\\';
+    escaped += c == '\'' ? std::string("'\\''") : std::string(1, c == '\n' ? ' ' : c);
+  }
+  return escaped;
+}
+
+std::string zsh_completion(const CLI::App& program) {
+  std::string cases;
+  for (const auto& [path, app] : all_commands(program)) {
+    std::string specifications;
+    for (const CLI::Option* option : app->get_options()) {
+      const std::vector<std::string> values = choices_of(*option);
+      const std::string action = values.empty() ? "_files" : fmt::format("({})", fmt::join(values, " "));
+      const std::string value = option->get_items_expected_max() > 0 ? ":value:" + action : "";
+      for (const std::string& name : names_of(*option)) {
+        specifications += fmt::format(" \\\n        '*{}[{}]{}'", name, zsh_text(option->get_description()), value);
+      }
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* command : commands_of(*app)) names.push_back(command->get_name());
+    const std::string rest = names.empty() ? "_files" : fmt::format("({})", fmt::join(names, " "));
+    cases += fmt::format("    '{}') _arguments{} \\\n        '*:argument:{}' ;;\n", path, specifications, rest);
+  }
+  return fmt::format(R"(#compdef shapegauge
+# zsh completion of shapegauge; made by 'shapegauge completion zsh'
+_shapegauge() {{
+  local command='' word
+  for word in ${{words[2,CURRENT-1]}}; do
+    case "$command/$word" in
+{}    esac
+  done
+  case "$command" in
+{}  esac
+}}
+_shapegauge "$@"
+)",
+                     [&] {
+                       std::string steps;
+                       for (const auto& [path, app] : all_commands(program)) {
+                         for (const CLI::App* command : commands_of(*app)) {
+                           const std::string& name = command->get_name();
+                           steps += fmt::format("      '{}/{}') command='{}' ;;\n", path, name,
+                                                path.empty() ? name : path + " " + name);
+                         }
+                       }
+                       return steps;
+                     }(),
+                     cases);
+}
+
+}  // namespace
+
+void add_completion_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("completion", "Print the completion of commands and options for a shell");
+  command->footer(
+      "Example: shapegauge completion bash > ~/.local/share/bash-completion/completions/shapegauge\n"
+      "         shapegauge completion zsh > ~/.zfunc/_shapegauge");
+  const auto shell = std::make_shared<std::string>();
+  command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->callback([&app, shell, &status] {
+    fmt::print("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
+    status = exit_success;
+  });
+}
+
+}  // namespace shapegauge

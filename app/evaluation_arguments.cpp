@@ -1,0 +1,114 @@
+#include "app/evaluation_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fmt/format.h>
+#include <stdexcept>
+
+#include "app/options.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+namespace {
+
+void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
+  EvaluationFiles& files = arguments.files;
+  command.add_option(
+      "--labels", files.labels,
+      "Classes of the models: .cla, a table (id,class and if you like split), a list with a class a line, "
+      "a .npy of whole numbers, or a folder of class folders");
+  command.add_option("--targets", files.targets, "Classes of the models to be found, where --labels is of the queries");
+  command.add_option("--qrels", files.qrels, "TREC judgements in place of --labels");
+  command
+      .add_option("--level", files.level, "Level of the .cla hierarchy: 1 the roots, 2 their children; 0 the classes")
+      ->capture_default_str();
+  command.add_option("--ids", files.ids, "Ids of the rows, one a line");
+  command
+      .add_option("--order", arguments.order,
+                  "Which model a row is where no ids say so: the i-th in natural order, or of the labels' file "
+                  "(default: of the file where it is a list, else natural)")
+      ->check(CLI::IsMember({"natural", "file", "classification"}));
+  CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "The matrix is of similarities");
+  command.add_option("--distance", files.distance, "The file holds features, a row a model: the distance between them")
+      ->check(CLI::IsMember(distance_names()))
+      ->excludes(similarity);
+}
+
+}  // namespace
+
+void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
+  add_input_options(command, arguments);
+  command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, with --qrels trec)")
+      ->check(CLI::IsMember(protocol_names()));
+  command.add_flag("-c,--all-queries", arguments.all_queries,
+                   "Queries without a ranked list count, with scores of 0, as with trec_eval -c");
+  command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: the mean over all orders")
+      ->check(CLI::IsMember(ties_names()))
+      ->capture_default_str();
+  command.add_option("--measures", arguments.measures, "Measures, as in NN,FT,P@10 (default: the protocol's own)")
+      ->delimiter(',');
+  command.add_option("--min-class-size", arguments.minimum_class_size, "Models of smaller classes are never queries")
+      ->check(CLI::Range(2, 1000000))
+      ->capture_default_str();
+  add_threads_option(command, arguments.threads);
+}
+
+void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
+  command.add_option("--confidence", arguments.confidence, "Confidence of the intervals, as in 0.95")
+      ->check(CLI::Range(0.5, 0.9999));
+  command
+      .add_option("--blocks", arguments.blocks, "What is resampled as a whole: classes, or queries as if independent")
+      ->check(CLI::IsMember(blocks_names()))
+      ->capture_default_str();
+  command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
+      ->check(CLI::Range(1, 10000000))
+      ->capture_default_str();
+  command.add_option("--seed", arguments.resampling.seed, "Seed of the resamples")->capture_default_str();
+}
+
+Protocol chosen_protocol(const EvaluationArguments& arguments) {
+  if (!arguments.protocol.empty()) return protocol_of(arguments.protocol).value();
+  return arguments.files.qrels.empty() ? Protocol::psb : Protocol::trec;
+}
+
+EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
+  EvaluationOptions options;
+  options.protocol = chosen_protocol(arguments);
+  options.ties = ties_of(arguments.ties).value();
+  options.minimum_class_size = arguments.minimum_class_size;
+  if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
+  try {
+    options.measures = measures_of(arguments.measures);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("--measures: {}; see 'shapegauge measures'", error.what()));
+  }
+  return options;
+}
+
+EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {
+  EvaluationFiles files = arguments.files;
+  files.matrix = path;
+  if (arguments.order == "natural") files.order = RowOrder::natural;
+  if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
+  if (arguments.all_queries) files.unanswered = Unanswered::count;
+  ProgressLine line;
+  return evaluate_files(files, evaluation_options(arguments), [&](Eigen::Index done, Eigen::Index rows) {
+    line.show(path.filename().string(), static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
+  });
+}
+
+std::optional<std::string> ties_warning(const Evaluation& evaluation) {
+  if (evaluation.queries_with_ties == 0) return std::nullopt;
+  return fmt::format(
+      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
+      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties));
+}
+
+void print_warnings(std::span<const std::string> warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: note: {}\n", warning);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,218 @@
+#include "app/shape_files.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <stdlib.h>
+#include <system_error>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/experiments/runner/run_control.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_standard_stream(const fs::path& path) { return path == "-"; }
+
+/// A folder of its own for the time of its scope.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string pattern = (fs::temp_directory_path() / "shapegauge-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw InputError("cannot make a folder in " + pattern);
+    path_ = pattern;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder(ScratchFolder&&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Whether the outputs go into a folder.
+bool fills_folder(const ShapeFiles& files) {
+  if (files.output.empty() || is_standard_stream(files.output)) return false;
+  return files.inputs.size() > 1 || !files.output.has_filename() || fs::is_directory(files.output);
+}
+
+void check_inputs(const ShapeFiles& files) {
+  const auto streams = std::ranges::count_if(files.inputs, is_standard_stream);
+  if (streams > 1) throw InputError("standard input (-) can be read once only");
+  if (files.inputs.size() < 2 || files.output.empty()) return;
+  const bool named_like_a_file = files.output.has_filename() && files.output.has_extension();
+  if (is_standard_stream(files.output) || (named_like_a_file && !fs::is_directory(files.output))) {
+    throw InputError(fmt::format("{} shapes need a folder for their results, as in -o {}/; {} names a single file",
+                                 files.inputs.size(), files.output.stem().string(), files.output.string()));
+  }
+}
+
+/// Throws where two outputs are one file, or an output is an input.
+void check_outputs(const ShapeFiles& files, const std::vector<ShapeJob>& jobs) {
+  std::map<fs::path, std::string> inputs;
+  for (const fs::path& input : files.inputs) inputs.emplace(fs::weakly_canonical(input), input.string());
+  std::map<fs::path, std::string> outputs;
+  for (const ShapeJob& job : jobs) {
+    if (is_standard_stream(job.output)) continue;
+    const fs::path output = fs::weakly_canonical(job.output);
+    const auto [other, is_new] = outputs.emplace(output, job.input);
+    if (!is_new) {
+      throw InputError(
+          fmt::format("{} and {} would both be written to {}", other->second, job.input, job.output.string()));
+    }
+    const auto overwritten = inputs.find(output);
+    if (overwritten == inputs.end() || files.replace || !fs::is_regular_file(output)) continue;
+    throw InputError(
+        fmt::format("the output would take the place of the input {}; give it another name, or say that "
+                    "this is meant by --replace",
+                    overwritten->second));
+  }
+}
+
+std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
+  check_inputs(files);
+  const bool folder = fills_folder(files);
+  std::vector<ShapeJob> jobs;
+  for (const fs::path& input : files.inputs) {
+    const bool stream = is_standard_stream(input);
+    ShapeJob job{.index = jobs.size(), .input = stream ? "standard input" : input.string(), .output = files.output};
+    if (folder) job.output /= (stream ? "stdin" : input.stem().string()) + "." + files.output_format;
+    jobs.push_back(std::move(job));
+  }
+  if (files.output.empty()) return jobs;
+  check_outputs(files, jobs);
+  if (!folder) return jobs;
+  std::error_code failure;
+  fs::create_directories(files.output, failure);
+  if (!fs::is_directory(files.output)) {
+    throw InputError(fmt::format("cannot make the folder {}: {}", files.output.string(), failure.message()));
+  }
+  return jobs;
+}
+
+Shape read_input(const fs::path& input, const std::string& format) {
+  const std::string extension = format.empty() ? "" : "." + format;
+  if (!is_standard_stream(input)) {
+    return extension.empty() ? read_shape(input) : read_shape(read_file_bytes(input), input.string() + extension);
+  }
+  std::string bytes;
+  std::array<char, 1 << 16> piece = {};
+  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), stdin)) bytes.append(piece.data(), size);
+  if (bytes.empty()) throw InputError("standard input is empty");
+  return read_shape(bytes, "standard input" + extension);
+}
+
+/// Does one job; what goes to standard output is written to a file first, as the writers need a name.
+void do_job(const ShapeFiles& files, ShapeJob job,
+            const std::function<void(const Shape&, const ShapeJob&, Remarks&)>& work, Remarks& remarks) {
+  const auto start = std::chrono::steady_clock::now();
+  const Shape shape = read_input(files.inputs[job.index], files.input_format);
+  job.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (!is_standard_stream(job.output)) return work(shape, job, remarks);
+  const ScratchFolder scratch;
+  job.output = scratch.path() / ("output." + files.output_format);
+  work(shape, job, remarks);
+  const std::string bytes = read_file_bytes(job.output);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) {
+    throw InputError("cannot write to standard output: " + std::generic_category().message(errno));
+  }
+}
+
+void print(const Remarks& remarks, const std::string& prefix) {
+  for (const std::string& text : remarks.notes) note(prefix + text);
+  for (const std::string& text : remarks.warnings) warn(prefix + text);
+}
+
+}  // namespace
+
+void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
+  std::vector<std::string> formats;
+  for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
+  command
+      .add_option("input", files.inputs,
+                  fmt::format("Meshes or point clouds: {}; -: standard input", fmt::join(formats, ", ")))
+      ->required();
+  command
+      .add_option("--input-format", files.input_format,
+                  "Format of the input (default: by the name's extension, or the first bytes)")
+      ->check(CLI::IsMember(formats));
+  add_threads_option(command, files.threads);
+}
+
+void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description) {
+  command
+      .add_option("-o,--output", files.output,
+                  "Result: " + description + "; a folder, as in out/, for several; -: standard output")
+      ->required();
+  command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
+      ->capture_default_str();
+  command.add_flag("--replace", files.replace, "Let an output take the place of an input");
+}
+
+fs::path output_name(const ShapeFiles& files) {
+  const bool named = !is_standard_stream(files.output) && !fills_folder(files);
+  return named ? files.output : fs::path("output." + files.output_format);
+}
+
+int for_each_shape(const ShapeFiles& files,
+                   const std::function<void(const Shape& shape, const ShapeJob& job, Remarks& remarks)>& work) {
+  const std::vector<ShapeJob> jobs = jobs_of(files);
+  std::vector<Remarks> remarks(jobs.size());
+  if (jobs.size() == 1) {
+    {
+      const BusyLine busy(jobs[0].input);
+      with_threads(files.threads, [&] { do_job(files, jobs[0], work, remarks[0]); });
+    }
+    print(remarks[0], "");
+    return exit_success;
+  }
+  std::vector<std::size_t> all(jobs.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  catch_interruption();
+  ProgressLine progress;
+  const RunControl control{.threads = files.threads,
+                           .interrupted = interrupted,
+                           .progress = [&](std::string_view stage, std::size_t done, std::size_t total) {
+                             progress.show(stage, done, total);
+                           }};
+  std::vector<ModelFailure> failures;
+  try {
+    with_threads(files.threads, [&] {
+      failures = for_each_model(all, "shapes", false, control,
+                                [&](std::size_t i) { do_job(files, jobs[i], work, remarks[i]); });
+    });
+  } catch (const Interrupted&) {
+    throw Interrupted("interrupted; the results of the shapes that were done are there");
+  }
+  progress.clear();
+  for (const ShapeJob& job : jobs) print(remarks[job.index], job.input + ": ");
+  for (const ModelFailure& failure : failures) fmt::print(stderr, "shapegauge: error: {}\n", failure.message);
+  if (failures.empty()) return exit_success;
+  fmt::print(stderr, "shapegauge: error: {} of {} shapes could not be used\n", failures.size(), jobs.size());
+  return exit_with_failures;
+}
+
+}  // namespace shapegauge

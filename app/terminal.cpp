@@ -1,0 +1,87 @@
+#include "app/terminal.h"
+
+#include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <utility>
+
+namespace shapegauge {
+
+namespace {
+
+Verbosity current_verbosity = Verbosity::normal;
+
+bool shows_progress() { return current_verbosity != Verbosity::quiet && isatty(STDERR_FILENO) == 1; }
+
+constexpr const char* wipe = "\r\x1b[K";
+
+}  // namespace
+
+void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
+
+Verbosity verbosity() { return current_verbosity; }
+
+void note(std::string_view text) {
+  if (current_verbosity != Verbosity::quiet) fmt::print(stderr, "shapegauge: {}\n", text);
+}
+
+void warn(std::string_view text) { fmt::print(stderr, "shapegauge: warning: {}\n", text); }
+
+ProgressLine::ProgressLine() : shown_(shows_progress()) {}
+
+ProgressLine::~ProgressLine() { clear(); }
+
+void ProgressLine::clear() {
+  if (shown_ && !stage_.empty()) fmt::print(stderr, "{}", wipe);
+}
+
+void ProgressLine::show(std::string_view stage, std::size_t done, std::size_t total) {
+  if (!shown_) return;
+  const auto now = std::chrono::steady_clock::now();
+  const bool new_stage = stage != stage_;
+  if (new_stage) {
+    stage_ = stage;
+    stage_start_ = now;
+  }
+  if (!new_stage && done != total && now - last_drawn_ < std::chrono::milliseconds(200)) return;
+  last_drawn_ = now;
+  const double seconds = std::chrono::duration<double>(now - stage_start_).count();
+  fmt::print(stderr, "{}{}", wipe, progress_text(stage, done, total, seconds));
+  std::fflush(stderr);
+}
+
+std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds) {
+  std::string text = fmt::format("{} {}/{}", stage, done, total);
+  if (done == 0 || !(seconds > 0)) return text;
+  const double rate = static_cast<double>(done) / seconds;
+  const auto left = std::lround(static_cast<double>(total - done) / rate);
+  return text + fmt::format("  {:.3g}/s  {}:{:02} left", rate, left / 60, left % 60);
+}
+
+BusyLine::BusyLine(std::string what) {
+  if (!shows_progress()) return;
+  thread_ = std::thread([this, what = std::move(what)] {
+    const auto ended = [this] { return end_; };
+    std::unique_lock lock(mutex_);
+    if (ended_.wait_for(lock, std::chrono::seconds(2), ended)) return;
+    for (int seconds = 2; !end_; ++seconds) {
+      fmt::print(stderr, "{}{}  {}:{:02}", wipe, what, seconds / 60, seconds % 60);
+      std::fflush(stderr);
+      ended_.wait_for(lock, std::chrono::seconds(1), ended);
+    }
+    fmt::print(stderr, "{}", wipe);
+  });
+}
+
+BusyLine::~BusyLine() {
+  if (!thread_.joinable()) return;
+  {
+    const std::scoped_lock lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_one();
+  thread_.join();
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,148 @@
+#include "shapegauge/core/base/parameter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <optional>
+#include <type_traits>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+
+namespace shapegauge {
+
+namespace {
+
+[[noreturn]] void fail_value(const Parameter& parameter, std::string_view value, std::string_view legal) {
+  throw InputError(fmt::format("{} is {}; it must be {}", parameter.name, value, legal));
+}
+
+std::string shown(const ParameterValue& value) {
+  return std::visit(
+      [](const auto& v) -> std::string {
+        using Value = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<Value, std::monostate>) return "missing";
+        if constexpr (std::is_same_v<Value, std::string_view>) return quoted_word(v);
+        if constexpr (std::is_arithmetic_v<Value>) return fmt::format("{}", v);
+      },
+      value);
+}
+
+/// "a whole number from 1 to 9", "a finite number".
+std::string bounded(std::string_view kind, const Bounds& bounds) {
+  const bool unlimited = std::isinf(bounds.low) && std::isinf(bounds.high);
+  return unlimited ? fmt::format("a finite {}", kind) : fmt::format("a {} {}", kind, to_string(bounds));
+}
+
+/// What the parameter takes, in words.
+std::string legal_values(const Parameter& parameter) {
+  const std::string words = fmt::format("{}", fmt::join(parameter.choices, ", "));
+  switch (parameter.kind) {
+    case ParameterKind::number:
+      return bounded("number", parameter.bounds) + (words.empty() ? "" : ", or " + words);
+    case ParameterKind::integer:
+      return bounded("whole number", parameter.bounds);
+    case ParameterKind::boolean:
+      return "true or false";
+    case ParameterKind::choice:
+      break;
+  }
+  return "one of " + words;
+}
+
+std::optional<ParameterValue> choice_equal_to(const Parameter& parameter, const ParameterValue& value) {
+  const auto* const word = std::get_if<std::string_view>(&value);
+  if (word == nullptr) return std::nullopt;
+  const auto found = std::ranges::find(parameter.choices, *word);
+  if (found == parameter.choices.end()) return std::nullopt;
+  return *found;
+}
+
+std::optional<ParameterValue> number_equal_to(const Parameter& parameter, const ParameterValue& value) {
+  const auto* const whole = std::get_if<std::int64_t>(&value);
+  const auto* const real = std::get_if<double>(&value);
+  if (whole == nullptr && real == nullptr) return std::nullopt;
+  const double number = whole != nullptr ? static_cast<double>(*whole) : *real;
+  if (!parameter.bounds.contains(number)) return std::nullopt;
+  return number;
+}
+
+std::optional<ParameterValue> legal_value(const Parameter& parameter, const ParameterValue& value) {
+  switch (parameter.kind) {
+    case ParameterKind::number:
+      if (const auto number = number_equal_to(parameter, value)) return number;
+      return choice_equal_to(parameter, value);
+    case ParameterKind::integer:
+      if (!std::holds_alternative<std::int64_t>(value) || !number_equal_to(parameter, value)) return std::nullopt;
+      return value;
+    case ParameterKind::boolean:
+      return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
+    case ParameterKind::choice:
+      break;
+  }
+  return choice_equal_to(parameter, value);
+}
+
+}  // namespace
+
+bool Bounds::contains(double value) const {
+  const bool above = low_open ? value > low : value >= low;
+  const bool below = high_open ? value < high : value <= high;
+  return std::isfinite(value) && above && below;
+}
+
+std::string to_string(const Bounds& bounds) {
+  const bool has_low = std::isfinite(bounds.low);
+  const bool has_high = std::isfinite(bounds.high);
+  if (!has_low && !has_high) return "finite";
+  if (has_low && has_high && !bounds.low_open && !bounds.high_open) {
+    return fmt::format("from {} to {}", bounds.low, bounds.high);
+  }
+  const std::string low = fmt::format("{} {}", bounds.low_open ? "above" : "at least", bounds.low);
+  const std::string high = fmt::format("{} {}", bounds.high_open ? "below" : "at most", bounds.high);
+  if (!has_high) return low;
+  return has_low ? low + " and " + high : high;
+}
+
+void require_in_bounds(std::string_view what, double value, const Bounds& bounds) {
+  if (!bounds.contains(value)) {
+    throw InputError(fmt::format("{} is {}; it must be {}", what, value, to_string(bounds)));
+  }
+}
+
+ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {
+  if (const std::optional<ParameterValue> legal = legal_value(parameter, value)) return *legal;
+  fail_value(parameter, shown(value), legal_values(parameter));
+}
+
+ParameterValues::ParameterValues(std::span<const Parameter> parameters) : parameters_(parameters) {
+  std::ranges::transform(parameters, std::back_inserter(values_), &Parameter::default_value);
+}
+
+void ParameterValues::set(std::string_view name, const ParameterValue& value) {
+  const auto found = std::ranges::find(parameters_, name, &Parameter::name);
+  if (found == parameters_.end()) {
+    std::vector<std::string_view> names;
+    std::ranges::transform(parameters_, std::back_inserter(names), &Parameter::name);
+    throw InputError(fmt::format("there is no parameter {}; known are {}", quoted_word(name), fmt::join(names, ", ")));
+  }
+  values_[static_cast<std::size_t>(found - parameters_.begin())] = checked_value(*found, value);
+}
+
+void ParameterValues::require_complete() const {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
+    if (std::holds_alternative<std::monostate>(values_[i])) {
+      fail_value(parameters_[i], "missing", legal_values(parameters_[i]));
+    }
+  }
+}
+
+const ParameterValue& ParameterValues::value(std::string_view name) const {
+  const auto found = std::ranges::find(parameters_, name, &Parameter::name);
+  if (found == parameters_.end()) throw InputError(fmt::format("there is no parameter {}", quoted_word(name)));
+  return values_[static_cast<std::size_t>(found - parameters_.begin())];
+}
+
+}  // namespace shapegauge

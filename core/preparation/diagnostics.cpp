@@ -1,0 +1,124 @@
+#include "shapegauge/core/preparation/diagnostics.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "shapegauge/core/preparation/denoise.h"
+#include "shapegauge/core/preparation/gap_size.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Corners = std::array<std::int32_t, 3>;
+
+/// The triangles' corners, vertices at the same place taken as one.
+std::vector<Corners> merged_corners(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+  std::vector<Corners> corners(static_cast<std::size_t>(triangles.rows()));
+  for (std::size_t f = 0; f < corners.size(); ++f) {
+    const auto triangle = triangles.row(static_cast<Eigen::Index>(f));
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[f][k] = merged[static_cast<std::size_t>(triangle[static_cast<Eigen::Index>(k)])];
+    }
+  }
+  return corners;
+}
+
+std::size_t count_unreferenced(const Shape& shape) {
+  if (is_cloud(shape)) return 0;
+  return static_cast<std::size_t>(std::ranges::count(used_vertices(shape), false));
+}
+
+bool is_degenerate(const Shape& shape, Eigen::Index triangle) {
+  const Eigen::Vector3d a = shape.vertices.row(shape.triangles(triangle, 0));
+  const Eigen::Vector3d b = shape.vertices.row(shape.triangles(triangle, 1));
+  const Eigen::Vector3d c = shape.vertices.row(shape.triangles(triangle, 2));
+  const double unit = std::max((b - a).cwiseAbs().maxCoeff(), (c - a).cwiseAbs().maxCoeff());
+  if (!(unit > 0)) return true;
+  const double largest = std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+  // Coordinates rounded to double move each corner by up to an epsilon of their size.
+  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * (largest / unit);
+  return ((b - a) / unit).cross((c - a) / unit).norm() <= tolerance;
+}
+
+std::size_t count_degenerate(const Shape& shape) {
+  std::size_t count = 0;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) count += is_degenerate(shape, f) ? 1 : 0;
+  return count;
+}
+
+std::size_t count_duplicates(std::vector<Corners> corners) {
+  for (Corners& triangle : corners) std::ranges::sort(triangle);
+  std::ranges::sort(corners);
+  return static_cast<std::size_t>(corners.end() - std::unique(corners.begin(), corners.end()));
+}
+
+/// Parts connected through vertices: sets of vertices that are united triangle by triangle.
+std::size_t count_components(const std::vector<Corners>& corners, std::size_t vertices) {
+  DisjointSets parts;
+  parts.grow_to(vertices);
+  for (const Corners& triangle : corners) {
+    for (std::size_t k = 1; k < 3; ++k) parts.join(triangle[0], triangle[k]);
+  }
+  std::vector<bool> is_part(vertices);
+  for (const Corners& triangle : corners) is_part[static_cast<std::size_t>(parts.find(triangle[0]))] = true;
+  return static_cast<std::size_t>(std::ranges::count(is_part, true));
+}
+
+void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged, ShapeDiagnostics& found) {
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
+  std::vector<double> boundary;
+  found.watertight = !uses.empty();
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    ++found.edges;
+    if (edge.size() % 2 != 0) found.watertight = false;
+    if (edge.size() == 1)
+      boundary.push_back((shape.vertices.row(edge[0].low) - shape.vertices.row(edge[0].high)).norm());
+    if (edge.size() > 2) ++found.non_manifold_edges;
+    if (edge.size() == 2 && edge[0].forward == edge[1].forward) ++found.inconsistent_edges;
+  });
+  found.boundary_edges = boundary.size();
+  std::ranges::sort(boundary);  // the same sum for any order of the edges
+  found.boundary_length = std::accumulate(boundary.begin(), boundary.end(), 0.0);
+}
+
+void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
+  found.gap_size = gap_size(shape);
+  found.point_spacing = point_spacing(shape);
+  const VertexNeighbours neighbours = vertex_neighbours(shape);
+  const NoiseLevel noise = noise_level(shape, neighbours);
+  found.noise_deviation = noise.deviation;
+  found.noisy = is_noisy(noise, neighbours);
+}
+
+}  // namespace
+
+ShapeDiagnostics diagnose(const Shape& shape) {
+  require_usable(shape);
+  ShapeDiagnostics found;
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  found.vertices = merged.size();
+  for (std::size_t i = 0; i < merged.size(); ++i) {
+    if (static_cast<std::size_t>(merged[i]) != i) ++found.coincident_vertices;
+  }
+  found.unreferenced_vertices = count_unreferenced(shape);
+  found.diagonal = bounding_box_diagonal(shape);
+  found.triangles = static_cast<std::size_t>(shape.triangles.rows());
+  found.area = surface_area(shape);
+  found.degenerate_triangles = count_degenerate(shape);
+  std::vector<Corners> corners = merged_corners(shape.triangles, merged);
+  found.components = count_components(corners, merged.size());
+  found.duplicate_triangles = count_duplicates(std::move(corners));
+  diagnose_edges(shape, merged, found);
+  diagnose_gaps_and_noise(shape, found);
+  return found;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,137 @@
+#include "shapegauge/experiments/configuration/parameter_json.h"
+
+#include <cmath>
+#include <cstdint>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include "shapegauge/core/base/error.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using OrderedJson = nlohmann::ordered_json;
+
+/// Refers to the text of a string. A value of a kind that no parameter takes becomes none.
+ParameterValue parameter_value(const Json& value) {
+  if (value.is_boolean()) return value.get<bool>();
+  if (value.is_string()) return std::string_view(value.get_ref<const std::string&>());
+  if (value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max()) {
+    return value.get<double>();
+  }
+  if (value.is_number_integer()) return value.get<std::int64_t>();
+  if (value.is_number()) return value.get<double>();
+  return {};
+}
+
+template <typename AnyJson>
+AnyJson json_of(const ParameterValue& value) {
+  return std::visit(
+      [](const auto& v) -> AnyJson {
+        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>)
+          return nullptr;
+        else
+          return AnyJson(v);
+      },
+      value);
+}
+
+/// A bound as people write it: 1, not 1.0.
+OrderedJson number_json(double bound) {
+  constexpr double exact = 9007199254740992.0;  // 2^53
+  if (bound == std::floor(bound) && std::abs(bound) <= exact) return static_cast<std::int64_t>(bound);
+  return bound;
+}
+
+void add_bounds(const Bounds& bounds, OrderedJson& schema) {
+  if (std::isfinite(bounds.low)) schema[bounds.low_open ? "exclusiveMinimum" : "minimum"] = number_json(bounds.low);
+  if (std::isfinite(bounds.high)) schema[bounds.high_open ? "exclusiveMaximum" : "maximum"] = number_json(bounds.high);
+}
+
+OrderedJson number_schema(const Parameter& parameter) {
+  OrderedJson schema{{"type", parameter.kind == ParameterKind::integer ? "integer" : "number"}};
+  add_bounds(parameter.bounds, schema);
+  return schema;
+}
+
+/// The words that stand for the values that the parameter takes: "an integer from 1 to 9".
+std::string legal_values(const Parameter& parameter) {
+  const std::string words = fmt::format("`{}`", fmt::join(parameter.choices, "`, `"));
+  switch (parameter.kind) {
+    case ParameterKind::boolean:
+      return "true or false";
+    case ParameterKind::choice:
+      return words;
+    case ParameterKind::integer:
+      return "integer " + to_string(parameter.bounds);
+    case ParameterKind::number:
+      break;
+  }
+  return "number " + to_string(parameter.bounds) + (parameter.choices.empty() ? "" : ", or " + words);
+}
+
+std::string default_text(const Parameter& parameter) {
+  if (parameter.required()) return "required";
+  if (const auto* word = std::get_if<std::string_view>(&parameter.default_value)) return fmt::format("`{}`", *word);
+  if (const auto* number = std::get_if<double>(&parameter.default_value)) return fmt::format("{:g}", *number);
+  return json_of<Json>(parameter.default_value).dump();
+}
+
+}  // namespace
+
+ParameterValues read_parameters(std::span<const Parameter> parameters, const Json& settings) {
+  ParameterValues values(parameters);
+  for (const Parameter& parameter : parameters) {
+    const auto given = settings.find(parameter.name);
+    if (given != settings.end()) values.set(parameter.name, parameter_value(*given));
+  }
+  values.require_complete();
+  return values;
+}
+
+Json to_json(const ParameterValues& values) {
+  Json json = Json::object();
+  for (const Parameter& parameter : values.parameters()) {
+    json[std::string(parameter.name)] = json_of<Json>(values.value(parameter.name));
+  }
+  return json;
+}
+
+OrderedJson schema_of(const Parameter& parameter) {
+  OrderedJson schema{{"description", parameter.description}};
+  const OrderedJson words(std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end()));
+  if (parameter.kind == ParameterKind::boolean) {
+    schema["type"] = "boolean";
+  } else if (parameter.kind == ParameterKind::choice) {
+    schema["enum"] = words;
+  } else if (parameter.choices.empty()) {
+    schema.update(number_schema(parameter));
+  } else {
+    schema["if"] = {{"type", "string"}};
+    schema["then"] = {{"enum", words}};
+    schema["else"] = number_schema(parameter);
+  }
+  if (!parameter.required()) {
+    const auto* number = std::get_if<double>(&parameter.default_value);
+    schema["default"] = number != nullptr ? number_json(*number) : json_of<OrderedJson>(parameter.default_value);
+  }
+  return schema;
+}
+
+std::string markdown_table(std::span<const Parameter> parameters) {
+  std::string table = "| key | value | default |\n|---|---|---|\n";
+  for (const Parameter& parameter : parameters) {
+    table += fmt::format("| `{}` | {} ({}) | {} |\n", parameter.name, parameter.description, legal_values(parameter),
+                         default_text(parameter));
+  }
+  return table;
+}
+
+}  // namespace shapegauge

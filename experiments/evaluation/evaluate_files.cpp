@@ -1,0 +1,294 @@
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/experiments/datasets/labels.h"
+#include "shapegauge/experiments/files/compressed_files.h"
+#include "shapegauge/experiments/files/ranked_answers.h"
+#include "shapegauge/metrics/matrix_checks.h"
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The ids in a file, one a line; empty lines do not count.
+std::vector<std::string> read_ids(const fs::path& path) {
+  const std::string text = read_plain_bytes(path);
+  std::vector<std::string> ids;
+  for (const std::string_view line : split_lines(text)) {
+    const std::string_view id = trim(line);
+    if (!id.empty()) ids.emplace_back(id);
+  }
+  return ids;
+}
+
+// Distances between features, a row a model, computed when they are asked for.
+OpenMatrix open_features(const EvaluationFiles& files) {
+  const LabelledTable table = read_number_table(files.matrix);
+  const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
+  const std::string distance = files.distance;
+  try {
+    distance_rows(*features, 0, 0, distance);  // none, but throws now where rows would later
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
+  }
+  const auto read = [features, distance](const MatrixBlock& block) -> DistanceMatrix {
+    DistanceMatrix rows = distance_rows(*features, block.first_row, block.rows, distance);
+    if (block.columns == rows.cols()) return rows;
+    return rows.middleCols(block.first_column, block.columns);
+  };
+  return {.rows = features->rows(),
+          .columns = features->rows(),
+          .read = read,
+          .row_ids = table.row_ids,
+          .column_ids = table.row_ids};
+}
+
+OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape) {
+  if (!files.distance.empty()) return open_features(files);
+  OpenMatrix matrix = open_matrix(files.matrix, shape);
+  if (!files.similarity) return matrix;
+  matrix.read = [similarities = std::move(matrix.read)](const MatrixBlock& block) -> DistanceMatrix {
+    return -similarities(block);
+  };
+  return matrix;
+}
+
+// The ids of the rows and columns as the files say them; none where they do not.
+MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
+  MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
+  if (!files.ids.empty()) {
+    ids.rows = read_ids(files.ids);
+    if (matrix.rows == matrix.columns) ids.columns = ids.rows;
+  }
+  if (ids.rows.empty() || ids.columns.empty()) return {};
+  return ids;
+}
+
+void check_size(const OpenMatrix& matrix, const MatrixIds& ids, const std::string& who, const EvaluationFiles& files) {
+  if (static_cast<std::size_t>(matrix.rows) != ids.rows.size()) {
+    throw InputError(fmt::format("{} has {} rows, but there are {} models in {}", files.matrix.string(), matrix.rows,
+                                 ids.rows.size(), who));
+  }
+  if (static_cast<std::size_t>(matrix.columns) != ids.columns.size()) {
+    throw InputError(fmt::format("{} has {} columns, but there are {} models in {}", files.matrix.string(),
+                                 matrix.columns, ids.columns.size(), who));
+  }
+}
+
+EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
+  return {.distances = open_matrix({.numbers = std::move(ranked.distances), .row_ids = {}, .column_ids = {}}),
+          .symmetric = false,
+          .name = answers.name,
+          .task = std::move(ranked.task)};
+}
+
+// Models of a list without ids get those of the matrix, in their order.
+void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
+  if (labels.separate_sets || ids.size() != labels.models.size()) {
+    throw InputError(fmt::format("{}: the labels have no ids and there are {} of them, but the matrix names {} models",
+                                 labels.source, labels.models.size(), ids.size()));
+  }
+  for (ModelClass& known : labels.classification.classes) {
+    for (std::string& model : known.models) model = ids[std::stoul(model)];
+  }
+  labels.models = labels.queries = labels.targets = ids;
+}
+
+// Says how rows without ids were taken where they could have been taken otherwise.
+void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, EvaluationData& data) {
+  const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
+  const MatrixIds otherwise = labelled_ids(labels, {data.distances.rows, data.distances.columns}, other);
+  if (taken.rows == otherwise.rows && taken.columns == otherwise.columns) return;
+  data.task.warnings.push_back(
+      labels.listed ? fmt::format("row i is taken for the i-th model of {}, which is not in natural order of the ids; "
+                                  "--order natural takes it for the i-th in natural order (2 before 10)",
+                                  labels.source)
+                    : fmt::format("row i is taken for the i-th model in natural order (2 before 10), in which {} is "
+                                  "not; --order file takes it for the i-th model of the file",
+                                  labels.source));
+}
+
+EvaluationData open_labelled(const EvaluationFiles& files) {
+  ModelLabels labels = files.targets.empty() ? read_labels(files.labels, files.level)
+                                             : read_query_and_target_labels(files.labels, files.targets, files.level);
+  if (is_ranked_answers_file(files.matrix)) {
+    const RankedAnswers answers = read_ranked_answers(files.matrix);
+    return data_of(answers, task_of_answers(answers, labels, files.unanswered));
+  }
+  EvaluationData data{.distances = open_distances(files, labels.separate_sets ? TableShape::any : TableShape::square),
+                      .symmetric = !files.distance.empty(),
+                      .task = {}};
+  MatrixIds ids = ids_of_files(data.distances, files);
+  const bool named = !ids.rows.empty();
+  if (named && labels.without_ids) give_ids(ids.rows, labels);
+  if (!named) ids = labelled_ids(labels, {data.distances.rows, data.distances.columns}, files.order);
+  check_size(data.distances, ids, named && !files.ids.empty() ? files.ids.string() : labels.source, files);
+  data.task = task_of_labels(ids, labels);
+  if (!named && files.order == RowOrder::usual) warn_of_order(ids, labels, data);
+  return data;
+}
+
+EvaluationData open_judged(const EvaluationFiles& files) {
+  const Judgements judgements = read_qrels(files.qrels);
+  EvaluationData data;
+  if (is_ranked_answers_file(files.matrix)) {
+    const RankedAnswers answers = read_ranked_answers(files.matrix);
+    data = data_of(answers, task_of_answers(answers, judgements, files.unanswered));
+  } else {
+    data.distances = open_distances(files, TableShape::any);
+    data.symmetric = !files.distance.empty();
+    const MatrixIds ids = ids_of_files(data.distances, files);
+    if (ids.rows.empty()) {
+      throw InputError(
+          fmt::format("{}: with judgements (qrels) the rows and columns need ids: a CSV with ids, or --ids",
+                      files.matrix.string()));
+    }
+    check_size(data.distances, ids, files.ids.empty() ? files.matrix.string() : files.ids.string(), files);
+    data.task = task_of_judgements(ids, judgements, files.qrels.string());
+  }
+  if (judgements.graded) {
+    data.task.warnings.emplace_back(
+        "the judgements have grades above 1: nDCG looks at them, for all other measures every grade above 0 is "
+        "relevant alike");
+  }
+  return data;
+}
+
+// "1 row", "3 rows"
+std::string counted(Eigen::Index count, std::string_view one, std::string_view more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
+  return printable(ids[static_cast<std::size_t>(row)], 60);
+}
+
+void warn_of_entries(const MatrixFindings& found, bool negated, std::vector<std::string>& warnings) {
+  if (found.negative > 0 && !negated) {
+    warnings.push_back(
+        fmt::format("{} negative: taken as nearer than 0, in their order; if larger means more alike, use "
+                    "--similarity",
+                    counted(found.negative, "distance is", "distances are")));
+  }
+  if (found.infinite > 0) {
+    warnings.push_back(
+        fmt::format("{} infinite: such models are tied at the end of the list (or, minus infinity, at its "
+                    "beginning)",
+                    counted(found.infinite, "distance is", "distances are")));
+  }
+}
+
+void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
+  if (2 * found.rows_nearest_to_others > rows) {
+    warnings.push_back(
+        fmt::format("in {} of {} rows the query is the farthest model from itself: this looks like a "
+                    "matrix of {}; scores of the wrong kind are near 0",
+                    found.rows_nearest_to_others, rows,
+                    negated ? "distances, which take no --similarity" : "similarities, which take --similarity"));
+  }
+  if (found.asymmetric_pairs > 0) {
+    warnings.push_back(
+        fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, by up to {:.6g}; "
+                    "row i, not column i, is the answer to query i",
+                    counted(found.asymmetric_pairs, "pair", "pairs"), found.largest_asymmetry));
+  }
+  if (found.nonzero_diagonal > 0 && !negated) {
+    warnings.push_back(
+        fmt::format("{} not 0 on the diagonal, which plays no part, because a query is left out of "
+                    "its answer by its index",
+                    counted(found.nonzero_diagonal, "entry is", "entries are")));
+  }
+}
+
+void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
+  if (!found.equal_rows.empty()) {
+    const auto& [row, earlier] = found.equal_rows.front();
+    warnings.push_back(
+        fmt::format("{} an earlier one (first: {} repeats {}): duplicates in the data set find each other, "
+                    "which makes all scores larger",
+                    counted(std::ssize(found.equal_rows), "row repeats", "rows repeat"), name_of_row(ids, row),
+                    name_of_row(ids, earlier)));
+  }
+  if (!found.constant_rows.empty()) {
+    warnings.push_back(fmt::format("{} all distances equal (first: {}): their answers have no order but that of ties",
+                                   counted(std::ssize(found.constant_rows), "row has", "rows have"),
+                                   name_of_row(ids, found.constant_rows.front())));
+  }
+}
+
+std::vector<std::string> warnings_of(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
+  std::vector<std::string> warnings;
+  warn_of_entries(found, negated, warnings);
+  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
+  warn_of_rows(found, ids, warnings);
+  return warnings;
+}
+
+// Evaluates the distances by rows, each of which the checks see on the way.
+Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& options, MatrixChecks& checks,
+                         const RowProgress& progress) {
+  const OpenMatrix& matrix = data.distances;
+  const bool has_gaps = data.task.retrieval.lists_may_end_early;  // no matrix to look for oddities in
+  const bool mirrored = data.task.same_rows_and_columns && !data.symmetric;
+  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) {
+    if (progress) progress(first, matrix.rows);
+    DistanceMatrix some =
+        matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
+    if (has_gaps) return some;
+    checks.add(some);
+    if (mirrored) {
+      checks.compare(
+          some, first,
+          matrix.read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
+    }
+    return some;
+  };
+  return evaluate(rows, data.task.retrieval, options);
+}
+
+}  // namespace
+
+EvaluationData open_evaluation_files(const EvaluationFiles& files) {
+  if (files.labels.empty() == files.qrels.empty()) {
+    throw InputError("give either --labels (classes of the models) or --qrels (judgements), and one of them only");
+  }
+  return files.qrels.empty() ? open_labelled(files) : open_judged(files);
+}
+
+EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOptions& options,
+                              const RowProgress& progress) {
+  EvaluatedFiles result{.data = open_evaluation_files(files), .evaluation = {}, .warnings = {}};
+  const EvaluationTask& task = result.data.task;
+  MatrixChecks checks(task.same_rows_and_columns);
+  try {
+    result.evaluation = evaluate_rows(result.data, options, checks, progress);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
+  }
+  result.warnings = task.warnings;
+  const std::vector<std::string> odd = warnings_of(checks.findings(), task.query_ids, files.similarity);
+  result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
+  if (result.evaluation.models_left_out > 0) {
+    result.warnings.push_back(
+        task.retrieval.judged.empty()
+            ? fmt::format("{} models are never queries, as their classes have fewer than {} models",
+                          result.evaluation.models_left_out, options.minimum_class_size)
+            : fmt::format("{} queries have fewer than {} relevant models: left out of all scores",
+                          result.evaluation.models_left_out, options.minimum_class_size - 1));
+  }
+  return result;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,310 @@
+#include "shapegauge/experiments/evaluation/evaluation_task.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+#include <limits>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/experiments/files/model_ids.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Places = std::unordered_map<std::string, Eigen::Index>;         // of models, by canonical id
+using Columns = std::map<std::string, Eigen::Index, std::greater<>>;  // of models, in trec_eval's order of the tied
+
+// Labels, to be looked up by model.
+class LabelledModels {
+ public:
+  struct Known {
+    int label = 0;  // index of its class
+    bool query = false;
+    bool target = false;
+  };
+
+  explicit LabelledModels(const ModelLabels& labels) : source_(labels.source) {
+    for (std::size_t i = 0; i < labels.classification.classes.size(); ++i) {
+      for (const std::string& model : labels.classification.classes[i].models) {
+        known_[canonical_model_id(model)].label = static_cast<int>(i);
+      }
+    }
+    for (const std::string& model : labels.queries) known_.at(canonical_model_id(model)).query = true;
+    for (const std::string& model : labels.targets) known_.at(canonical_model_id(model)).target = true;
+  }
+
+  // Throws InputError where the model is in no class.
+  [[nodiscard]] const Known& at(const std::string& id) const {
+    const auto found = known_.find(canonical_model_id(id));
+    if (found != known_.end()) return found->second;
+    throw InputError(fmt::format("{}: model {} is in no class; add it to the file or leave the model out", source_,
+                                 quoted_word(id)));
+  }
+
+ private:
+  std::string source_;
+  std::unordered_map<std::string, Known> known_;
+};
+
+std::vector<std::string> class_names_of(const ModelLabels& labels) {
+  std::vector<std::string> names;
+  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
+  return names;
+}
+
+Places unique_places(const std::vector<std::string>& ids, const std::string& source) {
+  Places places;
+  for (const std::string& id : ids) {
+    if (places.emplace(canonical_model_id(id), static_cast<Eigen::Index>(places.size())).second) continue;
+    throw InputError(fmt::format("model {} occurs twice among the models to look up in {}", quoted_word(id), source));
+  }
+  return places;
+}
+
+Places first_places(const std::vector<std::string>& ids) {
+  Places places;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    places.emplace(canonical_model_id(ids[i]), static_cast<Eigen::Index>(i));
+  }
+  return places;
+}
+
+// The place of a model, -1 where it has none.
+Eigen::Index place_or_none(const std::string& id, const Places& places) {
+  const auto found = places.find(canonical_model_id(id));
+  return found == places.end() ? -1 : found->second;
+}
+
+void check_all_there(const std::vector<std::string>& wanted, const Places& places, const std::string& source) {
+  for (const std::string& id : wanted) {
+    if (places.contains(canonical_model_id(id))) continue;
+    throw InputError(fmt::format("{}: model {} is classified but is not among the {} models that are there", source,
+                                 quoted_word(id), places.size()));
+  }
+}
+
+void number(Columns& columns) {
+  Eigen::Index next = 0;
+  for (auto& [id, column] : columns) column = next++;
+}
+
+DistanceMatrix nothing_found(std::size_t rows, std::size_t columns) {
+  return DistanceMatrix::Constant(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns),
+                                  std::numeric_limits<double>::quiet_NaN());
+}
+
+void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& task) {
+  if (count > 0) task.warnings.push_back(fmt::format("{} {}: left out of all scores", count, what));
+}
+
+void warn_of_unanswered(std::size_t count, std::string_view what, Unanswered unanswered, EvaluationTask& task) {
+  if (count == 0) return;
+  task.warnings.push_back(unanswered == Unanswered::count
+                              ? fmt::format("{} {}: all their scores are 0 (--all-queries)", count, what)
+                              : fmt::format("{} {}: left out of all scores, as trec_eval does; --all-queries (its "
+                                            "option -c) counts them with scores of 0",
+                                            count, what));
+}
+
+// As many rows of distances as there are queries; further ones have found nothing.
+void add_empty_rows(RankedTask& ranked) {
+  const Eigen::Index rows = ranked.distances.rows();
+  const Eigen::Index queries = std::ssize(ranked.task.query_ids);
+  ranked.distances.conservativeResize(queries, Eigen::NoChange);
+  if (queries > rows) ranked.distances.bottomRows(queries - rows).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Sets what is relevant to a row, and how much, and what is judged and is not.
+template <typename Place>
+void set_judged(const Judgements::Judged& judged, std::size_t row, const Place& place, RetrievalTask& task) {
+  std::vector<std::pair<Eigen::Index, int>> relevant;
+  for (std::size_t i = 0; i < judged.relevant.size(); ++i) {
+    relevant.emplace_back(place(judged.relevant[i]), judged.grades[i]);
+  }
+  std::ranges::sort(relevant);
+  for (const auto& [column, grade] : relevant) {
+    task.judged[row].push_back(column);
+    task.grades[row].push_back(grade);
+  }
+  for (const std::string& model : judged.irrelevant) task.judged_irrelevant[row].push_back(place(model));
+  std::ranges::sort(task.judged_irrelevant[row]);
+}
+
+void resize_judged(std::size_t rows, RetrievalTask& task) {
+  task.judged.resize(rows);
+  task.grades.resize(rows);
+  task.judged_irrelevant.resize(rows);
+}
+
+// A query under judgements is a class of its own: judgements know no classes.
+void add_judged_query(const Judgements::Judged& judged, const Columns& columns, EvaluationTask& task) {
+  const std::size_t row = task.query_ids.size();
+  task.retrieval.query_classes.push_back(static_cast<int>(row));
+  task.class_names.push_back(judged.query);
+  task.query_ids.push_back(judged.query);
+  task.retrieval.own_column.push_back(-1);
+  resize_judged(row + 1, task.retrieval);
+  set_judged(
+      judged, row, [&](const std::string& model) { return columns.at(model); }, task.retrieval);
+}
+
+}  // namespace
+
+MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrder order) {
+  MatrixIds ids{.rows = labels.queries, .columns = labels.targets};
+  const bool queries_by_targets = static_cast<std::size_t>(size.rows) == ids.rows.size() &&
+                                  static_cast<std::size_t>(size.columns) == ids.columns.size();
+  if (!queries_by_targets) ids.rows = ids.columns = labels.models;
+  if (order == RowOrder::natural || (order == RowOrder::usual && !labels.listed)) {
+    std::ranges::sort(ids.rows, natural_less);
+    std::ranges::sort(ids.columns, natural_less);
+  }
+  return ids;
+}
+
+EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels) {
+  const LabelledModels models(labels);
+  const Places rows = unique_places(ids.rows, labels.source);
+  const Places columns = unique_places(ids.columns, labels.source);
+  EvaluationTask task{.retrieval = {},
+                      .query_ids = ids.rows,
+                      .class_names = class_names_of(labels),
+                      .same_rows_and_columns = rows == columns,
+                      .warnings = {}};
+  for (const std::string& id : ids.rows) {
+    const LabelledModels::Known& known = models.at(id);
+    task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
+    task.retrieval.own_column.push_back(place_or_none(id, columns));
+  }
+  for (const std::string& id : ids.columns) {
+    const LabelledModels::Known& known = models.at(id);
+    task.retrieval.target_classes.push_back(known.target ? known.label : no_class);
+  }
+  check_all_there(labels.queries, rows, labels.source);
+  check_all_there(labels.targets, columns, labels.source);
+  return task;
+}
+
+EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgements, const std::string& source) {
+  const Places rows = first_places(ids.rows);
+  const Places columns = first_places(ids.columns);
+  const auto place = [&](const std::string& id, const Places& places) {
+    const Eigen::Index found = place_or_none(id, places);
+    if (found >= 0) return found;
+    throw InputError(fmt::format("{}: {} is judged but is not in the matrix", source, quoted_word(id)));
+  };
+  EvaluationTask task{.retrieval = {},
+                      .query_ids = ids.rows,
+                      .class_names = ids.rows,
+                      .same_rows_and_columns = ids.rows == ids.columns,
+                      .warnings = {}};
+  task.retrieval.target_classes.assign(ids.columns.size(), 0);
+  task.retrieval.query_classes.assign(ids.rows.size(), no_class);
+  resize_judged(ids.rows.size(), task.retrieval);
+  for (const std::string& id : ids.rows) task.retrieval.own_column.push_back(place_or_none(id, columns));
+  for (const Judgements::Judged& judged : judgements.queries) {
+    const Eigen::Index row = place(judged.query, rows);
+    const auto i = static_cast<std::size_t>(row);
+    task.retrieval.query_classes[i] = static_cast<int>(row);
+    set_judged(
+        judged, i, [&](const std::string& model) { return place(model, columns); }, task.retrieval);
+  }
+  return task;
+}
+
+RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered) {
+  const LabelledModels models(labels);
+  RankedTask ranked;
+  EvaluationTask& task = ranked.task;
+  Columns columns;
+  for (const std::string& target : labels.targets) columns.emplace(canonical_model_id(target), 0);
+  number(columns);
+  task.class_names = class_names_of(labels);
+  for (const auto& [id, column] : columns) task.retrieval.target_classes.push_back(models.at(id).label);
+  task.retrieval.lists_may_end_early = true;
+  ranked.distances = nothing_found(answers.answers.size(), columns.size());
+  std::set<std::string> answered;
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    const LabelledModels::Known& known = models.at(answer.query);
+    const std::string query = canonical_model_id(answer.query);
+    if (!answered.insert(query).second) {
+      throw InputError(fmt::format("the query {} occurs under two spellings", quoted_word(answer.query)));
+    }
+    const auto row = static_cast<Eigen::Index>(task.query_ids.size());
+    const auto own = columns.find(query);
+    task.query_ids.push_back(answer.query);
+    task.retrieval.query_classes.push_back(known.query ? known.label : no_class);
+    task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
+    for (const auto& [model, distance] : answer.models) {
+      if (!models.at(model).target) {
+        throw InputError(fmt::format("the answer to {} has the model {}, which is no target", quoted_word(answer.query),
+                                     quoted_word(model)));
+      }
+      ranked.distances(row, columns.at(canonical_model_id(model))) = distance;
+    }
+  }
+  std::size_t missing = 0;
+  for (const std::string& id : labels.queries) {
+    if (answered.contains(canonical_model_id(id))) continue;
+    ++missing;
+    if (unanswered == Unanswered::left_out) continue;
+    const auto own = columns.find(canonical_model_id(id));
+    task.query_ids.push_back(id);
+    task.retrieval.query_classes.push_back(models.at(id).label);
+    task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
+  }
+  add_empty_rows(ranked);
+  warn_of_unanswered(missing, "queries have no answer", unanswered, task);
+  return ranked;
+}
+
+RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered) {
+  RankedTask ranked;
+  EvaluationTask& task = ranked.task;
+  Columns columns;
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    for (const auto& [model, distance] : answer.models) columns.emplace(model, 0);
+  }
+  std::unordered_map<std::string, const Judgements::Judged*> judged_queries;
+  for (const Judgements::Judged& judged : judgements.queries) {
+    judged_queries.emplace(judged.query, &judged);
+    for (const auto* models : {&judged.relevant, &judged.irrelevant}) {
+      for (const std::string& model : *models) columns.emplace(model, 0);
+    }
+  }
+  number(columns);
+  task.retrieval.target_classes.assign(columns.size(), 0);
+  task.retrieval.lists_may_end_early = true;
+  ranked.distances = nothing_found(answers.answers.size(), columns.size());
+  std::size_t unjudged = 0;
+  for (const RankedAnswers::Answer& answer : answers.answers) {
+    const auto judged = judged_queries.find(answer.query);
+    if (judged == judged_queries.end()) {
+      ++unjudged;
+      continue;
+    }
+    const auto row = static_cast<Eigen::Index>(task.query_ids.size());
+    for (const auto& [model, distance] : answer.models) ranked.distances(row, columns.at(model)) = distance;
+    add_judged_query(*judged->second, columns, task);
+    judged_queries.erase(judged);
+  }
+  const std::size_t missing = judged_queries.size();
+  if (unanswered == Unanswered::count) {
+    for (const Judgements::Judged& judged : judgements.queries) {
+      if (judged_queries.contains(judged.query)) add_judged_query(judged, columns, task);
+    }
+  }
+  ranked.distances.conservativeResize(std::min(ranked.distances.rows(), std::ssize(task.query_ids)), Eigen::NoChange);
+  add_empty_rows(ranked);
+  warn_of_missing(unjudged, "queries have no judgements", task);
+  warn_of_unanswered(missing, "judged queries have no answer", unanswered, task);
+  return ranked;
+}
+
+}  // namespace shapegauge

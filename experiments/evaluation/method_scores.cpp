@@ -1,0 +1,277 @@
+#include "shapegauge/experiments/evaluation/method_scores.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/experiments/files/compressed_files.h"
+#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/experiments/files/model_ids.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::size_t first_measure = 4;
+
+void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
+  const std::vector<std::string> words = {"method", "protocol", "id", "class"};
+  const bool known = !rows.empty() && rows[0].cells.size() > first_measure &&
+                     std::equal(words.begin(), words.end(), rows[0].cells.begin());
+  if (known) return;
+  throw InputError(
+      fmt::format("{}: expected scores of each query, a table that begins with method,protocol,id,class; it is what "
+                  "'run' and 'evaluate --per-query' write",
+                  source));
+}
+
+Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std::string& source) {
+  if (row.cells.size() != first_measure + measures) {
+    throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
+                                 first_measure + measures));
+  }
+  Eigen::RowVectorXd scores(static_cast<Eigen::Index>(measures));
+  for (std::size_t i = 0; i < measures; ++i) {
+    const std::string& cell = row.cells[first_measure + i];
+    const auto percent = parse_number(cell);
+    if (!percent || !(*percent >= 0 && *percent <= 100)) {
+      throw InputError(fmt::format("{}:{}: {} is no number from 0 to 100", source, row.line, quoted_word(cell)));
+    }
+    scores[static_cast<Eigen::Index>(i)] = *percent / 100;
+  }
+  return scores;
+}
+
+using Places = std::unordered_map<std::string, std::size_t>;
+
+Places places_of(const MethodScores& method) {
+  Places places;
+  for (const std::string& query : method.queries) {
+    if (places.emplace(canonical_model_id(query), places.size()).second) continue;
+    throw InputError(fmt::format("{}: the query {} occurs twice for {}", method.source, quoted_word(query),
+                                 quoted_word(method.method)));
+  }
+  return places;
+}
+
+void check_protocols(std::span<const MethodScores> methods) {
+  for (const MethodScores& method : methods) {
+    if (method.protocol == methods[0].protocol) continue;
+    throw InputError(fmt::format("{} is judged under {} but {} under {}; scores of two protocols cannot be compared",
+                                 quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method),
+                                 method.protocol));
+  }
+}
+
+// The last `count` parts of a path, or all of it.
+std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
+  const std::vector<std::filesystem::path> parts(path.begin(), path.end());
+  std::filesystem::path end;
+  for (auto part = parts.end() - std::min(count, std::ssize(parts)); part != parts.end(); ++part) end /= *part;
+  return end.string();
+}
+
+// The shortest ends of paths that tell them apart, without extensions if these do not matter. Paths that are equal stay
+// so.
+std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {
+  const std::size_t different = std::set(paths.begin(), paths.end()).size();
+  std::ptrdiff_t longest = 1;
+  for (const std::filesystem::path& path : paths) longest = std::max(longest, std::distance(path.begin(), path.end()));
+  std::vector<std::string> ends;
+  for (std::ptrdiff_t count = 1; count <= longest; ++count) {
+    for (const bool with_extension : {false, true}) {
+      ends.clear();
+      for (std::filesystem::path path : paths) {
+        ends.push_back(end_of(with_extension ? path : path.replace_extension(), count));
+      }
+      if (std::set(ends.begin(), ends.end()).size() == different) return ends;
+    }
+  }
+  return ends;
+}
+
+// What tells files apart: a file, or of a run's per_query.csv its folder.
+std::filesystem::path place_of(const MethodScores& method) {
+  const std::filesystem::path file = std::filesystem::path(method.source).lexically_normal();
+  return file.filename() == "per_query.csv" && file.has_parent_path() ? file.parent_path() : file;
+}
+
+std::vector<std::string> unique_names(std::span<const MethodScores> methods) {
+  std::map<std::string, std::vector<std::size_t>> uses;
+  for (std::size_t i = 0; i < methods.size(); ++i) uses[methods[i].method].push_back(i);
+  std::vector<std::string> names(methods.size());
+  for (const auto& [name, users] : uses) {
+    std::vector<std::filesystem::path> places;
+    for (const std::size_t i : users) places.push_back(place_of(methods[i]));
+    const std::vector<std::string> ends = distinguishing_ends(places);
+    std::map<std::string, int> repeated;
+    for (std::size_t k = 0; k < users.size(); ++k) {
+      const bool named_by_file = places[k].stem().string() == name;
+      std::string unique = named_by_file ? ends[k] : fmt::format("{}: {}", ends[k], name);
+      if (users.size() == 1) unique = name;
+      const int use = ++repeated[unique];  // the same file twice
+      names[users[k]] = use == 1 ? unique : fmt::format("{} ({})", unique, use);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> checked_names(std::span<const MethodScores> methods, std::span<const std::string> wanted) {
+  if (wanted.empty()) return unique_names(methods);
+  if (wanted.size() != methods.size()) {
+    throw InputError(fmt::format("there are {} names for {} methods ({})", wanted.size(), methods.size(),
+                                 fmt::join(unique_names(methods), ", ")));
+  }
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i].empty()) throw InputError("the name of a method is empty");
+    if (std::ranges::count(wanted, wanted[i]) > 1) {
+      throw InputError(fmt::format("two methods have the name {}", quoted_word(wanted[i])));
+    }
+  }
+  return {wanted.begin(), wanted.end()};
+}
+
+std::vector<std::string> measures_to_compare(std::span<const MethodScores> methods,
+                                             std::span<const std::string> wanted) {
+  if (!wanted.empty()) return {wanted.begin(), wanted.end()};
+  std::vector<std::string> common = methods[0].measures;
+  std::erase_if(common, [&](const std::string& measure) {
+    return !std::ranges::all_of(methods, [&](const MethodScores& method) {
+      return std::ranges::find(method.measures, measure) != method.measures.end();
+    });
+  });
+  if (common.empty()) throw InputError("the methods have no measure in common");
+  return common;
+}
+
+Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
+  const auto found = std::ranges::find(method.measures, measure);
+  if (found != method.measures.end()) return found - method.measures.begin();
+  throw InputError(fmt::format("{}: there is no measure {} for {}; there are {}", method.source, quoted_word(measure),
+                               quoted_word(method.method), fmt::join(method.measures, ", ")));
+}
+
+// The row of each query of `first` in `method`; both have the same queries, in the same classes.
+std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& method) {
+  const Places places = places_of(method);
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < first.queries.size(); ++i) {
+    const auto found = places.find(canonical_model_id(first.queries[i]));
+    if (found == places.end()) {
+      throw InputError(fmt::format(
+          "{}: {} has no query {}, which {} has; only scores of the same queries can be compared", method.source,
+          quoted_word(method.method), quoted_word(first.queries[i]), quoted_word(first.method)));
+    }
+    if (method.classes[found->second] != first.classes[i]) {
+      throw InputError(fmt::format("{}: the query {} is of class {} for {} and of {} for {}", method.source,
+                                   quoted_word(first.queries[i]), quoted_word(method.classes[found->second]),
+                                   quoted_word(method.method), quoted_word(first.classes[i]),
+                                   quoted_word(first.method)));
+    }
+    rows.push_back(found->second);
+  }
+  if (places.size() == first.queries.size()) return rows;
+  const Places known = places_of(first);
+  const auto more = std::ranges::find_if(
+      method.queries, [&](const std::string& query) { return !known.contains(canonical_model_id(query)); });
+  throw InputError(
+      fmt::format("{}: {} has the query {}, which {} has not; only scores of the same queries can be compared",
+                  method.source, quoted_word(method.method), quoted_word(*more), quoted_word(first.method)));
+}
+
+std::vector<int> numbered(const std::vector<std::string>& classes) {
+  std::unordered_map<std::string, int> numbers;
+  std::vector<int> labels;
+  labels.reserve(classes.size());
+  for (const std::string& name : classes) {
+    labels.push_back(numbers.emplace(name, static_cast<int>(numbers.size())).first->second);
+  }
+  return labels;
+}
+
+}  // namespace
+
+std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) {
+  const std::string source = path.string();
+  const std::vector<CsvRow> rows = parse_csv(read_plain_bytes(path), source);
+  check_header(rows, source);
+  const std::vector<std::string> measures(rows[0].cells.begin() + first_measure, rows[0].cells.end());
+  std::vector<MethodScores> methods;
+  std::vector<std::vector<Eigen::RowVectorXd>> scores;
+  std::map<std::pair<std::string, std::string>, std::size_t> places;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Eigen::RowVectorXd of_query = scores_of(rows[i], measures.size(), source);
+    const std::vector<std::string>& cells = rows[i].cells;
+    const auto [place, is_new] = places.emplace(std::pair(cells[0], cells[1]), methods.size());
+    if (is_new) {
+      methods.push_back({.method = cells[0],
+                         .source = source,
+                         .protocol = cells[1],
+                         .measures = measures,
+                         .queries = {},
+                         .classes = {},
+                         .values = {}});
+      scores.emplace_back();
+    }
+    methods[place->second].queries.push_back(cells[2]);
+    methods[place->second].classes.push_back(cells[3]);
+    scores[place->second].push_back(of_query);
+  }
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    methods[m].values.resize(static_cast<Eigen::Index>(scores[m].size()), static_cast<Eigen::Index>(measures.size()));
+    for (std::size_t i = 0; i < scores[m].size(); ++i)
+      methods[m].values.row(static_cast<Eigen::Index>(i)) = scores[m][i];
+    places_of(methods[m]);
+  }
+  return methods;
+}
+
+std::string method_name(const std::filesystem::path& path, const EvaluationData& data) {
+  return data.name.empty() ? path.stem().string() : data.name;
+}
+
+MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
+                           const Evaluation& evaluation) {
+  MethodScores values{.method = method,
+                      .source = source,
+                      .protocol = name_of(evaluation.protocol),
+                      .measures = evaluation.measures,
+                      .queries = {},
+                      .classes = {},
+                      .values = evaluation.per_query};
+  for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
+    values.queries.push_back(task.query_ids[static_cast<std::size_t>(evaluation.queries[i])]);
+    values.classes.push_back(task.class_names[static_cast<std::size_t>(evaluation.query_classes[i])]);
+  }
+  return values;
+}
+
+AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
+                             std::span<const std::string> names) {
+  if (methods.size() < 2) throw InputError("there is one method only; a comparison needs two or more");
+  check_protocols(methods);
+  AlignedMethods aligned{.methods = checked_names(methods, names),
+                         .protocol = methods[0].protocol,
+                         .measures = measures_to_compare(methods, wanted_measures),
+                         .classes = numbered(methods[0].classes),
+                         .values = {}};
+  const auto queries = static_cast<Eigen::Index>(methods[0].queries.size());
+  aligned.values.assign(aligned.measures.size(), Eigen::MatrixXd(queries, static_cast<Eigen::Index>(methods.size())));
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const std::vector<std::size_t> rows = rows_of(methods[0], methods[m]);
+    for (std::size_t k = 0; k < aligned.measures.size(); ++k) {
+      aligned.values[k].col(static_cast<Eigen::Index>(m)) =
+          methods[m].values.col(column_of(methods[m], aligned.measures[k]))(rows);
+    }
+  }
+  return aligned;
+}
+
+}  // namespace shapegauge

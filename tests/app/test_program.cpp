@@ -1,0 +1,141 @@
+#include <cstdlib>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include "tests/app/program.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::SmallRun;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+class Program : public SmallRun {
+ protected:
+  /// Runs the executable with standard output to the file.
+  [[nodiscard]] Outcome run_into(const std::string& file, const std::string& arguments) const {
+    const std::string command =
+        fmt::format("SHAPEGAUGE_CACHE= {} {} > {} 2> {}", SHAPEGAUGE_EXECUTABLE, arguments, file, quoted("errors"));
+    const int status = std::system(command.c_str());
+    return {.status = WEXITSTATUS(status), .output = {}, .errors = test::text_of(at("errors"))};
+  }
+};
+
+TEST_F(Program, HelpAndVersionGoToStandardOutput) {
+  for (const std::string arguments : {"--help", "run --help", "sdf --help", "evaluate --help", "dataset --help",
+                                      "dataset info --help", "dataset validate --help", "dataset generate --help"}) {
+    const Outcome outcome = run_executable(arguments);
+    EXPECT_EQ(outcome.status, 0) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("Example: shapegauge ")) << arguments;
+    EXPECT_EQ(outcome.errors, "") << arguments;
+  }
+  EXPECT_THAT(run_executable("--version").output, MatchesRegex("shapegauge [0-9.]+ \\([0-9a-z-]+\\)\n"));
+}
+
+TEST_F(Program, AWordThatIsNoCommandOrOptionIsNamed) {
+  expect_error_lines({{"--versoin", "there is no option --versoin; did you mean --version?"},
+                      {"run --outptu x y.json", "there is no option --outptu; did you mean --output?"},
+                      {"dataset info --clasification x y", "did you mean --classification?"},
+                      {"sdf x.off --methd=cone", "did you mean --method?"},
+                      {"--set name=1 run x.json", "--set stands behind the command, as in 'shapegauge run --set'"},
+                      {"run -x", "there is no option -x"},
+                      {"", "subcommand is required"},
+                      {"rum", "there is no command \"rum\"; did you mean \"run\"?"},
+                      {"dataset list x", "there is no command \"list\"; known here: \"info\""},
+                      {"-q rum", "there is no command \"rum\""}});
+}
+
+TEST_F(Program, NoOptionSwallowsTheFileBehindIt) {
+  test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
+  test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
+  const Outcome outcome =
+      run_executable("evaluate --labels " + quoted("c.cla") + " --measures NN,FT " + quoted("d.csv"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("FT"));
+}
+
+TEST_F(Program, HelpIsACommandToo) {
+  for (const std::string command : {"", "run", "dataset", "dataset info"}) {
+    EXPECT_EQ(run_executable("help " + command).output, run_executable(command + " --help").output) << command;
+  }
+  EXPECT_THAT(run_executable("help").output, HasSubstr("143"));
+}
+
+TEST_F(Program, QuietLeavesNotesAndVerboseAddsThem) {
+  const std::string normals = "normals " + quoted("data/T0.off") + " -o " + quoted("x.npy");
+  EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset 0.01 chosen"));
+  EXPECT_EQ(run_executable("-q " + normals).errors, "");
+  EXPECT_EQ(run_executable(normals + " --quiet").errors, "");
+  EXPECT_THAT(run_executable(normals + " -v").errors, MatchesRegex("(.|\n)*shapegauge normals took [0-9.]+ s\n"));
+  EXPECT_EQ(run_executable(normals + " -v -q").status, 2);
+}
+
+TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
+  const auto complete = [&](const std::string& words, int position) {
+    const std::string script = fmt::format(
+        "bash -c 'source <({} completion bash); COMP_WORDS=({}); COMP_CWORD={}; _shapegauge; echo ${{COMPREPLY[@]}}' > "
+        "{}",
+        SHAPEGAUGE_EXECUTABLE, words, position, quoted("completed"));
+    EXPECT_EQ(std::system(script.c_str()), 0);
+    return test::text_of(at("completed"));
+  };
+  EXPECT_EQ(complete("shapegauge norm", 1), "normals\n");
+  EXPECT_EQ(complete("shapegauge dataset inf", 2), "info\n");
+  EXPECT_EQ(complete("shapegauge run --rep", 2), "--replace --replay\n");
+  EXPECT_EQ(complete("shapegauge sdf --method c", 3), "cone\n");
+  EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
+}
+
+TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
+  const auto agree = [&](const std::string& option, const std::string& field) {
+    const Outcome line = run_executable("sdf " + quoted("data/T1.off") + " -o " + quoted("x.npy") + " " + option);
+    const Outcome file = run_executable("run " + quoted("small.json") + " --replace --output " + quoted("out") +
+                                        " --set 'signatures.0.field=" + field + "'");
+    EXPECT_EQ(line.status == 2, file.status == 2) << option << "\n" << line.errors << file.errors;
+    return line.status;
+  };
+  for (const char* offset : {"0", "-1", "1.1", "1", "0.5"}) {
+    const int status = agree(fmt::format("--method offset --offset {}", offset),
+                             fmt::format(R"({{"type":"offset_sdf","offset":{}}})", offset));
+    EXPECT_EQ(status, offset == std::string("1") || offset == std::string("0.5") ? 0 : 2) << offset;
+  }
+  for (const char* rays : {"0", "-3", "1", "1000001"}) {
+    agree(fmt::format("--method cone --rays {}", rays), fmt::format(R"({{"type":"cone_sdf","rays":{}}})", rays));
+  }
+  for (const char* angle : {"0", "180", "179", "-1"}) {
+    agree(fmt::format("--method cone --opening-angle {}", angle),
+          fmt::format(R"({{"type":"cone_sdf","opening_angle_degrees":{}}})", angle));
+  }
+  const std::string perturb = "perturb " + quoted("data/T1.off") + " -o " + quoted("x.off") + " --noise 0.01 --seed ";
+  EXPECT_EQ(run_executable(perturb + "-1").status, 2);
+  EXPECT_EQ(run_executable(perturb + "0").status, 0);
+  EXPECT_EQ(run_executable("dataset generate " + quoted("made") + " --seed -1").status, 2);
+}
+
+TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {
+  test::write_text(at("d.csv"), "0,1,2,3\n1,0,3,2\n2,3,0,1\n3,2,1,0\n");
+  test::write_text(at("c.cla"), "PSB 1\n2 4\na 0 2\n0\n1\nb 0 2\n2\n3\n");
+  const std::string evaluate = " " + quoted("d.csv") + " --labels " + quoted("c.cla");
+  for (const std::string& arguments : std::vector<std::string>{
+           "--help", "--version", "measures", "info " + quoted("data/T0.off"),
+           "convert " + quoted("data/T0.off") + " -o -", "completion bash", "dataset info " + quoted("data"),
+           "dataset validate " + quoted("data"), "cache info --cache " + quoted("cache"), "evaluate" + evaluate,
+           "compare" + evaluate + " " + quoted("d.csv"),
+           "run " + quoted("small.json") + " --output " + quoted("out")}) {
+    EXPECT_EQ(run_into("/dev/null", arguments).status, 0) << arguments;
+    const Outcome outcome = run_into("/dev/full", arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_THAT(outcome.errors, HasSubstr("No space left on device")) << arguments;
+  }
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,21 @@
+#include <gtest/gtest.h>
+
+#include "app/terminal.h"
+
+namespace shapegauge {
+
+namespace {
+
+TEST(ProgressText, SaysRateAndTimeLeft) {
+  EXPECT_EQ(progress_text("signatures", 120, 600, 60), "signatures 120/600  2/s  4:00 left");
+  EXPECT_EQ(progress_text("signatures", 1, 125, 0.5), "signatures 1/125  2/s  1:02 left");
+}
+
+TEST(ProgressText, SaysNothingOfARateWhenThereIsNone) {
+  EXPECT_EQ(progress_text("models", 0, 9, 3), "models 0/9");
+  EXPECT_EQ(progress_text("models", 9, 9, 0), "models 9/9");
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,79 @@
+#include <array>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+constexpr std::array<std::string_view, 2> colours{"red", "blue"};
+constexpr std::array<std::string_view, 1> automatic{"auto"};
+
+const std::vector<Parameter> parameters{
+    {.name = "width", .bounds = {.low = 0, .high = 2.5, .low_open = true}, .choices = automatic, .description = "W."},
+    {.name = "count",
+     .kind = ParameterKind::integer,
+     .default_value = std::int64_t{7},
+     .bounds = {.low = 1},
+     .description = "C."},
+    {.name = "open", .kind = ParameterKind::boolean, .default_value = true, .description = "O."},
+    {.name = "colour",
+     .kind = ParameterKind::choice,
+     .default_value = colours[1],
+     .choices = colours,
+     .description = "Of the lid."}};
+
+TEST(ParameterJson, FillsInDefaultsAndReadsBackAsTheSame) {
+  const Json filled = to_json(read_parameters(parameters, {{"width", 2}, {"count", 3}, {"other", "ignored"}}));
+  EXPECT_EQ(filled, Json::parse(R"({"width": 2.0, "count": 3, "open": true, "colour": "blue"})"));
+  EXPECT_TRUE(filled["width"].is_number_float()) << "a number is one however it was written";
+  EXPECT_EQ(to_json(read_parameters(parameters, filled)), filled);
+  EXPECT_EQ(read_parameters(parameters, {{"width", "auto"}}).word("width"), "auto");
+}
+
+TEST(ParameterJson, RefusesWhatTheParameterDoesNotTake) {
+  const auto message = [](const Json& settings) {
+    return test::input_error_of([&] { read_parameters(parameters, settings); });
+  };
+  EXPECT_THAT(message(Json::object()), HasSubstr("width is missing"));
+  EXPECT_THAT(message({{"width", 0}}), HasSubstr("width is 0"));
+  EXPECT_THAT(message({{"width", 2.6}}), HasSubstr("width is 2.6"));
+  EXPECT_THAT(message({{"width", "wide"}}), HasSubstr("width is"));
+  EXPECT_THAT(message({{"width", 1}, {"count", 0}}), HasSubstr("count is 0"));
+  EXPECT_THAT(message({{"width", 1}, {"count", 1.5}}), HasSubstr("count is 1.5"));
+  EXPECT_THAT(message({{"width", 1}, {"count", 18446744073709551615U}}), HasSubstr("count is 1.8"))
+      << "more than the integers hold is no negative number";
+  EXPECT_THAT(message({{"width", 1}, {"open", 1}}), HasSubstr("open is 1"));
+  EXPECT_THAT(message({{"width", 1}, {"colour", "green"}}), HasSubstr("colour is"));
+  EXPECT_THAT(message({{"width", Json::array({1})}}), HasSubstr("width is"));
+}
+
+TEST(ParameterJson, TheSchemaSaysTypesBoundsChoicesAndDefaults) {
+  EXPECT_EQ(Json(schema_of(parameters[0])), Json::parse(R"({"description": "W.", "if": {"type": "string"},
+      "then": {"enum": ["auto"]}, "else": {"type": "number", "exclusiveMinimum": 0, "maximum": 2.5}})"));
+  EXPECT_EQ(Json(schema_of(parameters[1])),
+            Json::parse(R"({"description": "C.", "type": "integer", "minimum": 1, "default": 7})"));
+  EXPECT_EQ(Json(schema_of(parameters[2])),
+            Json::parse(R"({"description": "O.", "type": "boolean", "default": true})"));
+  EXPECT_EQ(Json(schema_of(parameters[3])),
+            Json::parse(R"({"description": "Of the lid.", "enum": ["red", "blue"], "default": "blue"})"));
+}
+
+TEST(ParameterJson, TheTableSaysThemInWords) {
+  const std::string table = markdown_table(parameters);
+  EXPECT_THAT(table, HasSubstr("| `width` | W. (number above 0 and at most 2.5, or `auto`) | required |\n"));
+  EXPECT_THAT(table, HasSubstr("| `count` | C. (integer at least 1) | 7 |\n"));
+  EXPECT_THAT(table, HasSubstr("| `open` | O. (true or false) | true |\n"));
+  EXPECT_THAT(table, HasSubstr("| `colour` | Of the lid. (`red`, `blue`) | `blue` |\n"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

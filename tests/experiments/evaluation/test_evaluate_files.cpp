@@ -1,0 +1,144 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/experiments/results/evaluation_tables.h"
+#include "tests/experiments/files/write_matrix.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// Features of so many models that they do not come as one block of rows, with ties and some repeated.
+DistanceMatrix many_features(Eigen::Index models) {
+  RandomNumbers random(3);
+  DistanceMatrix features = DistanceMatrix::NullaryExpr(
+      models, 6, [&] { return static_cast<double>(1 + static_cast<int>(random.uniform(0, 4))); });
+  features.row(models - 1) = features.row(2);
+  return features;
+}
+
+class EvaluateFiles : public testing::Test {
+ protected:
+  static constexpr Eigen::Index models = 270;
+
+  void SetUp() override {
+    write_npy(at("features.npy"), many_features(models));
+    std::string labels = "id,class\n";
+    std::string sets = "id,class,split\n";
+    for (Eigen::Index model = 0; model < models; ++model) {
+      const std::string line = std::to_string(model) + ",class" + std::to_string(model * model % 7);
+      labels += line + "\n";
+      sets += line + (model % 3 == 0 ? ",query\n" : ",target\n");
+    }
+    test::write_text(at("labels.csv"), labels);
+    test::write_text(at("sets.csv"), sets);
+  }
+
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+
+  // All scores, and all warnings, as text with all digits.
+  [[nodiscard]] static std::string all_output(const EvaluatedFiles& evaluated) {
+    const EvaluationTask& task = evaluated.data.task;
+    const std::vector<NamedEvaluation> one{
+        {.method = "m",
+         .evaluation = &evaluated.evaluation,
+         .intervals = intervals_of(evaluated.evaluation, {.resampling = {.resamples = 50}})}};
+    const ScoreStyle all_digits{.percent = false, .decimals = 17};
+    std::string text = evaluation_json(evaluated.evaluation, task.class_names, one[0].intervals).dump();
+    text += to_csv(summary_table(one, all_digits)) + to_csv(per_query_table(one, task.query_ids, task.class_names));
+    text += to_csv(per_class_table(one, task.class_names)) + to_csv(precision_recall_table(one));
+    text += to_csv(class_curves_table(one, task.class_names));
+    for (const std::string& warning : evaluated.warnings) text += warning + "\n";
+    return text;
+  }
+
+  // Features by rows, against their matrix from a text file, which is read as a whole, and from a file read by blocks.
+  void expect_same(const std::string& distance, const std::string& labels, const EvaluationOptions& options) const {
+    const std::string by_rows =
+        all_output(evaluate_files({.matrix = at("features.npy"), .labels = at(labels), .distance = distance}, options));
+    const DistanceMatrix matrix = distance_matrix(many_features(models).cast<float>(), distance);
+    write_npy(at("matrix.npy"), matrix);
+    write_csv_matrix(at("matrix.csv"), {.distances = matrix, .ids = {}});
+    for (const char* name : {"matrix.npy", "matrix.csv"}) {
+      EXPECT_EQ(all_output(evaluate_files({.matrix = at(name), .labels = at(labels)}, options)), by_rows)
+          << distance << " " << labels << " " << name;
+    }
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
+  for (const std::string& distance : distance_names()) expect_same(distance, "labels.csv", {});
+}
+
+TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteUnderEveryConvention) {
+  for (const std::string& protocol : protocol_names()) {
+    for (const std::string& ties : ties_names()) {
+      for (const char* labels : {"labels.csv", "sets.csv"}) {
+        expect_same("l1", labels, {.protocol = protocol_of(protocol).value(), .ties = ties_of(ties).value()});
+      }
+    }
+  }
+}
+
+TEST_F(EvaluateFiles, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
+  const EvaluatedFiles evaluated =
+      evaluate_files({.matrix = at("features.npy"), .labels = at("labels.csv"), .distance = "l2"}, {});
+  EXPECT_THAT(evaluated.warnings, Contains(HasSubstr("repeats 2)")));
+}
+
+/// What is told of a matrix of four models in two classes.
+class MatrixWarnings : public testing::Test {
+ protected:
+  [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {
+    test::write_text(folder_.path() / "labels.csv", "id,class\na,x\nb,x\nc,y\nd,y\n");
+    test::write_text(folder_.path() / "m.txt", matrix);
+    return evaluate_files(
+               {.matrix = folder_.path() / "m.txt", .labels = folder_.path() / "labels.csv", .similarity = similarity},
+               {})
+        .warnings;
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(MatrixWarnings, NothingOddIsNoWarning) {
+  EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n"), IsEmpty());
+}
+
+TEST_F(MatrixWarnings, SayWhatWasFoundAndWhatItDoes) {
+  EXPECT_THAT(warnings_of("0 -1 2 inf\n1 0 4 5\n2 4.25 0.5 6\n3 5 6 0\n"),
+              ElementsAre(HasSubstr("1 distance is negative"), HasSubstr("1 distance is infinite"),
+                          HasSubstr("not symmetric: 3 pairs of entries (i, j) and (j, i) differ, by up to 2;"),
+                          HasSubstr("1 entry is not 0 on the diagonal")));
+  EXPECT_THAT(warnings_of("0 1 2 3\n1 0 1 1\n2 1 0 4\n0 1 2 3\n"),
+              ElementsAre(HasSubstr("not symmetric: 2 pairs"), HasSubstr("1 entry is not 0"),
+                          HasSubstr("1 row repeats an earlier one (first: d repeats a)"),
+                          HasSubstr("1 row has all distances equal (first: b)")));
+  EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n"),
+              Contains(HasSubstr("in 4 of 4 rows the query is the farthest")));
+}
+
+TEST_F(MatrixWarnings, OfSimilaritiesSayNothingOfSignsAndTheDiagonal) {
+  EXPECT_THAT(warnings_of("9 3 2 1\n3 9 2 1\n2 2 9 4\n1 1 4 9\n", true), IsEmpty());
+  EXPECT_THAT(warnings_of("0 1 2 3\n1 0 4 5\n2 4 0 6\n3 5 6 0\n", true),
+              Contains(HasSubstr("matrix of distances, which take no --similarity")));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,130 @@
+// A field, a perturbation, a distance, a measure and a file format of one's own, in an experiment.
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/metrics/measures.h"
+#include "shapegauge/retrieval/distances.h"
+
+namespace {
+
+void add_field() {
+  shapegauge::register_field(
+      {.name = "height",
+       .description = "Height above the lowest vertex.",
+       .parameters = {{.name = "factor", .default_value = 1.0, .description = "What heights are multiplied by."}},
+       .make = [](const shapegauge::ParameterValues& settings, const shapegauge::SamplePlan& /*where*/) {
+         const auto height = [factor = settings.number("factor")](shapegauge::FieldSource& source,
+                                                                  const shapegauge::Samples& samples,
+                                                                  bool /*parallel*/) {
+           const double lowest = source.shape().vertices.col(2).minCoeff();
+           return shapegauge::FieldValues{.values = factor * (samples.points.col(2).array() - lowest)};
+         };
+         return shapegauge::FieldComputation{.versions = {{"height", 1}}, .compute = height};
+       }});
+}
+
+void add_perturbation() {
+  static constexpr std::array parameters{shapegauge::Parameter{
+      .name = "by", .default_value = 2.0, .bounds = {.low = 0.1, .high = 10}, .description = "Factor along z."}};
+  shapegauge::register_shape_perturbation(
+      {.name = "stretch",
+       .description = "Stretches the shape along z.",
+       .parameters = parameters,
+       .apply = [](shapegauge::Shape shape, const shapegauge::ParameterValues& settings, shapegauge::RandomNumbers&) {
+         shape.vertices.col(2) *= settings.number("by");
+         return shape;
+       }});
+}
+
+void add_distance() {
+  shapegauge::register_distance({.name = "largest", .function = [](std::span<const float> a, std::span<const float> b) {
+                                   double largest = 0;
+                                   for (std::size_t i = 0; i < a.size(); ++i) {
+                                     largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+                                   }
+                                   return largest;
+                                 }});
+}
+
+void add_measure() {
+  shapegauge::register_measure({.name = "hit@k",
+                                .title = "Hit among the first k",
+                                .definition = "mean number of hits among the ranks 1 to k, at most 1",
+                                .source = "",
+                                .caveat = "",
+                                .value_at = [](const shapegauge::RankedList& list, std::size_t k) {
+                                  return std::min(1.0, shapegauge::hits_among_first(list, k));
+                                }});
+}
+
+void add_file_format() {
+  static constexpr std::array<std::string_view, 1> extensions{".points"};
+  shapegauge::register_shape_format({.name = "points",
+                                     .description = "the coordinates of a point in each line",
+                                     .extensions = extensions,
+                                     .check_header = [](const std::string& /*bytes*/, const std::string& /*name*/) {},
+                                     .read =
+                                         [](const std::string& bytes, const std::string& /*name*/) {
+                                           shapegauge::Shape cloud;
+                                           std::istringstream text(bytes);
+                                           for (double x = 0, y = 0, z = 0; text >> x >> y >> z;) {
+                                             cloud.vertices.conservativeResize(cloud.vertices.rows() + 1,
+                                                                               Eigen::NoChange);
+                                             cloud.vertices.bottomRows<1>() << x, y, z;
+                                           }
+                                           return cloud;
+                                         }});
+}
+
+nlohmann::json experiment() {
+  return {{"name", "own"},
+          {"dataset", {{"generate", {{"classes", 2}, {"models_per_class", 3}, {"faces", 1000}}}}},
+          {"perturbations", {{{"type", "stretch"}, {"by", 3}}}},
+          {"signatures",
+           {{{"name", "heights"},
+             {"field", {{"type", "height"}, {"factor", 2}}},
+             {"histogram", {{"bins", 8}, {"range", {{"fixed", {0, 4}}}}}}}}},
+          {"evaluation", {{"measures", {"NN", "hit@1"}}}},
+          {"distance", "largest"},
+          {"report", false}};
+}
+
+}  // namespace
+
+int main(int /*count*/, char** arguments) {
+  add_field();
+  add_perturbation();
+  add_distance();
+  add_measure();
+  add_file_format();
+
+  const std::filesystem::path folder = arguments[1];
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "two.points") << "0 0 0\n1 2 3\n";
+  const shapegauge::Shape two = shapegauge::read_shape(folder / "two.points");
+  std::cout << "points " << two.vertices.rows() << ", the last at " << two.vertices.row(1) << '\n';
+
+  const auto configuration = shapegauge::configuration_from_json(experiment(), "own", folder);
+  const auto results = shapegauge::run_experiment(configuration, folder / "dataset", {});
+  const shapegauge::MethodResults& method = results.methods[0];
+  const auto& histograms = method.signatures;
+  const double largest = (histograms.row(0) - histograms.row(1)).cast<double>().cwiseAbs().maxCoeff();
+  const auto& scores = method.evaluations[0].micro;
+  std::cout << "models " << results.models.size() << ", distance " << std::boolalpha
+            << (method.distances(0, 1) == largest && largest > 0) << ", measure " << (scores[0] == scores[1]) << '\n';
+}

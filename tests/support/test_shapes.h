@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+
+/// Shapes whose measures are known, and the changes under which measures are invariant.
+namespace shapegauge::test {
+
+/// Icosahedron whose triangles are split into four `subdivisions` times, vertices on the sphere about the origin.
+Shape sphere(double radius, int subdivisions);
+
+/// Closed box about the origin with the given edge lengths; each side is a grid of 2 n^2 triangles.
+Shape box(const Eigen::Vector3d& size, int n);
+
+/// Capsule along z about the origin: a cylinder of the given length closed by half spheres.
+Shape capsule(double radius, double length, int around, int rings);
+
+/// Torus about z: tube of radius `tube` around a circle of radius `ring`.
+Shape torus(double ring, double tube, int around, int along);
+
+/// The union of the parts as one soup.
+Shape joined(const std::vector<Shape>& parts);
+
+/// Scaled, then rotated, then moved.
+Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& move);
+
+/// The same triangles, each with three vertices of its own: vertex 3 f + k is corner k of triangle f.
+Shape soup(const Shape& shape);
+
+/// Every triangle turned over.
+Shape flipped(const Shape& shape);
+
+/// A shape in another order: new vertex i is old vertex `vertices[i]`, new triangle f is old triangle `triangles[f]`,
+/// and each triangle begins at another of its corners.
+struct Permuted {
+  Shape shape;
+  std::vector<std::int32_t> vertices;
+  std::vector<std::int32_t> triangles;
+};
+Permuted permuted(const Shape& shape, unsigned seed);
+
+/// A rotation that depends on the seed alone.
+Eigen::Matrix3d rotation(unsigned seed);
+
+/// A cloud of random points on the surface of a mesh, every place equally likely.
+Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed);
+
+/// The volume that an outward-oriented closed mesh encloses (divergence theorem).
+double signed_volume(const Shape& mesh);
+
+}  // namespace shapegauge::test
