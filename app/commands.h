@@ -24,17 +24,19 @@ bool interrupted();
 /// The commands of the program, in the order of its help. Each adds its subcommand to the app. The command runs while
 /// the arguments are parsed and stores its exit status in `status`, which must outlive the app.
 /// @{
-void add_run_command(CLI::App& app, int& status);         ///< an experiment from its configuration
-void add_sdf_command(CLI::App& app, int& status);         ///< the shape diameter function of a shape
-void add_normals_command(CLI::App& app, int& status);     ///< the normals of a shape
-void add_info_command(CLI::App& app, int& status);        ///< diagnostics of a shape
-void add_perturb_command(CLI::App& app, int& status);     ///< a shape, changed at random
-void add_convert_command(CLI::App& app, int& status);     ///< a shape in another format
-void add_evaluate_command(CLI::App& app, int& status);    ///< the evaluation of a distance matrix
-void add_compare_command(CLI::App& app, int& status);     ///< methods on the same queries
-void add_measures_command(CLI::App& app, int& status);    ///< the definitions of the measures
-void add_dataset_command(CLI::App& app, int& status);     ///< data sets: look at, check, generate
-void add_cache_command(CLI::App& app, int& status);       ///< the cache of runs
+void add_run_command(CLI::App& app, int& status);                      ///< an experiment from its configuration
+void add_sdf_command(CLI::App& app, int& status);                      ///< the shape diameter function of a shape
+void add_normals_command(CLI::App& app, int& status);                  ///< the normals of a shape
+void add_info_command(CLI::App& app, int& status);                     ///< diagnostics of a shape
+void add_perturb_command(CLI::App& app, int& status);                  ///< a shape, changed at random
+void add_convert_command(CLI::App& app, int& status);                  ///< a shape in another format
+void add_segment_command(CLI::App& app, int& status);                  ///< a shape, cut into parts
+void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix
+void add_compare_command(CLI::App& app, int& status);                  ///< methods on the same queries
+void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< segmentations against people's
+void add_measures_command(CLI::App& app, int& status);                 ///< the definitions of the measures
+void add_dataset_command(CLI::App& app, int& status);                  ///< data sets: look at, check, generate
+void add_cache_command(CLI::App& app, int& status);                    ///< the cache of runs
 void add_completion_command(CLI::App& app, int& status);  ///< completion for shells, of all commands added to the app
 /// @}
 

@@ -375,7 +375,7 @@ class PlyBody {
 /// What the samples at a site have besides their places.
 struct SampleProperties {
   SampleSite site;
-  std::string_view declaration;
+  std::string declaration;
   std::function<void(std::string& bytes, Eigen::Index sample)> append;
 };
 
@@ -383,7 +383,7 @@ constexpr std::string_view normal_declaration = "property double nx\nproperty do
 
 std::string header_of(const Shape& shape, const SampleProperties* samples) {
   const auto properties_at = [&](SampleSite site) {
-    return samples && samples->site == site ? samples->declaration : "";
+    return samples && samples->site == site ? samples->declaration : std::string();
   };
   std::string header = fmt::format(
       "ply\nformat binary_little_endian 1.0\n"
@@ -440,7 +440,7 @@ void check_ply_header(const std::string& bytes, const std::string& name) {
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<std::array<std::uint8_t, 3>>& colours) {
+               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name) {
   const Eigen::Index samples = sample_count(shape, site);
   if (values.size() != samples || colours.size() != static_cast<std::size_t>(samples)) {
     throw InputError(fmt::format("cannot write {}: {} values and {} colours for {} samples", path.string(),
@@ -448,7 +448,8 @@ void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite
   }
   const SampleProperties coloured{
       .site = site,
-      .declaration = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double sdf\n",
+      .declaration = fmt::format("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double {}\n",
+                                 value_name),
       .append = [&](std::string& bytes, Eigen::Index i) {
         for (const std::uint8_t channel : colours[static_cast<std::size_t>(i)]) append_little_endian(bytes, channel);
         append_little_endian(bytes, values[i]);
@@ -463,7 +464,7 @@ void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, 
   }
   shape.normals.resize(0, 3);
   const SampleProperties properties{
-      .site = site, .declaration = normal_declaration, .append = [&](std::string& bytes, Eigen::Index i) {
+      .site = site, .declaration = std::string(normal_declaration), .append = [&](std::string& bytes, Eigen::Index i) {
         append_vector(bytes, normals.row(i));
       }};
   write(path, shape, &properties);

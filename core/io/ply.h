@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/shape/samples.h"
@@ -32,12 +33,12 @@ void check_ply_header(const std::string& bytes, const std::string& name);
 void write_ply(const std::filesystem::path& path, const Shape& shape);
 
 /// Writes a shape with a value and a colour (red, green, blue) at each of its triangles or vertices, as above. The
-/// element `face` or `vertex`, as the site says, has the properties `red`, `green`, `blue` and `sdf` (a double, written
-/// exactly; NaN where a value is). A point cloud has values at its vertices.
+/// element `face` or `vertex`, as the site says, has the properties `red`, `green`, `blue` and one of the given name (a
+/// double, written exactly; NaN where a value is). A point cloud has values at its vertices.
 ///
 /// Throws InputError as above, and where the numbers of values or colours are not the site's number of samples.
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<std::array<std::uint8_t, 3>>& colours);
+               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name = "sdf");
 
 /// Writes a shape with a normal at each of its triangles or vertices: the element `face` or `vertex`, as the site says,
 /// has the properties `nx`, `ny`, `nz` (doubles, written exactly). Those of the cloud itself are left out.

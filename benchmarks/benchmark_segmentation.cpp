@@ -1,0 +1,85 @@
+// The segmentation of given meshes beside CGAL's, in one process:
+//
+//     benchmark_segmentation [options of Google Benchmark] MESH...
+//
+// Names are MESH/what. Times are of one thread and include the SDF. CGAL cuts with Boost's max-flow: that of its
+// default keeps the flow of one expansion for the next, which makes it fast and its cuts wrong.
+#define CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/mesh_segmentation.h>
+#include <benchmark/benchmark.h>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <string>
+#include <tbb/task_arena.h>
+#include <vector>
+
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/segmentation/paper_segmentation.h"
+#include "shapegauge/segmentation/part_segmentation.h"
+
+namespace {
+
+using namespace shapegauge;
+using Kernel = CGAL::Simple_cartesian<double>;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+void segment_by_cgal(const Shape& shape) {
+  CgalMesh mesh;
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    mesh.add_vertex({shape.vertices(v, 0), shape.vertices(v, 1), shape.vertices(v, 2)});
+  }
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const auto corner = [&](int k) { return CgalMesh::Vertex_index(static_cast<unsigned>(shape.triangles(f, k))); };
+    mesh.add_face(corner(0), corner(1), corner(2));
+  }
+  const auto sdf = mesh.add_property_map<CgalMesh::Face_index, double>("f:sdf").first;
+  const auto segments = mesh.add_property_map<CgalMesh::Face_index, std::size_t>("f:segment").first;
+  CGAL::sdf_values(mesh, sdf);
+  benchmark::DoNotOptimize(CGAL::segmentation_from_sdf_values(mesh, sdf, segments, 4, 0.1));
+}
+
+void segment_as_the_paper(const Shape& shape) {
+  const SurfaceGraph graph = surface_graph(shape);
+  const std::vector<ScalarField> fields = {{cone_sdf(shape, graph.samples, {}).values, graph.samples.weights}};
+  benchmark::DoNotOptimize(paper_segmentation(graph, fields, {}));
+}
+
+void add_case(const std::string& name, const Shape& shape, const std::function<void(const Shape&)>& segment) {
+  benchmark::RegisterBenchmark(name.c_str(), [&shape, segment](benchmark::State& state) {
+    tbb::task_arena one(1);
+    for (auto _ : state) one.execute([&] { segment(shape); });
+    state.counters["faces"] = static_cast<double>(shape.triangles.rows());
+  })->Unit(benchmark::kMillisecond);
+}
+
+int run(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  std::vector<Shape> shapes;
+  for (int i = 1; i < argc; ++i) shapes.push_back(read_shape(argv[i]));
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const std::string name = std::filesystem::path(argv[i + 1]).stem().string();
+    add_case(name + "/best", shapes[i],
+             [](const Shape& shape) { benchmark::DoNotOptimize(part_segmentation(shape, {})); });
+    add_case(name + "/paper", shapes[i], segment_as_the_paper);
+    add_case(name + "/cgal", shapes[i], segment_by_cgal);
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << "benchmark_segmentation: error: " << error.what() << '\n';
+    return 2;
+  }
+}

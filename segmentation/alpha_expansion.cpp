@@ -1,0 +1,94 @@
+#include "shapegauge/segmentation/alpha_expansion.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <maxflow.h>
+#include <stdexcept>
+
+namespace shapegauge {
+
+namespace {
+
+using Flow = maxflow::Graph<double, double, double>;
+
+/// The library would end the program.
+void report(const char* message) { throw std::runtime_error(message); }
+
+void check(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, std::span<const std::int32_t> labels) {
+  if (costs.rows() != std::ssize(labels))
+    throw std::invalid_argument("one row of costs and one label a node are needed");
+  if (costs.rows() > std::numeric_limits<int>::max()) throw std::invalid_argument("there are too many nodes to label");
+  if (!costs.allFinite()) throw std::invalid_argument("the cost of a label must be a finite number");
+  for (const std::int32_t label : labels) {
+    if (label < 0 || label >= costs.cols()) throw std::invalid_argument("a node starts with a label that there is not");
+  }
+  const auto is_node = [&](std::int32_t node) { return node >= 0 && node < costs.rows(); };
+  for (const LabelEdge& edge : edges) {
+    if (!is_node(edge.a) || !is_node(edge.b)) throw std::invalid_argument("an edge has a node that there is not");
+    if (!(edge.cost >= 0 && std::isfinite(edge.cost))) {
+      throw std::invalid_argument("the cost of an edge must be a finite number, at least 0");
+    }
+  }
+}
+
+/// The labels after the best change of any nodes to one label. Nodes on the sink's side of the cut change.
+std::vector<std::int32_t> expanded(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
+                                   std::vector<std::int32_t> labels, std::int32_t label) {
+  Flow flow(static_cast<int>(costs.rows()), static_cast<int>(edges.size()), report);
+  flow.add_node(static_cast<int>(costs.rows()));
+  for (Eigen::Index node = 0; node < costs.rows(); ++node) {
+    flow.add_tweights(static_cast<int>(node), costs(node, label), costs(node, labels[static_cast<std::size_t>(node)]));
+  }
+  for (const LabelEdge& edge : edges) {
+    // Kolmogorov and Zabih 2004: a cost of two nodes is split into costs of each and one of the pair (stay, change).
+    const std::int32_t a = labels[static_cast<std::size_t>(edge.a)];
+    const std::int32_t b = labels[static_cast<std::size_t>(edge.b)];
+    const double stay_stay = a != b ? edge.cost : 0;
+    const double stay_change = a != label ? edge.cost : 0;
+    const double change_stay = b != label ? edge.cost : 0;
+    flow.add_tweights(edge.a, change_stay, stay_stay);
+    flow.add_tweights(edge.b, 0, change_stay);
+    flow.add_edge(edge.a, edge.b, stay_change + change_stay - stay_stay, 0);
+  }
+  flow.maxflow();
+  for (Eigen::Index node = 0; node < costs.rows(); ++node) {
+    if (flow.what_segment(static_cast<int>(node)) == Flow::SINK) labels[static_cast<std::size_t>(node)] = label;
+  }
+  return labels;
+}
+
+}  // namespace
+
+double labelling_cost(std::span<const std::int32_t> labels, const Eigen::MatrixXd& costs,
+                      const std::vector<LabelEdge>& edges) {
+  check(costs, edges, labels);
+  double sum = 0;
+  for (Eigen::Index node = 0; node < costs.rows(); ++node) sum += costs(node, labels[static_cast<std::size_t>(node)]);
+  for (const LabelEdge& edge : edges) {
+    if (labels[static_cast<std::size_t>(edge.a)] != labels[static_cast<std::size_t>(edge.b)]) sum += edge.cost;
+  }
+  return sum;
+}
+
+std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
+                                          std::vector<std::int32_t> start, int rounds) {
+  std::vector<std::int32_t> labels = std::move(start);
+  double cost = labelling_cost(labels, costs, edges);
+  for (int round = 0; round < rounds; ++round) {
+    bool gained = false;
+    for (std::int32_t label = 0; label < costs.cols(); ++label) {
+      std::vector<std::int32_t> next = expanded(costs, edges, labels, label);
+      const double next_cost = labelling_cost(next, costs, edges);
+      // Less by more than rounding: otherwise labels of equal cost could take turns for ever.
+      if (!(next_cost < cost - 1e-12 * std::abs(cost))) continue;
+      labels = std::move(next);
+      cost = next_cost;
+      gained = true;
+    }
+    if (!gained) break;
+  }
+  return labels;
+}
+
+}  // namespace shapegauge

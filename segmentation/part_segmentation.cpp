@@ -1,0 +1,86 @@
+#include "shapegauge/segmentation/part_segmentation.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/format.h>
+#include <functional>
+#include <numeric>
+#include <span>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/patches.h"
+#include "shapegauge/segmentation/region_merging.h"
+#include "shapegauge/segmentation/segment_labels.h"
+#include "shapegauge/segmentation/surface_regions.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr int patches_per_part = 3;
+
+/// Regions at most, unless more patches were asked for: what is known of pairs of them takes room by their square.
+constexpr std::int32_t most_regions = 600;
+
+void check(const PartSegmentationOptions& options, std::int32_t nodes) {
+  if (options.parts < 0 || options.parts > nodes) {
+    throw InputError(
+        fmt::format("a shape of {} triangles or points cannot be cut into {} parts", nodes, options.parts));
+  }
+  if (options.samples < 1) throw InputError(fmt::format("at least 1 sample is needed, not {}", options.samples));
+  if (!(options.least_probability >= 0 && options.least_probability <= 1)) {
+    throw InputError(fmt::format("the least probability must be from 0 to 1, not {}", options.least_probability));
+  }
+}
+
+/// The patches' numbers in order of area, largest first, or -1 for those beyond so many. Only components make more
+/// patches than were asked for, so that these have no neighbours to be merged with.
+std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<const std::int32_t> patch,
+                                          std::int32_t most) {
+  std::vector<double> areas(static_cast<std::size_t>(*std::ranges::max_element(patch) + 1), 0);
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    areas[static_cast<std::size_t>(patch[i])] += graph.samples.weights[static_cast<Eigen::Index>(i)];
+  }
+  std::vector<std::int32_t> order(areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (std::ssize(order) > most) {
+    std::ranges::stable_sort(order, std::greater<>{},
+                             [&](std::int32_t p) { return areas[static_cast<std::size_t>(p)]; });
+  }
+  std::vector<std::int32_t> numbers(order.size(), -1);
+  for (std::int32_t k = 0; k < most && k < std::ssize(order); ++k) {
+    numbers[static_cast<std::size_t>(order[static_cast<std::size_t>(k)])] = k;
+  }
+  std::vector<std::int32_t> result;
+  for (const std::int32_t p : patch) result.push_back(numbers[static_cast<std::size_t>(p)]);
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const PartSegmentationOptions& options,
+                                            const PartModel& model) {
+  check(options, surface.graph.size());
+  const PatchOptions patch_options{.count = std::max(options.patches, patches_per_part * options.parts),
+                                   .seed = options.seed};
+  const std::vector<std::int32_t> patch = patches(surface.graph, patch_options, patch_costs(surface));
+  const std::int32_t most = std::max(most_regions, patch_options.count);
+  const std::vector<std::int32_t> initial = largest_patches(surface.graph, patch, most);
+  Regions regions = surface_regions(surface, initial, options.samples);
+  const auto probability = [&](const Regions& now, std::int32_t a, std::int32_t b) {
+    return model.probability(features_of(now, a, b));
+  };
+  merge_regions(regions, probability, {.least_affinity = options.least_probability, .parts = options.parts});
+  std::vector<std::int32_t> labels;
+  for (std::size_t i = 0; i < patch.size(); ++i) {
+    labels.push_back(initial[i] >= 0 ? regions.region_of(initial[i]) : most + patch[i]);
+  }
+  return renumbered(smoothed_boundaries(surface, renumbered(labels), options.smoothing));
+}
+
+std::vector<std::int32_t> part_segmentation(const Shape& shape, const PartSegmentationOptions& options,
+                                            const PartModel& model) {
+  return part_segmentation(thick_surface(shape), options, model);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,43 @@
+#include "shapegauge/segmentation/seg_file.h"
+
+#include <fmt/format.h>
+#include <iterator>
+#include <limits>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/scanner.h"
+
+namespace shapegauge {
+
+std::vector<std::int32_t> read_seg(const std::filesystem::path& path, std::size_t faces) {
+  const std::string text = read_file_bytes(path);
+  const std::string name = path.string();
+  TextScanner scanner(text, name);
+  std::vector<std::int32_t> labels;
+  std::int64_t segment = 0;
+  while (scanner.read_integer(segment, "the number of a segment")) {
+    if (segment < 0 || segment > std::numeric_limits<std::int32_t>::max()) {
+      scanner.fail(fmt::format("a segment has a number from 0 to {}, not {}; is this a .seg file?",
+                               std::numeric_limits<std::int32_t>::max(), segment));
+    }
+    if (labels.size() == faces) {
+      scanner.fail(fmt::format("there are more lines than the mesh has faces ({}); is it another mesh's?", faces));
+    }
+    labels.push_back(static_cast<std::int32_t>(segment));
+  }
+  if (labels.size() < faces) {
+    throw InputError(fmt::format("{}: the file has {} lines, the mesh {} faces; is it another mesh's, or cut off?",
+                                 name, labels.size(), faces));
+  }
+  return labels;
+}
+
+void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels) {
+  std::string text;
+  for (const std::int32_t label : labels) fmt::format_to(std::back_inserter(text), "{}\n", label);
+  write_file_atomically(path, text);
+}
+
+}  // namespace shapegauge

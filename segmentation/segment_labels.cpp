@@ -1,0 +1,155 @@
+#include "shapegauge/segmentation/segment_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <unordered_map>
+
+#include "shapegauge/core/shape/connectivity.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Hues apart in lightness too (Paul Tol's "bright" and "muted" schemes), so that they can be told apart by everybody.
+constexpr std::array<Colour, 12> palette = {{{68, 119, 170},
+                                             {238, 102, 119},
+                                             {34, 136, 51},
+                                             {204, 187, 68},
+                                             {102, 204, 238},
+                                             {170, 51, 119},
+                                             {187, 187, 187},
+                                             {51, 34, 136},
+                                             {221, 204, 119},
+                                             {136, 34, 85},
+                                             {68, 170, 153},
+                                             {153, 153, 51}}};
+
+void check(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
+  if (std::ssize(labels) != graph.size()) throw std::invalid_argument("a surface needs one label a node");
+}
+
+/// Areas of labels, which go from 0 on, and the lengths of their borders with each other.
+struct LabelBorders {
+  std::vector<double> areas;
+  std::vector<std::map<std::int32_t, double>> lengths;
+};
+
+LabelBorders borders_of(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
+  const auto count = static_cast<std::size_t>(labels.empty() ? 0 : *std::ranges::max_element(labels) + 1);
+  LabelBorders borders{std::vector<double>(count, 0), std::vector<std::map<std::int32_t, double>>(count)};
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    const std::int32_t label = labels[static_cast<std::size_t>(i)];
+    borders.areas[static_cast<std::size_t>(label)] += graph.samples.weights[i];
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      const std::int32_t other = labels[static_cast<std::size_t>(link.to)];
+      if (other != label) borders.lengths[static_cast<std::size_t>(label)][other] += link.length;
+    }
+  }
+  return borders;
+}
+
+/// Makes `from` a part of `into`.
+void join(LabelBorders& borders, std::int32_t into, std::int32_t from) {
+  auto& target = borders.lengths[static_cast<std::size_t>(into)];
+  for (const auto& [other, length] : borders.lengths[static_cast<std::size_t>(from)]) {
+    borders.lengths[static_cast<std::size_t>(other)].erase(from);
+    if (other == into) continue;
+    target[other] += length;
+    borders.lengths[static_cast<std::size_t>(other)][into] += length;
+  }
+  borders.lengths[static_cast<std::size_t>(from)].clear();
+  borders.areas[static_cast<std::size_t>(into)] += borders.areas[static_cast<std::size_t>(from)];
+}
+
+}  // namespace
+
+std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
+  std::unordered_map<std::int32_t, std::int32_t> numbers;
+  std::vector<std::int32_t> result;
+  result.reserve(labels.size());
+  for (const std::int32_t label : labels) {
+    result.push_back(numbers.emplace(label, static_cast<std::int32_t>(numbers.size())).first->second);
+  }
+  return result;
+}
+
+std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
+  check(graph, labels);
+  DisjointSets sets;
+  sets.grow_to(labels.size());
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      if (labels[static_cast<std::size_t>(i)] == labels[static_cast<std::size_t>(link.to)]) sets.join(i, link.to);
+    }
+  }
+  std::vector<std::int32_t> parts(labels.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = sets.find(static_cast<std::int32_t>(i));
+  return renumbered(parts);
+}
+
+std::vector<std::int32_t> without_small_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
+                                              double least_share) {
+  check(graph, labels);
+  const std::vector<std::int32_t> numbers = renumbered(labels);
+  LabelBorders borders = borders_of(graph, numbers);
+  const double least = least_share * graph.samples.weights.sum();
+  std::vector<std::int32_t> into(borders.areas.size());
+  std::iota(into.begin(), into.end(), 0);
+  std::set<std::pair<double, std::int32_t>> small;
+  for (std::size_t k = 0; k < into.size(); ++k) {
+    if (borders.areas[k] < least) small.emplace(borders.areas[k], static_cast<std::int32_t>(k));
+  }
+  while (!small.empty()) {
+    const std::int32_t part = small.begin()->second;
+    small.erase(small.begin());
+    const auto& lengths = borders.lengths[static_cast<std::size_t>(part)];
+    if (lengths.empty()) continue;
+    const auto longer = [](const auto& a, const auto& b) { return a.second < b.second; };
+    const std::int32_t target = std::ranges::max_element(lengths, longer)->first;
+    small.erase({borders.areas[static_cast<std::size_t>(target)], target});
+    join(borders, target, part);
+    into[static_cast<std::size_t>(part)] = target;
+    const double area = borders.areas[static_cast<std::size_t>(target)];
+    if (area < least) small.emplace(area, target);
+  }
+  std::vector<std::int32_t> result = numbers;
+  for (std::int32_t& label : result) {
+    while (into[static_cast<std::size_t>(label)] != label) label = into[static_cast<std::size_t>(label)];
+  }
+  return renumbered(result);
+}
+
+std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
+  check(graph, labels);
+  const std::vector<std::int32_t> numbers = renumbered(labels);
+  const LabelBorders borders = borders_of(graph, numbers);
+  std::vector<std::int32_t> order(borders.areas.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>{},
+                           [&](std::int32_t label) { return borders.areas[static_cast<std::size_t>(label)]; });
+  constexpr std::size_t none = palette.size();
+  std::vector<std::size_t> chosen(order.size(), none);
+  std::size_t next = 0;
+  for (const std::int32_t label : order) {
+    std::array<bool, palette.size() + 1> taken = {};
+    for (const auto& [other, length] : borders.lengths[static_cast<std::size_t>(label)]) {
+      taken[chosen[static_cast<std::size_t>(other)]] = true;
+    }
+    // Parts that do not touch look better in colours of their own, as long as there are any.
+    std::size_t colour = next;
+    for (std::size_t tried = 0; tried < palette.size() && taken[colour]; ++tried)
+      colour = (colour + 1) % palette.size();
+    chosen[static_cast<std::size_t>(label)] = colour;
+    next = (next + 1) % palette.size();
+  }
+  std::vector<Colour> colours;
+  for (const std::int32_t number : numbers) colours.push_back(palette[chosen[static_cast<std::size_t>(number)]]);
+  return colours;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shapegauge/core/render/image.h"
+#include "shapegauge/segmentation/surface_graph.h"
+
+namespace shapegauge {
+
+/// The labels' numbers replaced by 0, 1, ... in the order in which they first occur.
+std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
+
+/// The connected parts of each label: nodes have the same number where links lead from one to the other within their
+/// label. Numbers go from 0 on, in the order of the parts' first nodes. Throws std::invalid_argument where there is not
+/// one label a node.
+std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
+
+/// Gives parts of less than this share of the area to the neighbour with which their border is longest, smallest
+/// first. Parts without neighbours stay. Numbers are those of renumbered(). Throws as connected_parts().
+std::vector<std::int32_t> without_small_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
+                                              double least_share);
+
+/// A colour for each node by its label, such that neighbouring labels differ as far as a dozen colours can: labels are
+/// coloured one after the other, the largest first, each in a colour that no neighbour has, as far as possible in one
+/// of its own. Throws as connected_parts().
+std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
+
+}  // namespace shapegauge

@@ -1,0 +1,140 @@
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "tests/app/program.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test::text_of;
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Two balls that do not touch: whoever cuts them, they are two parts.
+Shape two_balls() {
+  const Shape ball = test::sphere(1, 2);
+  return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+}
+
+/// A line with the first number for each face of one ball, with the second one for each of the other.
+std::string segments(int first, int second) {
+  std::string text;
+  for (int i = 0; i < 640; ++i) text += fmt::format("{}\n", i < 320 ? first : second);
+  return text;
+}
+
+class SegmentCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* folder : {"psb/off", "psb/seg/1", "psb/seg/21"}) create(folder);
+    for (const char* name : {"psb/off/1.off", "psb/off/21.off"}) write_off(folder_.path() / name, two_balls());
+    write("psb/seg/1/1_0.seg", segments(0, 1));
+    write("psb/seg/1/1_1.seg", segments(3, 2));
+    write("psb/seg/21/21_0.seg", segments(0, 0));
+  }
+  void create(const std::string& folder) const { std::filesystem::create_directories(folder_.path() / folder); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_.path() / name) << text; }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SegmentCommands, SegmentWritesALineAFace) {
+  for (const char* method : {"best", "paper"}) {
+    const Outcome outcome =
+        run_executable(fmt::format("segment '{}' --method {} -o '{}'", at("psb/off/1.off"), method, at("x.seg")));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_THAT(outcome.errors, HasSubstr("2 parts"));
+    EXPECT_EQ(text_of(at("x.seg")), segments(0, 1));
+  }
+}
+
+TEST_F(SegmentCommands, SegmentDrawsAndColours) {
+  EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.png"))).status, 0);
+  EXPECT_THAT(text_of(at("x.png")), StartsWith("\x89PNG"));
+  EXPECT_EQ(run_executable(fmt::format("segment '{}' -o '{}'", at("psb/off/1.off"), at("x.ply"))).status, 0);
+  EXPECT_THAT(text_of(at("x.ply")), HasSubstr("property double part"));
+  EXPECT_EQ(read_shape(at("x.ply")).triangles.rows(), 640);
+}
+
+TEST_F(SegmentCommands, SeveralShapesGoIntoAFolder) {
+  write("bad.off", "OFF\n1 0 0\n");
+  const Outcome outcome = run_executable(fmt::format("segment '{}' '{}' '{}' -o '{}'", at("psb/off/1.off"),
+                                                     at("bad.off"), at("psb/off/21.off"), at("out")));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("bad.off"));
+  EXPECT_EQ(text_of(at("out/1.seg")), segments(0, 1));
+  EXPECT_EQ(text_of(at("out/21.seg")), segments(0, 1));
+}
+
+TEST_F(SegmentCommands, UnusableCallsOfSegment) {
+  const std::string shape = "'" + at("psb/off/1.off") + "'";
+  expect_error_lines({{"segment " + shape + " -o x.obj", ".obj"},
+                      {"segment " + shape + " -o x.seg --parts 641", "641"},
+                      {"segment " + shape + " -o x.seg --parts -1", "--parts"},
+                      {"segment " + shape + " -o x.seg --field cone", "--method paper"},
+                      {"segment " + at("absent.off") + " -o x.seg", "absent.off"}});
+}
+
+TEST_F(SegmentCommands, EvaluateSegmentationTellsMethodsFromPeople) {
+  for (const char* folder : {"good", "none"}) create(folder);
+  write("good/1.seg", segments(7, 8));
+  write("good/21.seg", segments(5, 5));
+  for (const char* name : {"none/1.seg", "none/21.seg"}) write(name, segments(0, 0));
+  const Outcome outcome = run_executable(
+      fmt::format("evaluate-segmentation '{}' '{}' --benchmark '{}' --format json", at("good"), at("none"), at("psb")));
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(outcome.output);
+  ASSERT_EQ(json["methods"].size(), 3U);
+  EXPECT_EQ(json["methods"][0]["name"], "good");
+  EXPECT_EQ(json["methods"][0]["mean"]["Rand"], 0);
+  // Of 640 faces in two halves, 320 * 320 of the pairs are apart: all wrong on one mesh, none on the other.
+  const double apart = 320.0 * 320 / (640.0 * 639 / 2);
+  EXPECT_NEAR(json["methods"][1]["mean"]["Rand"], apart / 2, 1e-12);
+  EXPECT_NEAR(json["methods"][1]["per_class"]["human"]["Rand"], apart, 1e-12);
+  EXPECT_EQ(json["methods"][1]["per_class"]["cup"]["Rand"], 0);
+  EXPECT_EQ(json["methods"][2]["name"], "people");
+}
+
+TEST_F(SegmentCommands, EvaluateSegmentationWritesEachMesh) {
+  create("good");
+  write("good/1.seg", segments(7, 8));
+  write("good/21.seg", segments(5, 5));
+  const Outcome outcome = run_executable(
+      fmt::format("evaluate-segmentation '{}' --benchmark '{}' --per-mesh '{}'", at("good"), at("psb"), at("x.csv")));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(text_of(at("x.csv")), HasSubstr("good,21,cup,0,0,0,0,0,0,0\n"));
+}
+
+TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {
+  write_off(folder_.path() / "psb/off/2.off", two_balls());
+  const Outcome outcome = run_executable(fmt::format("evaluate-segmentation --benchmark '{}'", at("psb")));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("1 of the meshes (2"));
+}
+
+TEST_F(SegmentCommands, UnusableCallsOfEvaluateSegmentation) {
+  create("short");
+  write("short/1.seg", "1\n2\n");
+  expect_error_lines({{"evaluate-segmentation --benchmark '" + at("good") + "'", "off"},
+                      {"evaluate-segmentation '" + at("short") + "' --benchmark '" + at("psb") + "'", "2 lines"},
+                      {"evaluate-segmentation '" + at("absent") + "' --benchmark '" + at("psb") + "'", "1.seg"}});
+}
+
+}  // namespace
+}  // namespace shapegauge

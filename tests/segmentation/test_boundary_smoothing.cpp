@@ -1,0 +1,84 @@
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/boundary_smoothing.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+using Labels = std::vector<std::int32_t>;
+
+double border_length(const SurfaceGraph& graph, const Labels& labels) {
+  double length = 0;
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      if (labels[static_cast<std::size_t>(i)] != labels[static_cast<std::size_t>(link.to)]) length += link.length / 2;
+    }
+  }
+  return length;
+}
+
+/// A torus about z, and its halves to the left and to the right, between which waves run around the tube.
+ThickSurface torus() { return thick_surface(test::torus(3, 1, 60, 180)); }
+
+Labels wavy_halves(const ThickSurface& surface, double amplitude) {
+  Labels labels;
+  for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
+    const auto place = surface.graph.samples.points.row(i);
+    const double around = std::atan2(place.z(), std::hypot(place.x(), place.y()) - 3);
+    labels.push_back(place.x() > amplitude * std::sin(5 * around) ? 1 : 0);
+  }
+  return labels;
+}
+
+TEST(BoundarySmoothing, ShortensAWavyBorder) {
+  const ThickSurface surface = torus();
+  const double amplitude = 0.2;
+  const Labels wavy = wavy_halves(surface, amplitude);
+  const Labels smooth = smoothed_boundaries(surface, wavy, {});
+  EXPECT_LT(border_length(surface.graph, smooth), 0.9 * border_length(surface.graph, wavy));
+  for (std::int32_t i = 0; i < surface.graph.size(); ++i) {
+    // Parts grow by the width, 0.03 units, and an edge.
+    if (std::abs(surface.graph.samples.points(i, 0)) < amplitude + 0.04 * surface.unit) continue;
+    EXPECT_EQ(smooth[static_cast<std::size_t>(i)], wavy[static_cast<std::size_t>(i)]);
+  }
+}
+
+TEST(BoundarySmoothing, OfNoWidthMovesNothing) {
+  const ThickSurface surface = torus();
+  const Labels wavy = wavy_halves(surface, 0.2);
+  EXPECT_EQ(smoothed_boundaries(surface, wavy, {.width = 0}), wavy);
+}
+
+TEST(BoundarySmoothing, LeavesOnePartAsItIs) {
+  const ThickSurface surface = thick_surface(test::sphere(1, 2));
+  const Labels one(static_cast<std::size_t>(surface.graph.size()), 0);
+  EXPECT_EQ(smoothed_boundaries(surface, one, {}), one);
+}
+
+TEST(BoundarySmoothing, NoPartDisappears) {
+  const ThickSurface surface = thick_surface(test::sphere(1, 3));
+  Labels labels(static_cast<std::size_t>(surface.graph.size()), 0);
+  labels[17] = 1;
+  const Labels smooth = smoothed_boundaries(surface, labels, {.strength = 100});
+  EXPECT_EQ(std::set(smooth.begin(), smooth.end()).size(), 2U);
+}
+
+TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
+  const ThickSurface surface = thick_surface(test::sphere(1, 0));
+  const Labels labels(20, 0);
+  EXPECT_THROW(smoothed_boundaries(surface, labels, {.width = -1}), InputError);
+  EXPECT_THROW(smoothed_boundaries(surface, labels, {.strength = NAN}), InputError);
+  EXPECT_THROW(smoothed_boundaries(surface, labels, {.concavity = 0}), InputError);
+  EXPECT_THROW(smoothed_boundaries(surface, Labels{0}, {}), std::invalid_argument);
+  EXPECT_THROW(smoothed_boundaries(surface, Labels(20, -1), {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shapegauge

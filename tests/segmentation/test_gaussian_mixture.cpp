@@ -1,0 +1,96 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/segmentation/gaussian_mixture.h"
+
+namespace shapegauge {
+namespace {
+
+/// So many points about each centre, of standard deviation 1 (the sum of twelve uniform numbers).
+Eigen::MatrixXd clouds(const std::vector<Eigen::RowVector2d>& centres, int each) {
+  RandomNumbers random(5);
+  Eigen::MatrixXd points(std::ssize(centres) * each, 2);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    points.row(i) = centres[static_cast<std::size_t>(i / each)];
+    for (double& x : points.row(i)) {
+      for (int k = 0; k < 12; ++k) x += random.uniform(-0.5, 0.5);
+    }
+  }
+  return points;
+}
+
+const std::vector<Eigen::RowVector2d> three_centres = {{0, 0}, {10, 0}, {0, 10}};
+
+TEST(GaussianMixture, FindsTheCloudsThatPointsWereDrawnFrom) {
+  const GaussianMixture mixture = fit_gaussian_mixture(clouds(three_centres, 400), {.components = 3});
+  for (const Eigen::RowVector2d& centre : three_centres) {
+    Eigen::Index nearest = 0;
+    // 400 points of deviation 1: the mean is off by 0.05, the variance by 0.07 and the regularisation of 0.2.
+    EXPECT_LT((mixture.means.rowwise() - centre).rowwise().norm().minCoeff(&nearest), 0.2);
+    EXPECT_NEAR(mixture.weights[nearest], 1.0 / 3, 0.01);
+    EXPECT_NEAR(mixture.variances(nearest, 0), 1.2, 0.3);
+  }
+}
+
+TEST(GaussianMixture, TheCriterionCountsTheClouds) {
+  EXPECT_EQ(fit_gaussian_mixture(clouds(three_centres, 100), {}).weights.size(), 3);
+  EXPECT_EQ(fit_gaussian_mixture(clouds({{1, 1}}, 100), {}).weights.size(), 1);
+}
+
+TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
+  GaussianMixture mixture;
+  mixture.weights = Eigen::VectorXd::Constant(1, 0.25);
+  mixture.means = Eigen::MatrixXd::Constant(1, 1, 2);
+  mixture.variances = Eigen::MatrixXd::Constant(1, 1, 9);
+  const double expected = 0.25 * std::exp(-0.5) / (3 * std::sqrt(2 * std::numbers::pi));
+  EXPECT_NEAR(std::exp(log_densities(mixture, Eigen::MatrixXd::Constant(1, 1, 5))(0, 0)), expected, 1e-15);
+}
+
+TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
+  const Eigen::MatrixXd points = clouds(three_centres, 20);
+  const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 3});
+  const Eigen::MatrixXd probabilities = component_probabilities(mixture, 1e6 * points);
+  EXPECT_TRUE((probabilities.rowwise().sum().array() - 1).abs().maxCoeff() < 1e-12);
+  EXPECT_GE(probabilities.minCoeff(), 0);
+}
+
+TEST(GaussianMixture, MoreStartsAreNeverWorse) {
+  const Eigen::MatrixXd points = clouds({{0, 0}, {4, 0}, {0, 4}, {4, 4}, {9, 9}}, 40);
+  double before = -std::numeric_limits<double>::infinity();
+  for (const int restarts : {1, 3, 10}) {
+    const double now = fit_gaussian_mixture(points, {.components = 5, .restarts = restarts}).log_likelihood;
+    EXPECT_GE(now, before);
+    before = now;
+  }
+}
+
+TEST(GaussianMixture, OfPointsThatAreAllTheSame) {
+  const GaussianMixture mixture = fit_gaussian_mixture(Eigen::MatrixXd::Constant(5, 2, 3), {.components = 3});
+  EXPECT_TRUE(mixture.means.allFinite());
+  EXPECT_TRUE(component_probabilities(mixture, Eigen::MatrixXd::Constant(1, 2, 3)).allFinite());
+}
+
+TEST(GaussianMixture, HasNoMoreComponentsThanPoints) {
+  EXPECT_EQ(fit_gaussian_mixture(clouds({{0, 0}}, 2), {.components = 7}).weights.size(), 2);
+}
+
+TEST(GaussianMixture, RefusesOptionsOutOfRange) {
+  const Eigen::MatrixXd points = clouds({{0, 0}}, 3);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.components = -1}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.most_components = 0}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.restarts = 0}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.iterations = 0}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(points, {.regularisation = 0}), InputError);
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), {}), std::invalid_argument);
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,148 @@
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <set>
+#include <tbb/global_control.h>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/part_segmentation.h"
+#include "shapegauge/segmentation/segment_labels.h"
+#include "tests/segmentation/dumbbell.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+using Labels = std::vector<std::int32_t>;
+
+std::size_t count_of(const Labels& labels) { return std::set(labels.begin(), labels.end()).size(); }
+
+/// Share of pairs of triangles that are together in one and apart in the other, of every seventh triangle.
+double disagreement(const Labels& a, const Labels& b) {
+  double apart = 0;
+  double pairs = 0;
+  for (std::size_t i = 0; i < a.size(); i += 7) {
+    for (std::size_t j = 0; j < i; j += 7) {
+      ++pairs;
+      apart += (a[i] == a[j]) != (b[i] == b[j]);
+    }
+  }
+  return apart / pairs;
+}
+
+/// Other patches cut the bar elsewhere. Three parts that have nothing to do with each other disagree by 0.4 or more.
+constexpr double unlike = 0.15;
+
+TEST(PartSegmentation, ADumbbellHasBallsApart) {
+  const Shape shape = test::dumbbell(5);
+  const Labels parts = part_segmentation(shape, {});
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  std::set<std::int32_t> low;
+  std::set<std::int32_t> high;
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    if (samples.points(i, 2) < -2.2) low.insert(parts[static_cast<std::size_t>(i)]);
+    if (samples.points(i, 2) > 2.2) high.insert(parts[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_EQ(low.size(), 1U);
+  EXPECT_EQ(high.size(), 1U);
+  EXPECT_NE(low, high);
+}
+
+TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }
+
+TEST(PartSegmentation, HasAsManyPartsAsWanted) {
+  const Shape shape = test::dumbbell(4);
+  for (const int parts : {1, 2, 3, 7, 80}) {
+    const Labels labels = part_segmentation(shape, {.parts = parts, .samples = 200});
+    EXPECT_EQ(count_of(labels), static_cast<std::size_t>(parts));
+  }
+}
+
+TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
+  const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
+  EXPECT_EQ(parts, renumbered(parts));
+}
+
+TEST(PartSegmentation, OfOneTriangle) {
+  Shape shape;
+  shape.vertices = Points::Identity(3, 3);
+  shape.triangles.resize(1, 3);
+  shape.triangles << 0, 1, 2;
+  EXPECT_EQ(part_segmentation(shape, {}), (Labels{0}));
+}
+
+TEST(PartSegmentation, ComponentsAreDifferentParts) {
+  const Shape far = test::transformed(test::sphere(1, 3), 1, Eigen::Matrix3d::Identity(), {9, 0, 0});
+  const Shape balls = test::joined({test::sphere(1, 3), far});
+  EXPECT_EQ(count_of(part_segmentation(balls, {.samples = 300})), 2U);
+  EXPECT_EQ(count_of(part_segmentation(balls, {.parts = 1, .samples = 300})), 2U);
+}
+
+TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
+  // Every triangle a little smaller than its place: none touches another.
+  Shape scales = test::soup(test::sphere(1, 4));
+  for (Eigen::Index v = 0; v < scales.vertices.rows(); v += 3) {
+    const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(v).colwise().mean();
+    for (Eigen::Index k = v; k < v + 3; ++k) scales.vertices.row(k) = 0.1 * middle + 0.9 * scales.vertices.row(k);
+  }
+  EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
+}
+
+TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
+  Shape shape = test::dumbbell(3);
+  const Eigen::Index count = shape.triangles.rows();
+  shape.triangles.conservativeResize(count + 2, 3);
+  shape.triangles.row(count) << 0, 0, 1;
+  shape.triangles.row(count + 1) << 0, 1, 1;
+  EXPECT_EQ(part_segmentation(shape, {}).size(), static_cast<std::size_t>(count) + 2);
+}
+
+TEST(PartSegmentation, DoesNotDependOnPlaceSizeAndDirection) {
+  const Shape shape = test::dumbbell(4);
+  const Shape moved = test::transformed(shape, 40, test::rotation(3), {100, -7, 3});
+  EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(moved, {.parts = 3})), unlike);
+}
+
+TEST(PartSegmentation, AMeshTurnedInsideOutHasTheSameParts) {
+  const Shape shape = test::dumbbell(4);
+  EXPECT_LT(disagreement(part_segmentation(shape, {.parts = 3}), part_segmentation(test::flipped(shape), {.parts = 3})),
+            unlike);
+}
+
+TEST(PartSegmentation, ACloudHasPartsAtItsPoints) {
+  const Shape mesh = test::dumbbell(4);
+  const Shape cloud{.vertices = mesh.vertices, .triangles = {}};
+  const Labels parts = part_segmentation(cloud, {.parts = 3});
+  EXPECT_EQ(parts.size(), static_cast<std::size_t>(mesh.vertices.rows()));
+  Labels balls;
+  for (Eigen::Index v = 0; v < mesh.vertices.rows(); ++v) {
+    if (std::abs(mesh.vertices(v, 2)) > 2)
+      balls.push_back(parts[static_cast<std::size_t>(v)] * (mesh.vertices(v, 2) > 0 ? 1 : -1));
+  }
+  EXPECT_EQ(count_of(parts), 3U);
+  EXPECT_GE(count_of(balls), 2U);
+}
+
+TEST(PartSegmentation, IsTheSameOnAnyNumberOfThreads) {
+  const Shape shape = test::dumbbell(4);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const Labels alone = part_segmentation(shape, {});
+  const tbb::global_control four(tbb::global_control::max_allowed_parallelism, 4);
+  EXPECT_EQ(part_segmentation(shape, {}), alone);
+}
+
+TEST(PartSegmentation, RefusesWhatCannotBe) {
+  const Shape box = test::box({1, 1, 1}, 1);
+  EXPECT_THROW(part_segmentation(box, {.parts = 1000}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.parts = -1}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.patches = 0}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.samples = 0}), InputError);
+  EXPECT_THROW(part_segmentation(box, {.least_probability = 2}), InputError);
+  EXPECT_THROW(part_segmentation(Shape{}, {}), InputError);
+  Shape flat = box;
+  flat.vertices.setZero();
+  EXPECT_THROW(part_segmentation(flat, {}), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,54 @@
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/patch_features.h"
+
+namespace shapegauge {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+ScalarField field(std::vector<double> values, std::vector<double> weights) {
+  return {Eigen::Map<Eigen::VectorXd>(values.data(), std::ssize(values)),
+          Eigen::Map<Eigen::VectorXd>(weights.data(), std::ssize(weights))};
+}
+
+TEST(PatchFeatures, AreSharesOfWeightBelowEachLevel) {
+  const std::vector<std::int32_t> patch = {0, 0, 1, 1};
+  // Levels at 1/8, 3/8, 5/8, 7/8 of the way from 2 to 10: at 3, 5, 7 and 9.
+  const std::vector<ScalarField> fields = {field({2, 6, 10, 5}, {1, 3, 1, 1})};
+  Eigen::MatrixXd expected(2, 4);
+  expected << 0.25, 0.25, 1, 1, 0, 0.5, 0.5, 0.5;
+  EXPECT_TRUE(patch_features(patch, fields, 4).isApprox(expected, 1e-12)) << patch_features(patch, fields, 4);
+}
+
+TEST(PatchFeatures, LeaveOutWhatIsMissing) {
+  const std::vector<std::int32_t> patch = {0, 0, 1, 2};
+  const std::vector<ScalarField> fields = {field({0, nan, 1, nan}, {1, 1, 3, 1})};
+  Eigen::MatrixXd expected(3, 2);
+  expected << 1, 1, 0, 0, 0.25, 0.25;  // the last patch has the distribution of the whole
+  EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
+}
+
+TEST(PatchFeatures, OfSeveralFieldsStandSideBySide) {
+  const std::vector<std::int32_t> patch = {0, 1};
+  const std::vector<ScalarField> fields = {field({0, 1}, {1, 1}), field({5, 5}, {1, 1})};
+  Eigen::MatrixXd expected(2, 2);
+  expected << 1, 1, 0, 1;
+  EXPECT_TRUE(patch_features(patch, fields, 1).isApprox(expected, 1e-12));
+}
+
+TEST(PatchFeatures, RefuseFieldsOfAnotherShape) {
+  const std::vector<std::int32_t> patch = {0, 1};
+  EXPECT_THROW(patch_features(patch, {}, 4), std::invalid_argument);
+  EXPECT_THROW(patch_features(patch, std::vector{field({0}, {1})}, 4), std::invalid_argument);
+  EXPECT_THROW(patch_features(patch, std::vector{field({0, 1}, {1, 1})}, 0), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge

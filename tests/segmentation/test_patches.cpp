@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+#include <stdexcept>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/patches.h"
+#include "shapegauge/segmentation/segment_labels.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+std::int32_t count_of(const std::vector<std::int32_t>& labels) {
+  return static_cast<std::int32_t>(std::set(labels.begin(), labels.end()).size());
+}
+
+TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 4));
+  const std::vector<std::int32_t> patch = patches(graph, {.count = 40});
+  EXPECT_EQ(count_of(patch), 40);
+  EXPECT_EQ(*std::ranges::max_element(patch), 39);
+  EXPECT_EQ(count_of(connected_parts(graph, patch)), 40);
+  for (std::int32_t p = 0; p < 40; ++p) {
+    const auto size = static_cast<double>(std::ranges::count(patch, p)) / static_cast<double>(patch.size());
+    EXPECT_GT(size, 0.4 / 40);
+    EXPECT_LT(size, 2.0 / 40);
+  }
+}
+
+TEST(Patches, TakeTheirBordersWhereWaysAreDear) {
+  // Of a long box the ends are far from each other, but the sides are dear to cross.
+  const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 8));
+  std::vector<double> costs;
+  for (const SurfaceLink& link : graph.links) costs.push_back(link.concavity < -1 ? 100 : link.distance);
+  const std::vector<std::int32_t> patch = patches(graph, {.count = 6}, costs);
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      EXPECT_EQ(patch[static_cast<std::size_t>(i)] == patch[static_cast<std::size_t>(link.to)], link.concavity > -1);
+    }
+  }
+}
+
+TEST(Patches, EveryComponentHasOne) {
+  const Shape balls = test::joined(
+      {test::sphere(1, 1), test::transformed(test::sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+  const std::vector<std::int32_t> patch = patches(surface_graph(balls), {.count = 1});
+  EXPECT_EQ(count_of(patch), 2);
+  EXPECT_NE(patch.front(), patch.back());
+}
+
+TEST(Patches, AreNoMoreThanTriangles) {
+  const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 1));
+  EXPECT_EQ(count_of(patches(graph, {.count = 1000})), 12);
+}
+
+TEST(Patches, DependOnTheSeedOnly) {
+  const SurfaceGraph graph = surface_graph(test::torus(2, 0.5, 16, 40));
+  EXPECT_EQ(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 7}));
+  EXPECT_NE(patches(graph, {.count = 20, .seed = 7}), patches(graph, {.count = 20, .seed = 8}));
+}
+
+TEST(Patches, RefuseOptionsOutOfRange) {
+  const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
+  EXPECT_THROW(patches(graph, {.count = 0}), InputError);
+  EXPECT_THROW(patches(graph, {.rounds = -1}), InputError);
+  EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,62 @@
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/segmentation/seg_file.h"
+
+namespace shapegauge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+class SegFile : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::temp_directory_path() / (std::string("shapegauge_seg_") + test->name() + ".seg");
+  }
+  void TearDown() override { std::filesystem::remove(path_); }
+
+  void write(const std::string& text) const { std::ofstream(path_) << text; }
+
+  std::filesystem::path path_;
+};
+
+TEST_F(SegFile, ComesBackAsItWasWritten) {
+  const std::vector<std::int32_t> labels = {0, 3, 3, 2147483647};
+  write_seg(path_, labels);
+  EXPECT_EQ(read_seg(path_, 4), labels);
+}
+
+TEST_F(SegFile, LinesMayEndAsInDos) {
+  write("1\r\n2\r\n");
+  EXPECT_EQ(read_seg(path_, 2), (std::vector<std::int32_t>{1, 2}));
+}
+
+TEST_F(SegFile, OfAnotherMeshIsRefused) {
+  write("1\n2\n3\n");
+  EXPECT_THAT([&] { read_seg(path_, 4); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("3 lines"), HasSubstr("4 faces"))));
+  EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(AllOf(HasSubstr(":3:"), HasSubstr("(2)"))));
+}
+
+TEST_F(SegFile, NumbersThatAreNoSegmentsAreRefusedWithTheirLine) {
+  for (const std::string word : {"-1", "2147483648", "99999999999999999999", "1.5", "x"}) {
+    write("1\n" + word + "\n");
+    EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(HasSubstr(":2:"))) << word;
+  }
+}
+
+TEST_F(SegFile, ThatIsAbsentIsNamed) {
+  EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(HasSubstr(path_.string())));
+}
+
+}  // namespace
+}  // namespace shapegauge
