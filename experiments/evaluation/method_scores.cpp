@@ -234,7 +234,9 @@ std::vector<MethodScores> read_method_scores(const std::filesystem::path& path) 
 }
 
 std::string method_name(const std::filesystem::path& path, const EvaluationData& data) {
-  return data.name.empty() ? path.stem().string() : data.name;
+  if (!data.name.empty()) return data.name;
+  const bool compressed = lower_case(path.extension().string()) == ".gz";
+  return (compressed ? path.stem() : path).stem().string();
 }
 
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
