@@ -27,18 +27,6 @@ struct InfoArguments {
   std::string format = "text";
 };
 
-/// What the triangles enclose, by the divergence theorem, about the middle of the box; positive where they are oriented
-/// outward.
-double signed_volume(const Shape& shape) {
-  const Eigen::Vector3d centre = bounding_box(shape).center();
-  double six_volumes = 0;
-  for (const auto& triangle : shape.triangles.rowwise()) {
-    const auto corner = [&](int i) { return (shape.vertices.row(triangle[i]).transpose() - centre).eval(); };
-    six_volumes += corner(0).dot(corner(1).cross(corner(2)));
-  }
-  return six_volumes / 6;
-}
-
 /// The number of handles of a closed mesh, summed over its parts: parts - (V - E + F) / 2. A vertex counts once for
 /// each fan of triangles about it, so that parts that touch in a point are parts.
 long genus(const Shape& shape) {

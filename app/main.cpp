@@ -6,11 +6,11 @@
 #include <csignal>
 #include <cstdio>
 #include <fmt/format.h>
-#include <iostream>
 #include <malloc.h>
 #include <new>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -147,7 +147,12 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
   try {
     app.parse(arguments);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version, on standard output
+    if (error.get_exit_code() == 0) {  // --help and --version
+      std::ostringstream text;
+      app.exit(error, text, text);
+      fmt::print("{}", text.str());
+      return exit_success;
+    }
     return report(fmt::format("{}; see '{} --help'", error.what(), command_in(app)), exit_unusable_input);
   }
   return exit_success;
@@ -203,8 +208,7 @@ int run_command(std::span<const std::string> arguments) {
 int run_program(std::span<const std::string> arguments) {
   const int status = run_command(arguments);
   errno = 0;
-  std::cout.flush();
-  const bool written = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (written || status == exit_unusable_input) return status;
   const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
   return report("cannot write to standard output" + reason, exit_unusable_input);

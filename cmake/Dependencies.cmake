@@ -6,6 +6,7 @@ find_package(embree 3 REQUIRED)
 find_package(TBB REQUIRED)
 find_package(hwy REQUIRED)
 find_package(nanoflann 1.4 REQUIRED)
+find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsShiftSolver.h DOC "Spectra 1.0 or later (Debian: libspectra-dev)" REQUIRED)
 find_package(OpenMesh REQUIRED CONFIG) # not CGAL's FindOpenMesh
 find_package(nlohmann_json 3.11 REQUIRED)
 find_package(valijson REQUIRED)

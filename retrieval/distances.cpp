@@ -108,17 +108,6 @@ double jensen_shannon_distance(std::span<const float> a, std::span<const float> 
   return std::sqrt(std::max(0.0, sum / 2));  // rounding may leave a little less than nothing
 }
 
-// L2 (Euclidean) distance: the square root of the sum of (a[i] - b[i])^2, in double precision. The spans are of equal
-// length.
-double l2_distance(std::span<const float> a, std::span<const float> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
-    sum += difference * difference;
-  }
-  return std::sqrt(sum);
-}
-
 // The library's own, in the order in which listings have them.
 std::vector<NamedDistance> own_distances() {
   return {
@@ -143,6 +132,17 @@ Registry& registry() {
 }
 
 }  // namespace
+
+// L2 (Euclidean) distance: the square root of the sum of (a[i] - b[i])^2, in double precision. The spans are of equal
+// length.
+double l2_distance(std::span<const float> a, std::span<const float> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+    sum += difference * difference;
+  }
+  return std::sqrt(sum);
+}
 
 std::vector<NamedDistance> distances() {
   Registry& all = registry();

@@ -19,6 +19,9 @@ using DistancesFunction = void (*)(std::span<const float> some, std::span<const 
 /// The signatures for which a distance is defined. histograms: not negative and not all zero.
 enum class DistanceDomain { any, not_zero, not_negative, histograms };
 
+/// The Euclidean distance, for descriptors that are always compared by it.
+double l2_distance(std::span<const float> a, std::span<const float> b);
+
 /// A distance by its name.
 struct NamedDistance {
   std::string name;

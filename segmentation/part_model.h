@@ -26,8 +26,8 @@ struct PartModel {
   [[nodiscard]] double probability(const RegionFeatures& features) const;
 };
 
-/// The model that part_segmentation() uses, trained by train_part_model() on people's segmentations of the classes 1
-/// to 10 of the Princeton Segmentation Benchmark (docs/segmentation.md says how).
+/// The model that part_segmentation() uses, trained by train_part_model() on generated shapes, which carry their parts
+/// (docs/segmentation.md says how).
 const PartModel& trained_part_model();
 
 }  // namespace shapegauge

@@ -7,10 +7,12 @@
 #include <limits>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {
 
@@ -113,6 +115,13 @@ Points smoothed_normals(const SurfaceGraph& graph, double unit) {
   return normals;
 }
 
+/// A watertight mesh whose triangles face inward, turned inside out; any other shape as it is.
+Shape facing_outward(Shape shape) {
+  if (is_watertight_and_oriented(shape) && signed_volume(shape) < 0)
+    shape.triangles.col(1).swap(shape.triangles.col(2));
+  return shape;
+}
+
 }  // namespace
 
 double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
@@ -123,7 +132,8 @@ double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
   return (from - to).dot(way) > 0 ? angle : -angle;
 }
 
-ThickSurface thick_surface(const Shape& shape) {
+ThickSurface thick_surface(const Shape& given) {
+  const Shape shape = facing_outward(given);
   ThickSurface surface;
   surface.graph = surface_graph(shape);
   const double area = surface.graph.samples.weights.sum();

@@ -121,4 +121,14 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   return found;
 }
 
+double signed_volume(const Shape& shape) {
+  const Eigen::Vector3d centre = bounding_box(shape).center();
+  double six_volumes = 0;
+  for (const auto& triangle : shape.triangles.rowwise()) {
+    const auto corner = [&](int i) { return (shape.vertices.row(triangle[i]).transpose() - centre).eval(); };
+    six_volumes += corner(0).dot(corner(1).cross(corner(2)));
+  }
+  return six_volumes / 6;
+}
+
 }  // namespace shapegauge

@@ -41,4 +41,7 @@ struct ShapeDiagnostics {
 /// (require_usable()).
 ShapeDiagnostics diagnose(const Shape& shape);
 
+/// The volume that a watertight, consistently oriented mesh encloses; negative where its triangles face inward.
+double signed_volume(const Shape& shape);
+
 }  // namespace shapegauge

@@ -17,7 +17,7 @@ inline constexpr int offset_sdf_version = 3;
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
-  static constexpr Bounds offset_bounds{.low = 1e-6, .high = 10};
+  static constexpr Bounds offset_bounds{.low = 1e-6, .high = 1};
 
   double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal
   bool parallel = true;  ///< spread the samples over the threads of the calling TBB arena

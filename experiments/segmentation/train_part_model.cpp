@@ -1,16 +1,21 @@
-// Trains the model of part_segmentation() on people's segmentations, or says by cross-validation over classes what it
-// is worth: train_part_model BENCHMARK [WEIGHTS.inc]. Without a file to write it leaves out one class after the other,
+// Trains the model of part_segmentation(), or says by cross-validation over classes what it is worth:
+// train_part_model SHAPES [WEIGHTS.inc]. SHAPES is a data set that `shapegauge dataset generate` made, whose shapes
+// carry their parts, or a segmentation benchmark. Without a file to write it leaves out one class after the other,
 // trains on the rest, and measures the Rand error on the class left out.
+#include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
+#include <numbers>
 #include <string>
 #include <tbb/parallel_for.h>
 #include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
 #include "shapegauge/segmentation/part_model_training.h"
 #include "shapegauge/segmentation/part_segmentation.h"
@@ -22,6 +27,8 @@
 namespace shapegauge {
 namespace {
 
+constexpr int no_class = -2;  // of what belongs to no class that could be left out
+
 /// A mesh as merging sees it, and what people say of it.
 struct TrainingModel {
   std::vector<std::int32_t> patch;
@@ -31,22 +38,82 @@ struct TrainingModel {
   int label = 0;
 };
 
-TrainingModel prepared(const SegmentedModel& model) {
+/// The shapes of a generated data set with the parts that they were made of, or a segmentation benchmark.
+SegmentationBenchmark find_training_shapes(const std::filesystem::path& root) {
+  if (!std::filesystem::exists(root / "parts.json")) return find_segmentation_benchmark(root);
+  const Dataset dataset = find_dataset(recognise_dataset(root));
+  SegmentationBenchmark shapes{.models = {}, .classes = dataset.classes, .without_people = {}};
+  for (const Model& model : dataset.models) {
+    std::filesystem::path parts = model.file;
+    shapes.models.push_back(
+        {.id = model.id, .mesh = model.file, .people = {parts.replace_extension(".seg")}, .label = model.label});
+  }
+  return shapes;
+}
+
+/// An ellipsoid of these radii, which is one part: what generated shapes do not show.
+Shape ellipsoid(const Eigen::Vector3d& radii) {
+  constexpr int rings = 28;
+  constexpr int sectors = 56;
+  Shape shape;
+  shape.vertices.resize((rings - 1) * sectors + 2, 3);
+  shape.triangles.resize(2 * (rings - 1) * sectors, 3);
+  const auto vertex = [](int ring, int sector) { return (ring - 1) * sectors + sector % sectors; };
+  const int north = (rings - 1) * sectors;
+  const int south = north + 1;
+  for (int ring = 1; ring < rings; ++ring) {
+    const double polar = std::numbers::pi * ring / rings;
+    for (int sector = 0; sector < sectors; ++sector) {
+      const double turn = 2 * std::numbers::pi * sector / sectors;
+      const Eigen::Vector3d direction(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                                      std::cos(polar));
+      shape.vertices.row(vertex(ring, sector)) = direction.cwiseProduct(radii).transpose();
+    }
+  }
+  shape.vertices.row(north) << 0, 0, radii.z();
+  shape.vertices.row(south) << 0, 0, -radii.z();
+  Eigen::Index face = 0;
+  for (int sector = 0; sector < sectors; ++sector) {
+    shape.triangles.row(face++) << north, vertex(1, sector), vertex(1, sector + 1);
+    shape.triangles.row(face++) << south, vertex(rings - 1, sector + 1), vertex(rings - 1, sector);
+    for (int ring = 1; ring + 1 < rings; ++ring) {
+      shape.triangles.row(face++) << vertex(ring, sector), vertex(ring + 1, sector), vertex(ring + 1, sector + 1);
+      shape.triangles.row(face++) << vertex(ring, sector), vertex(ring + 1, sector + 1), vertex(ring, sector + 1);
+    }
+  }
+  return shape;
+}
+
+/// A mesh as merging sees it; `people` are the numbers of segments, by person and face.
+TrainingModel prepared(const Shape& mesh, std::vector<std::vector<std::int32_t>> people) {
   const PartSegmentationOptions options;
-  const Shape mesh = read_shape(model.mesh);
   const ThickSurface surface = thick_surface(mesh);
   TrainingModel result;
-  result.label = model.label;
   result.patch = patches(surface.graph, {.count = options.patches, .seed = options.seed}, patch_costs(surface));
   result.regions = surface_regions(surface, result.patch, options.samples);
-  for (const auto& file : model.people) result.people.push_back(read_seg(file, result.patch.size()));
+  result.people = std::move(people);
   result.together = pairs_together(result.patch, result.regions.initial_size(), result.people);
   return result;
 }
 
 std::vector<TrainingModel> prepared(const SegmentationBenchmark& benchmark) {
   std::vector<TrainingModel> models(benchmark.models.size());
-  tbb::parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) { models[i] = prepared(benchmark.models[i]); });
+  tbb::parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
+    const SegmentedModel& model = benchmark.models[i];
+    const Shape mesh = read_shape(model.mesh);
+    std::vector<std::vector<std::int32_t>> people;
+    for (const auto& file : model.people)
+      people.push_back(read_seg(file, static_cast<std::size_t>(mesh.triangles.rows())));
+    models[i] = prepared(mesh, std::move(people));
+    models[i].label = model.label;
+  });
+  for (const double width : {1.0, 0.8, 0.6, 0.4}) {
+    for (const double depth : {1.0, 0.8, 0.6, 0.4, 0.25}) {
+      const Shape mesh = ellipsoid({width, width * depth, 1});
+      models.push_back(prepared(mesh, {std::vector<std::int32_t>(static_cast<std::size_t>(mesh.triangles.rows()), 0)}));
+      models.back().label = no_class;
+    }
+  }
   return models;
 }
 
@@ -116,8 +183,7 @@ std::string weights_of(const PartModel& model) {
   units.topRows(region_features) = model.hidden.transpose();
   units.row(region_features) = model.hidden_bias.transpose();
   units.row(region_features + 1) = model.output.transpose();
-  std::string text =
-      "// Written by train_part_model: what part_model.h describes, learnt from people's segmentations.\n";
+  std::string text = "// Written by train_part_model: what part_model.h describes, learnt from generated shapes.\n";
   write_array(text, "feature_means", "region_features", model.mean);
   write_array(text, "feature_deviations", "region_features", model.deviation);
   write_array(text, "hidden_units", fmt::format("{} * (region_features + 2)", model.output.size()),
@@ -127,10 +193,10 @@ std::string weights_of(const PartModel& model) {
 
 int run(const std::vector<std::string>& arguments) {
   if (arguments.empty() || arguments.size() > 2) {
-    fmt::print(stderr, "usage: train_part_model BENCHMARK [WEIGHTS.inc]\n");
+    fmt::print(stderr, "usage: train_part_model SHAPES [WEIGHTS.inc]\n");
     return 2;
   }
-  const SegmentationBenchmark benchmark = find_segmentation_benchmark(arguments[0]);
+  const SegmentationBenchmark benchmark = find_training_shapes(arguments[0]);
   const std::vector<TrainingModel> models = prepared(benchmark);
   if (arguments.size() == 1) {
     cross_validate(benchmark, models);

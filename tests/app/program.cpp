@@ -20,8 +20,8 @@ Outcome run_executable(const std::string& arguments) {
   const std::string output = (folder.path() / "output").string();
   const std::string errors = (folder.path() / "errors").string();
   const std::string command = "SHAPEGAUGE_CACHE='" + (folder.path() / "cache").string() + "' " +
-                              std::string(SHAPEGAUGE_EXECUTABLE) + " " + arguments + " >'" + output + "' 2>'" + errors +
-                              "' </dev/null";
+                              std::string(SHAPEGAUGE_EXECUTABLE) + " </dev/null >'" + output + "' 2>'" + errors + "' " +
+                              arguments;
   const int status = std::system(command.c_str());
   return {.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .output = test::text_of(output),

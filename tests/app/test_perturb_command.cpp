@@ -59,8 +59,8 @@ TEST_F(PerturbCommand, WritesPointClouds) {
 
 TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
   EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("nothing to do"));
-  EXPECT_THAT(perturb("x.stl", "--noise 0.1").errors, HasSubstr("the name must end in .off or .ply"));
-  EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("the amplitude of noise"));
+  EXPECT_THAT(perturb("x.xlsx", "--noise 0.1").errors, HasSubstr("cannot write"));
+  EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("amplitude is -1"));
   EXPECT_EQ(perturb("x.off", "--remove-faces 1").status, 2);
   EXPECT_EQ(perturb("x.off", "--hole-radius 0.1").status, 2) << "without --holes";
 }

@@ -1,0 +1,134 @@
+#include "shapegauge/core/fields/centricity.h"
+
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The vertices of positive area and their areas.
+struct Sites {
+  std::vector<std::int32_t> vertices;
+  Eigen::VectorXd areas;
+};
+
+Sites sites_of(const Samples& at_vertices) {
+  Sites sites;
+  for (Eigen::Index v = 0; v < at_vertices.weights.size(); ++v) {
+    if (at_vertices.weights[v] > 0) sites.vertices.push_back(static_cast<std::int32_t>(v));
+  }
+  if (sites.vertices.empty()) throw InputError("a shape without area has no centricity");
+  sites.areas = at_vertices.weights(sites.vertices);
+  return sites;
+}
+
+/// The site farthest from the centroid, a place that depends on the shape alone.
+std::int32_t outermost(const Points& points, const Sites& sites) {
+  const Points of_sites = points(sites.vertices, Eigen::all);
+  const Eigen::RowVector3d centroid = sites.areas.transpose() * of_sites / sites.areas.sum();
+  Eigen::Index farthest = 0;
+  (of_sites.rowwise() - centroid).rowwise().squaredNorm().maxCoeff(&farthest);
+  return sites.vertices[static_cast<std::size_t>(farthest)];
+}
+
+/// Distances from farthest points, one source a column, and the area nearest to each.
+struct Landmarks {
+  Eigen::MatrixXd distances;
+  Eigen::VectorXd areas;
+};
+
+Landmarks landmarks_of(const Shape& shape, const CentricityOptions& options) {
+  const Samples at_vertices = sample_shape(shape, SampleSite::vertices);
+  const Sites sites = sites_of(at_vertices);
+  const GeodesicDistances distances_from = geodesic_distances(shape, options.geodesics);
+  const auto farthest = [&](const Eigen::VectorXd& distances) {
+    Eigen::Index index = 0;
+    const double largest = distances(sites.vertices).maxCoeff<Eigen::PropagateNumbers>(&index);
+    return std::pair(sites.vertices[static_cast<std::size_t>(index)], largest);
+  };
+  std::int32_t source = farthest(distances_from(outermost(at_vertices.points, sites))).first;
+  const Eigen::Index most = std::min<Eigen::Index>(options.sources, std::ssize(sites.vertices));
+  Landmarks landmarks{Eigen::MatrixXd(shape.vertices.rows(), most), Eigen::VectorXd::Zero(most)};
+  Eigen::VectorXd nearest = Eigen::VectorXd::Constant(shape.vertices.rows(), std::numeric_limits<double>::infinity());
+  std::vector<Eigen::Index> nearest_source(static_cast<std::size_t>(shape.vertices.rows()), 0);
+  Eigen::Index count = 0;
+  while (count < most) {
+    const Eigen::VectorXd distances = distances_from(source);
+    landmarks.distances.col(count) = distances;
+    for (const std::int32_t v : sites.vertices) {
+      if (!(distances[v] < nearest[v])) continue;
+      nearest[v] = distances[v];
+      nearest_source[static_cast<std::size_t>(v)] = count;
+    }
+    ++count;
+    const auto [next, largest] = farthest(nearest);
+    if (!(largest > 0)) break;  // all sites are sources, or at the places of some
+    source = next;
+  }
+  landmarks.distances.conservativeResize(Eigen::NoChange, count);
+  landmarks.areas.conservativeResize(count);
+  for (std::size_t i = 0; i < sites.vertices.size(); ++i) {
+    const auto v = static_cast<std::size_t>(sites.vertices[i]);
+    landmarks.areas[nearest_source[v]] += sites.areas[static_cast<Eigen::Index>(i)];
+  }
+  return landmarks;
+}
+
+/// Barycentric coordinates of a triangle's point; the centroid's where the triangle has no area.
+Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const Eigen::RowVector3d& point) {
+  const Eigen::RowVector3d a = shape.vertices.row(shape.triangles(triangle, 0));
+  const Eigen::RowVector3d ab = shape.vertices.row(shape.triangles(triangle, 1)) - a;
+  const Eigen::RowVector3d ac = shape.vertices.row(shape.triangles(triangle, 2)) - a;
+  const Eigen::RowVector3d ap = point - a;
+  const Eigen::RowVector3d normal = ab.cross(ac);
+  const double square = normal.squaredNorm();
+  const double of_b = ap.cross(ac).dot(normal) / square;
+  const double of_c = ab.cross(ap).dot(normal) / square;
+  const Eigen::RowVector3d weights(1 - of_b - of_c, of_b, of_c);
+  if (!weights.allFinite()) return Eigen::RowVector3d::Constant(1.0 / 3);
+  return weights.cwiseMax(0) / weights.cwiseMax(0).sum();
+}
+
+}  // namespace
+
+Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
+  const bool at_faces = samples.site == SampleSite::faces && !is_cloud(shape);
+  const bool on_triangles = samples.site == SampleSite::surface && !is_cloud(shape);
+  const Eigen::Index expected = at_faces       ? shape.triangles.rows()
+                                : on_triangles ? std::ssize(samples.triangles)
+                                               : shape.vertices.rows();
+  if (samples.points.rows() != expected || at_vertices.rows() != shape.vertices.rows()) {
+    throw InputError(fmt::format("the samples are not those of the shape: {} points, but {} sites, of {} vertices",
+                                 samples.points.rows(), expected, shape.vertices.rows()));
+  }
+  if (!at_faces && !on_triangles) return at_vertices;
+  Eigen::MatrixXd values(expected, at_vertices.cols());
+  for (Eigen::Index i = 0; i < expected; ++i) {
+    const Eigen::Index triangle = at_faces ? i : samples.triangles[static_cast<std::size_t>(i)];
+    const Eigen::RowVector3d weights =
+        at_faces ? Eigen::RowVector3d::Constant(1.0 / 3) : barycentric(shape, triangle, samples.points.row(i));
+    values.row(i) = weights[0] * at_vertices.row(shape.triangles(triangle, 0)) +
+                    weights[1] * at_vertices.row(shape.triangles(triangle, 1)) +
+                    weights[2] * at_vertices.row(shape.triangles(triangle, 2));
+  }
+  return values;
+}
+
+Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options) {
+  if (options.sources < 1 || options.sources > 1000) {
+    throw InputError(fmt::format("centricity takes 1 to 1000 sources, not {}", options.sources));
+  }
+  const Landmarks landmarks = landmarks_of(shape, options);
+  const Eigen::VectorXd values = options.measure == Centricity::mean
+                                     ? Eigen::VectorXd(landmarks.distances * landmarks.areas / landmarks.areas.sum())
+                                     : Eigen::VectorXd(landmarks.distances.rowwise().maxCoeff());
+  return at_samples(shape, samples, values);
+}
+
+}  // namespace shapegauge

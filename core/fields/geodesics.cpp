@@ -1,0 +1,266 @@
+#include "shapegauge/core/fields/geodesics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <queue>
+#include <span>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/geodesics_cgal.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A segment between two nodes, which paths may take either way.
+struct Segment {
+  std::int32_t a;
+  std::int32_t b;
+  double length;
+};
+
+/// The distinct used places of a shape's vertices: the nodes of a graph.
+struct Nodes {
+  Points points;
+  std::vector<std::int32_t> vertices;  ///< the first vertex at each node
+  std::vector<std::int32_t> of;        ///< the node of each vertex; -1: unused
+};
+
+Nodes nodes_of(const Shape& shape, std::span<const std::int32_t> merged) {
+  std::vector<char> used(merged.size(), is_cloud(shape) ? 1 : 0);
+  for (const std::int32_t v : shape.triangles.reshaped<Eigen::RowMajor>()) {
+    used[static_cast<std::size_t>(merged[static_cast<std::size_t>(v)])] = 1;
+  }
+  Nodes nodes;
+  nodes.of.assign(merged.size(), -1);
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    const auto first = static_cast<std::size_t>(merged[v]);
+    if (first == v && used[v] != 0) {
+      nodes.of[v] = static_cast<std::int32_t>(nodes.vertices.size());
+      nodes.vertices.push_back(static_cast<std::int32_t>(v));
+    }
+    nodes.of[v] = nodes.of[first];
+  }
+  nodes.points = shape.vertices(nodes.vertices, Eigen::all);
+  return nodes;
+}
+
+/// The length of the straight segment between the corners opposite an edge, in the unfolded plane of the edge's two
+/// triangles; nothing (infinity) where it does not cross the edge.
+double across(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& p,
+              const Eigen::RowVector3d& q) {
+  const double length = (b - a).norm();
+  if (!(length > 0)) return infinity;
+  const Eigen::RowVector3d axis = (b - a) / length;
+  const double along_p = (p - a).dot(axis);
+  const double along_q = (q - a).dot(axis);
+  const double height_p = (p - a - along_p * axis).norm();
+  const double height_q = (q - a - along_q * axis).norm();
+  if (!(height_p + height_q > 0)) return infinity;
+  const double crossing = along_p + (along_q - along_p) * height_p / (height_p + height_q);
+  if (!(crossing >= 0 && crossing <= length)) return infinity;
+  return std::hypot(along_p - along_q, height_p + height_q);
+}
+
+/// The edges of a mesh and the segments across them.
+std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int32_t> merged, const Nodes& nodes) {
+  std::vector<Segment> segments;
+  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
+  const auto node = [&](std::int32_t vertex) { return nodes.of[static_cast<std::size_t>(vertex)]; };
+  const auto opposite = [&](const EdgeUse& use) { return shape.triangles(use.triangle, (use.corner + 2) % 3); };
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    const auto a = shape.vertices.row(edge.front().low);
+    const auto b = shape.vertices.row(edge.front().high);
+    segments.push_back({node(edge.front().low), node(edge.front().high), (b - a).norm()});
+    if (edge.size() != 2) return;
+    const std::int32_t p = opposite(edge.front());
+    const std::int32_t q = opposite(edge.back());
+    const double length = across(a, b, shape.vertices.row(p), shape.vertices.row(q));
+    if (length < infinity && node(p) != node(q)) segments.push_back({node(p), node(q), length});
+  });
+  return segments;
+}
+
+/// Every pair of nodes of which one is among the nearest of the other, if `wanted(a, b)`.
+template <typename Wanted>
+std::vector<Segment> nearest_segments(const Points& points, Eigen::Index neighbours, Wanted wanted) {
+  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
+  std::vector<Segment> segments;
+  for (Eigen::Index i = 0; i < nearest.indices.rows(); ++i) {
+    for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
+      const auto a = static_cast<std::int32_t>(i);
+      const std::int32_t b = nearest.indices(i, k);
+      if (wanted(a, b)) segments.push_back({a, b, nearest.distances(i, k)});
+    }
+  }
+  return segments;
+}
+
+DisjointSets components_of(std::size_t nodes, std::span<const Segment> segments) {
+  DisjointSets components;
+  components.grow_to(nodes);
+  for (const Segment& segment : segments) components.join(segment.a, segment.b);
+  return components;
+}
+
+/// Up to 64 nodes of each component, evenly spread over its nodes' order.
+std::vector<std::int32_t> probes_of(DisjointSets& components) {
+  constexpr std::size_t most = 64;
+  std::vector<std::vector<std::int32_t>> members(components.size());
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    const auto node = static_cast<std::int32_t>(i);
+    members[static_cast<std::size_t>(components.find(node))].push_back(node);
+  }
+  std::vector<std::int32_t> probes;
+  for (const auto& component : members) {
+    const std::size_t count = std::min(most, component.size());
+    for (std::size_t k = 0; k < count; ++k) probes.push_back(component[k * component.size() / count]);
+  }
+  return probes;
+}
+
+/// Boruvka's algorithm over the components: of each the shortest segment to another one, until there is only one. Of 64
+/// probes a component, the 64 nearest others of a probe always include one of another component.
+void join_components(const Points& points, DisjointSets& components, std::vector<Segment>& segments) {
+  for (;;) {
+    const std::vector<std::int32_t> probes = probes_of(components);
+    std::vector<Segment> between =
+        nearest_segments(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
+          return components.find(probes[static_cast<std::size_t>(a)]) !=
+                 components.find(probes[static_cast<std::size_t>(b)]);
+        });
+    if (between.empty()) return;
+    std::ranges::sort(between, {}, [](const Segment& s) { return std::tuple(s.length, s.a, s.b); });
+    std::vector<char> has_joined(components.size(), 0);
+    DisjointSets before = components;
+    for (const Segment& segment : between) {
+      const std::int32_t a = probes[static_cast<std::size_t>(segment.a)];
+      const std::int32_t b = probes[static_cast<std::size_t>(segment.b)];
+      char& of_a = has_joined[static_cast<std::size_t>(before.find(a))];
+      char& of_b = has_joined[static_cast<std::size_t>(before.find(b))];
+      if ((of_a != 0 && of_b != 0) || components.find(a) == components.find(b)) continue;
+      of_a = of_b = 1;
+      components.join(a, b);
+      segments.push_back({a, b, segment.length});
+    }
+  }
+}
+
+/// The nodes with the segments that leave each, in one array.
+class Graph {
+ public:
+  Graph(Nodes nodes, const std::vector<Segment>& segments) : nodes_(std::move(nodes)) {
+    first_.assign(nodes_.vertices.size() + 1, 0);
+    for (const Segment& s : segments) {
+      ++first_[static_cast<std::size_t>(s.a) + 1];
+      ++first_[static_cast<std::size_t>(s.b) + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    arcs_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (const Segment& s : segments) {
+      arcs_[next[static_cast<std::size_t>(s.a)]++] = {s.b, s.length};
+      arcs_[next[static_cast<std::size_t>(s.b)]++] = {s.a, s.length};
+    }
+  }
+
+  /// Dijkstra's algorithm.
+  [[nodiscard]] Eigen::VectorXd distances_from(std::int32_t vertex) const {
+    using Entry = std::pair<double, std::int32_t>;
+    std::vector<double> distance(nodes_.vertices.size(), infinity);
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+    const std::int32_t source = nodes_.of[static_cast<std::size_t>(vertex)];
+    if (source >= 0) {
+      distance[static_cast<std::size_t>(source)] = 0;
+      open.emplace(0, source);
+    }
+    while (!open.empty()) {
+      const auto [reached, from] = open.top();
+      open.pop();
+      const auto node = static_cast<std::size_t>(from);
+      if (reached > distance[node]) continue;
+      for (std::size_t i = first_[node]; i < first_[node + 1]; ++i) {
+        double& known = distance[static_cast<std::size_t>(arcs_[i].to)];
+        if (!(reached + arcs_[i].length < known)) continue;
+        known = reached + arcs_[i].length;
+        open.emplace(known, arcs_[i].to);
+      }
+    }
+    return at_vertices(distance);
+  }
+
+ private:
+  struct Arc {
+    std::int32_t to;
+    double length;
+  };
+
+  [[nodiscard]] Eigen::VectorXd at_vertices(const std::vector<double>& distance) const {
+    Eigen::VectorXd result(static_cast<Eigen::Index>(nodes_.of.size()));
+    for (std::size_t v = 0; v < nodes_.of.size(); ++v) {
+      const std::int32_t node = nodes_.of[v];
+      const double value = node < 0 ? nan : distance[static_cast<std::size_t>(node)];
+      result[static_cast<Eigen::Index>(v)] = std::isfinite(value) ? value : nan;
+    }
+    return result;
+  }
+
+  Nodes nodes_;
+  std::vector<std::size_t> first_;
+  std::vector<Arc> arcs_;
+};
+
+GeodesicDistances graph_distances(const Shape& shape, std::span<const std::int32_t> merged, int neighbours) {
+  Nodes nodes = nodes_of(shape, merged);
+  std::vector<Segment> segments =
+      is_cloud(shape) ? nearest_segments(nodes.points, neighbours, [](std::int32_t, std::int32_t) { return true; })
+                      : mesh_segments(shape, merged, nodes);
+  DisjointSets components = components_of(nodes.vertices.size(), segments);
+  std::int32_t several = 0;
+  for (std::size_t i = 0; i < components.size(); ++i) several |= components.find(static_cast<std::int32_t>(i));
+  if (several != 0) {
+    const std::vector<Segment> across_gaps =
+        nearest_segments(nodes.points, neighbours,
+                         [&](std::int32_t a, std::int32_t b) { return components.find(a) != components.find(b); });
+    for (const Segment& segment : across_gaps) components.join(segment.a, segment.b);
+    segments.insert(segments.end(), across_gaps.begin(), across_gaps.end());
+    join_components(nodes.points, components, segments);
+  }
+  const auto graph = std::make_shared<const Graph>(std::move(nodes), segments);
+  return [graph](std::int32_t source) { return graph->distances_from(source); };
+}
+
+}  // namespace
+
+GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& options) {
+  if (options.neighbours < 1 || options.neighbours > 64) {
+    throw InputError(fmt::format("geodesic distances join a point to 1 to 64 neighbours, not {}", options.neighbours));
+  }
+  require_usable(shape);
+  if (shape.vertices.rows() == 0) throw InputError("there are no geodesic distances on a shape without vertices");
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  if (options.method == GeodesicMethod::graph) return graph_distances(shape, merged, options.neighbours);
+  Shape merged_shape = shape;
+  for (std::int32_t& v : merged_shape.triangles.reshaped()) v = merged[static_cast<std::size_t>(v)];
+  const GeodesicDistances distances = geodesic_distances_cgal(merged_shape, options.method);
+  return [merged, distances](std::int32_t source) {
+    const Eigen::VectorXd at_places = distances(merged[static_cast<std::size_t>(source)]);
+    return Eigen::VectorXd(at_places(merged));
+  };
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,90 @@
+#include "shapegauge/core/fields/heat_kernel.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+#include "shapegauge/core/base/error.h"
+
+namespace shapegauge {
+
+namespace {
+
+void check(double first_time, double last_time, int times, int fewest, int most) {
+  if (!(first_time > 0 && last_time > first_time && std::isfinite(last_time))) {
+    throw InputError(
+        fmt::format("the times of a heat kernel must be positive and ascending, not {} to {}", first_time, last_time));
+  }
+  if (times < fewest || times > most) {
+    throw InputError(fmt::format("a heat kernel takes {} to {} times, not {}", fewest, most, times));
+  }
+}
+
+/// One column for each time, evenly spaced by their logarithm.
+Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, double first_time, double last_time, int times) {
+  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(times, std::log(first_time), std::log(last_time)).exp() * area;
+  const Eigen::MatrixXd decay = (-spectrum.eigenvalues * t.matrix().transpose()).array().exp();
+  return area * (spectrum.eigenvectors.cwiseAbs2() * decay);
+}
+
+/// Eigenvalues below this share of the last are zeros up to rounding.
+constexpr double zero = 1e-9;
+
+}  // namespace
+
+Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, const HeatKernelOptions& options) {
+  check(options.first_time, options.last_time, options.times, 2, 1000);
+  return heat_kernel(spectrum, area, options.first_time, options.last_time, options.times);
+}
+
+Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
+                                                      const ScaleInvariantOptions& options) {
+  check(options.first_time, options.last_time, options.times, 4, 10000);
+  if (options.frequencies < 1 || options.frequencies > options.times / 2) {
+    throw InputError(fmt::format("a scale-invariant heat kernel signature of {} times has 1 to {} frequencies, not {}",
+                                 options.times, options.times / 2, options.frequencies));
+  }
+  const Eigen::MatrixXd logarithm =
+      heat_kernel(spectrum, area, options.first_time, options.last_time, options.times).array().log();
+  const Eigen::Index steps = options.times - 1;
+  const double step = std::log(options.last_time / options.first_time) / static_cast<double>(steps);
+  const Eigen::MatrixXd derivative = (logarithm.rightCols(steps) - logarithm.leftCols(steps)) / step;
+  Eigen::MatrixXd cosines(steps, options.frequencies);
+  Eigen::MatrixXd sines(steps, options.frequencies);
+  for (Eigen::Index k = 0; k < cosines.cols(); ++k) {
+    for (Eigen::Index i = 0; i < steps; ++i) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(i * k) / static_cast<double>(steps);
+      cosines(i, k) = std::cos(angle) * step;
+      sines(i, k) = std::sin(angle) * step;
+    }
+  }
+  return ((derivative * cosines).cwiseAbs2() + (derivative * sines).cwiseAbs2()).cwiseSqrt();
+}
+
+Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, const WaveKernelOptions& options) {
+  if (options.energies < 2 || options.energies > 1000) {
+    throw InputError(fmt::format("a wave kernel signature takes 2 to 1000 energies, not {}", options.energies));
+  }
+  if (!(options.width_steps > 0 && std::isfinite(options.width_steps))) {
+    throw InputError(fmt::format("the width of a wave kernel must be positive, not {}", options.width_steps));
+  }
+  const Eigen::VectorXd& all = spectrum.eigenvalues;
+  const Eigen::Index zeros = (all.array() <= zero * all[all.size() - 1]).count();
+  const Eigen::Index positive = all.size() - zeros;
+  if (positive < 2) throw InputError("a wave kernel signature needs two positive eigenvalues at least");
+  const Eigen::VectorXd energy = all.tail(positive).array().log();
+  const double lowest = energy[0];
+  const double highest = energy[positive - 1];
+  // Aubry et al. take a hundred energies and a width of 7 of their steps; the outer ones keep two widths from the ends.
+  const double width = std::max(options.width_steps * (highest - lowest) / 100, 1e-12);
+  Eigen::MatrixXd filters(positive, options.energies);
+  for (Eigen::Index k = 0; k < filters.cols(); ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(options.energies - 1);
+    const double at = lowest + 2 * width + share * std::max(highest - lowest - 4 * width, 0.0);
+    filters.col(k) = (-(energy.array() - at).square() / (2 * width * width)).exp();
+    filters.col(k) /= filters.col(k).sum();
+  }
+  return area * (spectrum.eigenvectors.rightCols(positive).cwiseAbs2() * filters);
+}
+
+}  // namespace shapegauge

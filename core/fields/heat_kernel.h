@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "shapegauge/core/fields/laplacian.h"
+
+namespace shapegauge {
+
+/// To be raised with every change of the signatures here, or of the spectrum, that changes a value: what a cache holds
+/// of earlier versions is then computed anew.
+inline constexpr int heat_kernel_version = 1;
+
+/// Settings of heat_kernel_signature(). Times are in units of the surface area, so the signature, multiplied by the
+/// area, does not depend on the scale.
+struct HeatKernelOptions {
+  double first_time = 0.004;  ///< positive; about the square of the smallest neighbourhood's size
+  double last_time = 0.25;    ///< greater than the first; 0.1 is beyond a sphere's first eigenfunctions
+  int times = 16;             ///< 2 to 1000; spaced evenly by their logarithm
+};
+
+/// Heat kernel signature (Sun, Ovsjanikov, Guibas 2009) at the vertices: column k is the sum over the spectrum of
+/// exp(-lambda t_k) phi(x)^2, times the area: the heat left at a place from a unit put there, relative to its share
+/// when it has spread evenly; 1 for late times. Throws InputError for options out of range.
+Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, const HeatKernelOptions& options = {});
+
+/// Settings of scale_invariant_heat_kernel_signature().
+struct ScaleInvariantOptions {
+  double first_time = 0.0005;  ///< positive, in units of the surface area
+  double last_time = 2;        ///< greater than the first
+  int times = 128;             ///< 4 to 10000; spaced evenly by their logarithm
+  int frequencies = 6;         ///< 1 to times / 2
+};
+
+/// Scale-invariant heat kernel signature (Bronstein and Kokkinos 2010): the derivative of the logarithm of the heat
+/// kernel signature by the logarithm of time, whose translation is a change of scale, and of that the magnitudes of its
+/// first discrete Fourier coefficients, one a column. Throws InputError for options out of range.
+Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
+                                                      const ScaleInvariantOptions& options = {});
+
+/// Settings of wave_kernel_signature().
+struct WaveKernelOptions {
+  int energies = 16;       ///< 2 to 1000; evenly spaced between the logarithms of the spectrum's ends
+  double width_steps = 7;  ///< positive; standard deviation of a filter by energy, in steps of a hundred, as published
+};
+
+/// Wave kernel signature (Aubry, Schlickewei, Cremers 2011) at the vertices: column k is the mean of phi(x)^2 over the
+/// spectrum, weighted by a Gaussian of log lambda about the energy e_k, times the area. The zero eigenvalues do not
+/// count. Throws InputError for options out of range and for a spectrum with fewer than two positive eigenvalues.
+Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, const WaveKernelOptions& options = {});
+
+}  // namespace shapegauge

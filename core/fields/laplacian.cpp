@@ -1,0 +1,218 @@
+#include "shapegauge/core/fields/laplacian.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/SparseCholesky>
+#include <Spectra/SymEigsShiftSolver.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// What a triangle contributes.
+struct Element {
+  double area;
+  std::array<double, 3> cotangents;  ///< of the angle at each corner
+};
+
+std::optional<Element> element_of(const Shape& mesh, Eigen::Index triangle) {
+  std::array<Eigen::Vector3d, 3> corners;
+  for (int k = 0; k < 3; ++k) corners[k] = mesh.vertices.row(mesh.triangles(triangle, k)).transpose();
+  const double twice_area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+  if (!(twice_area > 0) || !std::isnormal(twice_area)) return std::nullopt;
+  Element element{twice_area / 2, {}};
+  double largest = 0;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d& corner = corners[k];
+    element.cotangents[k] = (corners[(k + 1) % 3] - corner).dot(corners[(k + 2) % 3] - corner) / twice_area;
+    largest = std::max(largest, std::abs(element.cotangents[k]));
+  }
+  // Scaled together, they keep the element's energy from becoming negative.
+  constexpr double bound = 1e4;
+  for (double& cotangent : element.cotangents) cotangent *= std::min(1.0, bound / largest);
+  return element;
+}
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Cholesky = Eigen::SimplicialLDLT<SparseMatrix>;
+
+void factorise(const SparseMatrix& matrix, double shift, Cholesky& solver) {
+  SparseMatrix identity(matrix.rows(), matrix.cols());
+  identity.setIdentity();
+  solver.compute(matrix - shift * identity);
+  if (solver.info() != Eigen::Success) throw InputError("the mesh's Laplacian could not be factorised");
+}
+
+/// y = (A - shift)^-1 x, as Spectra asks for it, in the space across the eigenvectors that are known.
+class ShiftedInverse {
+ public:
+  using Scalar = double;
+
+  ShiftedInverse(const SparseMatrix& matrix, double shift) : size_(matrix.rows()), known_(size_, 0) {
+    factorise(matrix, shift, solver_);
+  }
+  void set_known(const Eigen::MatrixXd& eigenvectors) { known_ = eigenvectors; }
+  [[nodiscard]] Eigen::Index rows() const { return size_; }
+  [[nodiscard]] Eigen::Index cols() const { return size_; }
+  void set_shift(double /*shift*/) {}  // as constructed with
+  void perform_op(const double* x, double* y) const {
+    const Eigen::VectorXd across = without_known(Eigen::Map<const Eigen::VectorXd>(x, size_));
+    Eigen::Map<Eigen::VectorXd>(y, size_) = without_known(solver_.solve(across));
+  }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd without_known(const Eigen::VectorXd& x) const {
+    return known_.cols() == 0 ? x : Eigen::VectorXd(x - known_ * (known_.transpose() * x));
+  }
+
+  Eigen::Index size_;
+  Eigen::MatrixXd known_;
+  Cholesky solver_;
+};
+
+/// Eigenpairs of a symmetric matrix, ascending.
+struct Eigenpairs {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd vectors;
+};
+
+Eigenpairs first_of(const Eigenpairs& pairs, Eigen::Index count) {
+  return {pairs.values.head(count), pairs.vectors.leftCols(count)};
+}
+
+Eigenpairs merged(const Eigenpairs& a, const Eigenpairs& b) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(a.values.size() + b.values.size()));
+  std::iota(order.begin(), order.end(), Eigen::Index{0});
+  Eigenpairs both{Eigen::VectorXd(std::ssize(order)), Eigen::MatrixXd(b.vectors.rows(), std::ssize(order))};
+  both.values << a.values, b.values;
+  both.vectors << a.vectors, b.vectors;
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return both.values[i]; });
+  return {both.values(order), both.vectors(Eigen::all, order)};
+}
+
+/// Lanczos iteration for the eigenvalues next above the shift.
+Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift) {
+  Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, count, 2 * count + 20, shift);
+  solver.init();
+  constexpr Eigen::Index most_iterations = 300;
+  constexpr double tolerance = 1e-9;
+  solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance, Spectra::SortRule::SmallestAlge);
+  if (solver.info() != Spectra::CompInfo::Successful) {
+    throw InputError(
+        fmt::format("the {} smallest eigenvalues of the mesh's Laplacian did not converge in {} "
+                    "iterations; ask for fewer, or repair the mesh",
+                    count, most_iterations));
+  }
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+/// How many eigenvalues are below a value, by Sylvester's law of inertia.
+Eigen::Index count_below(const SparseMatrix& matrix, double value) {
+  Cholesky solver;
+  factorise(matrix, value, solver);
+  return (solver.vectorD().array() < 0).count();
+}
+
+/// Eigenpairs of a symmetric matrix without negative eigenvalues. Lanczos iteration may pass over copies of a multiple
+/// eigenvalue, as symmetric shapes have: what is missing is counted, and sought across what is known.
+Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, double shift) {
+  if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
+    if (solver.info() != Eigen::Success) throw InputError("the eigenvalues of the mesh's Laplacian did not converge");
+    return first_of({solver.eigenvalues(), solver.eigenvectors()}, count);
+  }
+  ShiftedInverse inverse(matrix, shift);
+  Eigenpairs pairs = iterated(inverse, count, shift);
+  constexpr int most_rounds = 20;
+  for (int round = 0; round < most_rounds; ++round) {
+    const double last = pairs.values[count - 1] * (1 - 1e-6);
+    const Eigen::Index missing = count_below(matrix, last) - (pairs.values.array() < last).count();
+    if (missing <= 0) return pairs;
+    inverse.set_known(pairs.vectors);
+    pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift)), count);
+  }
+  throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be told apart");
+}
+
+}  // namespace
+
+Laplacian cotangent_laplacian(const Shape& mesh) {
+  require_usable(mesh);
+  if (is_cloud(mesh)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
+  const std::vector<std::int32_t> places = merged_by_place(mesh.vertices);
+  std::vector<std::int32_t> node_at(places.size(), -1);
+  std::int32_t nodes = 0;
+  const auto node_of = [&](std::int32_t vertex) -> std::int32_t& {
+    return node_at[static_cast<std::size_t>(places[static_cast<std::size_t>(vertex)])];
+  };
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> mass;
+  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
+    const std::optional<Element> element = element_of(mesh, f);
+    if (!element) continue;
+    std::array<std::int32_t, 3> corners{};
+    for (int k = 0; k < 3; ++k) {
+      std::int32_t& node = node_of(mesh.triangles(f, k));
+      if (node < 0) {
+        node = nodes++;
+        mass.push_back(0);
+      }
+      corners[k] = node;
+      mass[static_cast<std::size_t>(node)] += element->area / 3;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t i = corners[(k + 1) % 3];
+      const std::int32_t j = corners[(k + 2) % 3];
+      const double half = element->cotangents[k] / 2;
+      entries.emplace_back(i, j, -half);
+      entries.emplace_back(j, i, -half);
+      entries.emplace_back(i, i, half);
+      entries.emplace_back(j, j, half);
+    }
+  }
+  if (nodes == 0) throw InputError("the Laplacian needs a triangle with area, and the mesh has none");
+  Laplacian laplacian;
+  laplacian.stiffness.resize(nodes, nodes);
+  laplacian.stiffness.setFromTriplets(entries.begin(), entries.end());
+  laplacian.mass = Eigen::Map<const Eigen::VectorXd>(mass.data(), nodes);
+  laplacian.node_of.resize(places.size());
+  for (std::size_t v = 0; v < places.size(); ++v) laplacian.node_of[v] = node_at[static_cast<std::size_t>(places[v])];
+  return laplacian;
+}
+
+Spectrum laplacian_spectrum(const Shape& mesh, int count) {
+  if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
+  const Laplacian laplacian = cotangent_laplacian(mesh);
+  const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
+  SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
+  // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.
+  const double area = laplacian.mass.sum();
+  matrix *= area;
+  const Eigen::Index most = std::min<Eigen::Index>(count, matrix.rows());
+  const auto [eigenvalues, eigenvectors] = smallest_eigenpairs(matrix, most, -1);
+  Spectrum spectrum;
+  spectrum.eigenvalues = eigenvalues.cwiseMax(0) / area;
+  const Eigen::MatrixXd at_nodes = inverse_root.asDiagonal() * eigenvectors;
+  spectrum.eigenvectors =
+      Eigen::MatrixXd::Constant(std::ssize(laplacian.node_of), most, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t v = 0; v < laplacian.node_of.size(); ++v) {
+    const std::int32_t node = laplacian.node_of[v];
+    if (node >= 0) spectrum.eigenvectors.row(static_cast<Eigen::Index>(v)) = at_nodes.row(node);
+  }
+  return spectrum;
+}
+
+}  // namespace shapegauge

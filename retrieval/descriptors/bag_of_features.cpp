@@ -1,0 +1,243 @@
+#include "shapegauge/retrieval/descriptors/bag_of_features.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/retrieval/l1_distance.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&BagOfFeaturesOptions::words>("words", 1, 10'000, "words of the codebook"),
+    option_of<&BagOfFeaturesOptions::soft>("soft", 0, 1, "count a sample for all words by Gaussian weights"),
+    option_of<&BagOfFeaturesOptions::softness>(
+        "softness", 0.01, 100, "width of the Gaussian, in mean distances of a word from the nearest other"),
+    option_of<&BagOfFeaturesOptions::standardise>("standardise", 0, 1,
+                                                  "divide each field by its standard deviation over the data set"),
+    option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", 1, 100'000,
+                                                        "samples of each shape from which the codebook is learnt"),
+    option_of<&BagOfFeaturesOptions::iterations>("iterations", 1, 10'000, "iterations of k-means at most"),
+    option_of<&BagOfFeaturesOptions::seed>("seed", 0, 2'147'483'647, "seed of the random numbers"),
+};
+constexpr auto parameters = parameters_of(table);
+
+using Vectors = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+void check_fields(ShapeFields fields, std::size_t expected) {
+  if (fields.empty() || fields.size() != expected) {
+    throw std::invalid_argument("a bag of features is of one field or more, the same for all shapes; there are " +
+                                std::to_string(fields.size()) + " and " + std::to_string(expected));
+  }
+  for (const ScalarField& field : fields) {
+    if (field.values.size() != fields.front().values.size() || field.weights.size() != field.values.size()) {
+      throw std::invalid_argument("the fields of a bag of features must be at the same samples");
+    }
+  }
+}
+
+/// The fields' values at a sample, or nothing where it does not count.
+std::optional<Eigen::RowVectorXf> vector_at(ShapeFields fields, Eigen::Index sample) {
+  const double weight = fields.front().weights[sample];
+  if (!(weight > 0) || !std::isfinite(weight)) return std::nullopt;
+  Eigen::RowVectorXf vector(std::ssize(fields));
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    vector[static_cast<Eigen::Index>(k)] = static_cast<float>(fields[k].values[sample]);
+  }
+  if (!vector.allFinite()) return std::nullopt;
+  return vector;
+}
+
+/// So many samples of a shape, at equal steps of its weight.
+void append_samples(ShapeFields fields, int count, std::vector<Eigen::RowVectorXf>& samples) {
+  double total = 0;
+  for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
+    if (vector_at(fields, i)) total += fields.front().weights[i];
+  }
+  double passed = 0;
+  int taken = 0;
+  for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
+    const auto vector = vector_at(fields, i);
+    if (!vector) continue;
+    passed += fields.front().weights[i];
+    for (; taken < count && (taken + 0.5) * total < passed * count; ++taken) samples.push_back(*vector);
+  }
+}
+
+Vectors samples_of(std::span<const ShapeFields> shapes, int per_shape) {
+  std::vector<Eigen::RowVectorXf> samples;
+  for (const ShapeFields& fields : shapes) {
+    check_fields(fields, shapes.front().size());
+    append_samples(fields, per_shape, samples);
+  }
+  if (samples.empty()) throw std::invalid_argument("fields without any value of positive weight make no codebook");
+  Vectors matrix(std::ssize(samples), samples.front().size());
+  for (std::size_t i = 0; i < samples.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = samples[i];
+  return matrix;
+}
+
+/// Standard deviations by column; 1 where that is 0.
+Eigen::RowVectorXf deviations_of(const Vectors& samples) {
+  const Eigen::MatrixXd values = samples.cast<double>();
+  const Eigen::RowVectorXd mean = values.colwise().mean();
+  const Eigen::RowVectorXd deviation = ((values.rowwise() - mean).colwise().squaredNorm() / values.rows()).cwiseSqrt();
+  return (deviation.array() > 0).select(deviation, 1).cast<float>();
+}
+
+/// k-means++: each further word a sample, the more likely the farther it is from those there are.
+Eigen::MatrixXf seed_words(const Vectors& samples, int count, RandomNumbers& random) {
+  Eigen::MatrixXf words(count, samples.cols());
+  words.row(0) = samples.row(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.rows()))));
+  Eigen::VectorXd square = Eigen::VectorXd::Constant(samples.rows(), std::numeric_limits<double>::infinity());
+  for (Eigen::Index k = 1; k < count; ++k) {
+    const auto last = words.row(k - 1);
+    square = square.cwiseMin((samples.rowwise() - last).rowwise().squaredNorm().cast<double>());
+    double left = random.uniform(0, square.sum());
+    Eigen::Index chosen = -1;
+    for (Eigen::Index i = 0; i < samples.rows() && left >= 0; ++i) {
+      if (!(square[i] > 0)) continue;
+      chosen = i;
+      left -= square[i];
+    }
+    if (chosen < 0) return words.topRows(k);  // all samples are words
+    words.row(k) = samples.row(chosen);
+  }
+  return words;
+}
+
+/// From each word.
+Eigen::VectorXf squared_distances(const Eigen::MatrixXf& words, const Eigen::RowVectorXf& vector) {
+  Eigen::VectorXf sum = Eigen::VectorXf::Zero(words.rows());
+  for (Eigen::Index k = 0; k < words.cols(); ++k) sum.array() += (words.col(k).array() - vector[k]).square();
+  return sum;
+}
+
+Eigen::Index nearest_word(const Eigen::MatrixXf& words, const Eigen::RowVectorXf& vector) {
+  Eigen::Index nearest = 0;
+  squared_distances(words, vector).minCoeff(&nearest);
+  return nearest;
+}
+
+/// Lloyd's algorithm. A word that no sample is nearest to stays where it is.
+void refine(Eigen::MatrixXf& words, const Vectors& samples, int iterations) {
+  std::vector<Eigen::Index> nearest(static_cast<std::size_t>(samples.rows()), -1);
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    std::vector<Eigen::Index> now(nearest.size());
+    tbb::parallel_for(Eigen::Index{0}, samples.rows(),
+                      [&](Eigen::Index i) { now[static_cast<std::size_t>(i)] = nearest_word(words, samples.row(i)); });
+    if (now == nearest) return;
+    nearest = std::move(now);
+    // In the samples' order, whatever the threads did.
+    Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(words.rows(), words.cols());
+    Eigen::VectorXd counts = Eigen::VectorXd::Zero(words.rows());
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      sums.row(nearest[i]) += samples.row(static_cast<Eigen::Index>(i)).cast<double>();
+      ++counts[nearest[i]];
+    }
+    for (Eigen::Index k = 0; k < words.rows(); ++k) {
+      if (counts[k] > 0) words.row(k) = (sums.row(k) / counts[k]).cast<float>();
+    }
+  }
+}
+
+/// The mean distance of a word from the nearest other; 1 where there is only one.
+float spacing_of(const Eigen::MatrixXf& words) {
+  float sum = 0;
+  for (Eigen::Index k = 0; k < words.rows(); ++k) {
+    Eigen::VectorXf square = squared_distances(words, words.row(k));
+    square[k] = std::numeric_limits<float>::infinity();
+    sum += std::sqrt(square.minCoeff());
+  }
+  const float mean = sum / static_cast<float>(words.rows());
+  return std::isfinite(mean) && mean > 0 ? mean : 1;
+}
+
+/// How much a sample belongs to each word.
+Eigen::VectorXd memberships(const Eigen::MatrixXf& words, const Eigen::RowVectorXf& vector, double width) {
+  const Eigen::ArrayXd square = squared_distances(words, vector).cast<double>();
+  // Relative to the nearest, so that far from all words they do not all vanish.
+  const Eigen::ArrayXd weights = (-(square - square[nearest_word(words, vector)]) / (2 * width * width)).exp();
+  return weights / weights.sum();
+}
+
+/// The codebook in one matrix, the scales first.
+LearntFeatures as_matrix(const Codebook& codebook) {
+  LearntFeatures matrix(codebook.words.rows() + 1, codebook.words.cols());
+  matrix << codebook.scales, codebook.words;
+  return matrix;
+}
+
+Codebook as_codebook(const LearntFeatures& matrix) {
+  if (matrix.rows() < 2) throw InputError("the descriptor bag_of_features needs the codebook that it learns first");
+  return {matrix.row(0), matrix.bottomRows(matrix.rows() - 1)};
+}
+
+}  // namespace
+
+Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOptions& options) {
+  check_options("bag_of_features", table, options);
+  if (shapes.empty()) throw std::invalid_argument("there are no shapes to learn a codebook from");
+  Vectors samples = samples_of(shapes, options.samples_per_shape);
+  Codebook result{Eigen::RowVectorXf::Ones(samples.cols()), {}};
+  if (options.standardise) result.scales = deviations_of(samples);
+  samples.array().rowwise() /= result.scales.array();
+  RandomNumbers random(static_cast<std::uint64_t>(options.seed));
+  result.words = seed_words(samples, options.words, random);
+  refine(result.words, samples, options.iterations);
+  return result;
+}
+
+Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, const BagOfFeaturesOptions& options) {
+  check_options("bag_of_features", table, options);
+  check_fields(fields, static_cast<std::size_t>(codebook.words.cols()));
+  const double width = options.softness * spacing_of(codebook.words);
+  Eigen::VectorXd bag = Eigen::VectorXd::Zero(codebook.words.rows());
+  for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
+    const auto vector = vector_at(fields, i);
+    if (!vector) continue;
+    const Eigen::RowVectorXf scaled = vector->array() / codebook.scales.array();
+    const double weight = fields.front().weights[i];
+    if (options.soft) {
+      bag += weight * memberships(codebook.words, scaled, width);
+    } else {
+      bag[nearest_word(codebook.words, scaled)] += weight;
+    }
+  }
+  const double total = bag.sum();
+  if (!(total > 0)) throw std::invalid_argument("fields without any value of positive weight have no bag of features");
+  Eigen::VectorXf features = Eigen::VectorXf::Zero(std::max<Eigen::Index>(options.words, bag.size()));
+  features.head(bag.size()) = (bag / total).cast<float>();
+  return features;
+}
+
+Descriptor bag_of_features_descriptor() {
+  constexpr std::size_t most_fields = 1000;
+  return {.name = "bag_of_features",
+          .meaning = "shares of the surface by words of a codebook over several fields' values",
+          .parameters = parameters,
+          .fewest_fields = 1,
+          .most_fields = most_fields,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {
+                return bag_of_features(input.fields, as_codebook(learnt),
+                                       options_from("bag_of_features", table, settings));
+              },
+          .distance = l1_distance,
+          .learn =
+              [](std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
+                std::vector<ShapeFields> fields;
+                for (const DescriptorInput& shape : shapes) fields.push_back(shape.fields);
+                return as_matrix(codebook(fields, options_from("bag_of_features", table, settings)));
+              }};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,62 @@
+#include "shapegauge/retrieval/descriptors/d2.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/retrieval/l1_distance.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&D2Options::points>("points", 2, 10'000, "places on the surface, all pairs of which count"),
+    option_of<&D2Options::bins>("bins", 1, 10'000, "bins of the histogram of distances"),
+    option_of<&D2Options::longest>("longest", 0.1, 100, "the end of the last bin, in mean distances"),
+};
+constexpr auto parameters = parameters_of(table);
+
+/// Calls visit(distance, weight) for each pair.
+template <typename Visit>
+void for_each_pair(const Samples& samples, Visit visit) {
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    for (Eigen::Index j = i + 1; j < samples.points.rows(); ++j) {
+      visit((samples.points.row(i) - samples.points.row(j)).norm(), samples.weights[i] * samples.weights[j]);
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
+  check_options("d2", table, options);
+  const Samples samples = sample_surface_of(shape, options.points);
+  double sum = 0;
+  double total = 0;
+  for_each_pair(samples, [&](double distance, double weight) {
+    sum += weight * distance;
+    total += weight;
+  });
+  if (!(sum > 0) || !(total > 0)) throw InputError("the descriptor d2 needs a shape with places apart from each other");
+  const double bins_per_unit = options.bins / options.longest * total / sum;
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
+  for_each_pair(samples, [&](double distance, double weight) {
+    const double position = std::min(distance * bins_per_unit, static_cast<double>(options.bins - 1));
+    counts[static_cast<Eigen::Index>(position)] += weight;
+  });
+  return (counts / total).cast<float>();
+}
+
+Descriptor d2_descriptor() {
+  return {.name = "d2",
+          .meaning = "shape distribution of the distances between places on the surface (Osada et al. 2002)",
+          .parameters = parameters,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+                return d2(input.shape, options_from("d2", table, settings));
+              },
+          .distance = l1_distance};
+}
+
+}  // namespace shapegauge

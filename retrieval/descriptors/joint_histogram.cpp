@@ -1,0 +1,219 @@
+#include "shapegauge/retrieval/descriptors/joint_histogram.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/retrieval/histogram.h"
+#include "shapegauge/retrieval/l1_distance.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::string_view name = "joint_histogram";
+constexpr double largest = 1e300;
+constexpr std::array table = {
+    option_of<&JointAxis::bins>("bins", 1, 1000, "bins of the axis"),
+    option_of<&JointAxis::smoothing_bins>("smoothing_bins", 0, 1000, "standard deviation of a Gaussian, in bins"),
+    option_of<&JointAxis::divide_by_mean>("divide_by_mean", 0, 1, "divide the values by their mean first"),
+    option_of<&JointAxis::low>("low", -largest, largest, "lower end of the range"),
+    option_of<&JointAxis::high>("high", -largest, largest, "upper end of the range"),
+    option_of<&JointAxis::per_shape>("per_shape", 0, 1, "take each shape's own range"),
+    option_of<&JointAxis::over_data_set>("over_data_set", 0, 1, "take the data set's range"),
+};
+constexpr auto parameters = parameters_of(table);
+
+/// The mean of the finite values by weight.
+double mean_of(const ScalarField& field) {
+  double sum = 0;
+  double total = 0;
+  for (Eigen::Index i = 0; i < field.values.size(); ++i) {
+    if (!std::isfinite(field.values[i]) || !(field.weights[i] > 0)) continue;
+    sum += field.weights[i] * field.values[i];
+    total += field.weights[i];
+  }
+  return sum / total;
+}
+
+/// What the values are divided by.
+double unit_of(const ScalarField& field, bool divide_by_mean) {
+  if (!divide_by_mean) return 1;
+  const double mean = mean_of(field);
+  if (!(mean > 0) || !std::isfinite(mean)) {
+    throw std::invalid_argument("a field can only be divided by its mean where that is positive, not " +
+                                std::to_string(mean));
+  }
+  return mean;
+}
+
+void check_axis(const JointAxis& axis) {
+  check_options(name, table, axis);
+  if (!(axis.low < axis.high)) {
+    throw InputError(
+        fmt::format("the range of an axis of a joint histogram must be ascending, not [{}, {}]", axis.low, axis.high));
+  }
+}
+
+/// The axis with the range of the shape where that is asked for; one of a single value gets it as its lower end.
+JointAxis resolved(JointAxis axis, const ScalarField& field) {
+  if (axis.per_shape) {
+    const Interval range = joint_range(field, axis.divide_by_mean);
+    axis.low = range.low;
+    axis.high = range.low < range.high ? range.high : range.low + 1;
+  }
+  check_axis(axis);
+  return axis;
+}
+
+std::size_t checked_size(std::span<const ScalarField> fields, std::span<const JointAxis> axes) {
+  if (fields.size() < 2 || axes.size() != fields.size()) {
+    throw std::invalid_argument("a joint histogram needs two fields or more and an axis for each, not " +
+                                std::to_string(fields.size()) + " fields and " + std::to_string(axes.size()) + " axes");
+  }
+  const Eigen::Index samples = fields.front().values.size();
+  for (const ScalarField& field : fields) {
+    if (field.values.size() != samples || field.weights.size() != samples) {
+      throw std::invalid_argument("the fields of a joint histogram must be at the same samples; there are " +
+                                  std::to_string(field.values.size()) + " and " + std::to_string(samples));
+    }
+  }
+  constexpr std::size_t most = 1'000'000;
+  std::size_t bins = 1;
+  for (const JointAxis& axis : axes) {
+    bins *= static_cast<std::size_t>(axis.bins);
+    if (bins > most) throw std::invalid_argument("a joint histogram has at most " + std::to_string(most) + " bins");
+  }
+  return bins;
+}
+
+/// Smooths along one axis; `stride` bins apart are neighbours on it.
+void smooth_axis(Eigen::VectorXd& counts, const JointAxis& axis, Eigen::Index stride) {
+  const Eigen::Index bins = axis.bins;
+  for (Eigen::Index begin = 0; begin < counts.size(); begin += bins * stride) {
+    for (Eigen::Index offset = 0; offset < stride; ++offset) {
+      Eigen::Map<Eigen::VectorXd, 0, Eigen::InnerStride<>> line(counts.data() + begin + offset, bins,
+                                                                Eigen::InnerStride<>(stride));
+      line = smooth_gaussian(line, axis.smoothing_bins);
+    }
+  }
+}
+
+}  // namespace
+
+Interval joint_range(const ScalarField& field, bool divide_by_mean) {
+  const std::optional<Interval> range = value_range(field);
+  if (!range) throw std::invalid_argument("a field without any value of positive weight has no range");
+  const double unit = unit_of(field, divide_by_mean);
+  return {range->low / unit, range->high / unit};
+}
+
+Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes_as_asked) {
+  const std::size_t bins = checked_size(fields, axes_as_asked);
+  std::vector<double> units;
+  std::vector<JointAxis> axes;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    axes.push_back(resolved(axes_as_asked[k], fields[k]));
+    units.push_back(unit_of(fields[k], axes[k].divide_by_mean));
+  }
+  Eigen::VectorXd counts = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bins));
+  double total = 0;
+  for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
+    const double weight = fields.front().weights[i];
+    if (!(weight >= 0) || !std::isfinite(weight)) {
+      throw std::invalid_argument("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
+                                  "; weights must be finite and not negative");
+    }
+    Eigen::Index bin = 0;
+    bool counted = true;
+    for (std::size_t k = 0; k < fields.size(); ++k) {
+      const JointAxis& axis = axes[k];
+      const double value = fields[k].values[i] / units[k];
+      counted = counted && !std::isnan(value);
+      const double position = (value - axis.low) / (axis.high - axis.low) * axis.bins;
+      const double clamped = counted ? std::clamp(position, 0.0, static_cast<double>(axis.bins - 1)) : 0;
+      bin = bin * axis.bins + static_cast<Eigen::Index>(clamped);
+    }
+    if (!counted) continue;
+    counts[bin] += weight;
+    total += weight;
+  }
+  if (!(total > 0) || !std::isfinite(total)) {
+    throw std::invalid_argument("fields without any sample at which all have a value have no joint histogram");
+  }
+  counts /= total;
+  Eigen::Index stride = counts.size();
+  for (const JointAxis& axis : axes) {
+    stride /= axis.bins;
+    if (axis.smoothing_bins != 0) smooth_axis(counts, axis, stride);
+  }
+  return counts.cast<float>();
+}
+
+namespace {
+
+/// The axes that settings called "axes.0.bins" and so on say.
+std::vector<JointAxis> axes_from(const DescriptorSettings& settings, std::size_t fields) {
+  std::vector<DescriptorSettings> by_axis(fields);
+  for (const auto& [key, value] : settings) {
+    std::size_t axis = 0;
+    while (axis < fields && !key.starts_with(fmt::format("axes.{}.", axis))) ++axis;
+    if (axis == fields) throw InputError(fmt::format("the descriptor {} has no setting \"{}\"", name, key));
+    by_axis[axis].emplace(key.substr(fmt::format("axes.{}.", axis).size()), value);
+  }
+  std::vector<JointAxis> axes;
+  for (const DescriptorSettings& of_axis : by_axis) axes.push_back(options_from(name, table, of_axis));
+  return axes;
+}
+
+/// The data set's ranges, a row an axis.
+LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
+  if (shapes.empty()) return {};
+  const std::vector<JointAxis> axes = axes_from(settings, shapes.front().fields.size());
+  LearntFeatures ranges = LearntFeatures::Zero(std::ssize(axes), 2);
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    if (!axes[k].over_data_set) continue;
+    std::vector<Interval> of_shapes;
+    for (const DescriptorInput& shape : shapes) {
+      of_shapes.push_back(joint_range(shape.fields[k], axes[k].divide_by_mean));
+    }
+    const Interval range = enclosing_interval(of_shapes);
+    ranges.row(static_cast<Eigen::Index>(k)) << static_cast<float>(range.low), static_cast<float>(range.high);
+  }
+  return ranges;
+}
+
+}  // namespace
+
+Descriptor joint_histogram_descriptor() {
+  constexpr std::size_t most_fields = 6;
+  return {.name = name,
+          .meaning = "joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007",
+          .parameters = parameters,
+          .fewest_fields = 2,
+          .most_fields = most_fields,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {
+                std::vector<JointAxis> axes = axes_from(settings, input.fields.size());
+                for (std::size_t k = 0; k < axes.size(); ++k) {
+                  if (!axes[k].over_data_set) continue;
+                  if (ranges.rows() != std::ssize(axes)) {
+                    throw InputError(fmt::format("the descriptor {} needs the ranges that it learns first", name));
+                  }
+                  axes[k].low = ranges(static_cast<Eigen::Index>(k), 0);
+                  axes[k].high = ranges(static_cast<Eigen::Index>(k), 1);
+                }
+                return joint_histogram(input.fields, axes);
+              },
+          .distance = l1_distance,
+          .learn = learn_ranges};
+}
+
+}  // namespace shapegauge

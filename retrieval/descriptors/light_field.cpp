@@ -1,0 +1,218 @@
+#include "shapegauge/retrieval/descriptors/light_field.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/retrieval/descriptors/silhouette.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&LightFieldOptions::pixels>("pixels", 16, 1024, "pixels of a silhouette's side"),
+};
+constexpr auto parameters = parameters_of(table);
+
+constexpr std::size_t light_field_sets = 10;
+constexpr std::size_t light_field_views = 10;
+constexpr std::size_t view_size = silhouette_feature_count;
+
+using Axes = std::array<Eigen::Vector3d, light_field_views>;
+using ViewPermutation = std::array<std::uint8_t, light_field_views>;
+constexpr std::size_t rotations_of_dodecahedron = 60;
+
+/// One of each pair of opposite vertices of a dodecahedron.
+Axes dodecahedron_axes() {
+  const double golden = std::numbers::phi;
+  Axes axes = {{{1, 1, 1},
+                {1, 1, -1},
+                {1, -1, 1},
+                {-1, 1, 1},
+                {0, 1 / golden, golden},
+                {0, 1 / golden, -golden},
+                {1 / golden, golden, 0},
+                {1 / golden, -golden, 0},
+                {golden, 0, 1 / golden},
+                {golden, 0, -1 / golden}}};
+  for (Eigen::Vector3d& axis : axes) axis.normalize();
+  return axes;
+}
+
+/// The rotations that bring a dodecahedron upon itself: those that bring two neighbouring vertices upon two such.
+std::vector<Eigen::Matrix3d> dodecahedron_rotations() {
+  std::vector<Eigen::Vector3d> vertices;
+  for (const Eigen::Vector3d& axis : dodecahedron_axes()) vertices.insert(vertices.end(), {axis, -axis});
+  const double neighbours = std::sqrt(5.0) / 3;  // the cosine between two that share an edge
+  const auto frame = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    Eigen::Matrix3d axes;
+    const Eigen::Vector3d normal = a.cross(b).normalized();
+    axes << a, normal, a.cross(normal);
+    return axes;
+  };
+  std::vector<Eigen::Matrix3d> rotations;
+  Eigen::Matrix3d first = Eigen::Matrix3d::Identity();
+  for (const Eigen::Vector3d& a : vertices) {
+    for (const Eigen::Vector3d& b : vertices) {
+      if (std::abs(a.dot(b) - neighbours) > 1e-6) continue;
+      if (rotations.empty()) first = frame(a, b);
+      rotations.emplace_back(frame(a, b) * first.transpose());
+    }
+  }
+  return rotations;
+}
+
+/// By rotation of the dodecahedron, which axis each comes upon.
+std::array<ViewPermutation, rotations_of_dodecahedron> view_permutations() {
+  const Axes axes = dodecahedron_axes();
+  std::array<ViewPermutation, rotations_of_dodecahedron> permutations{};
+  std::size_t r = 0;
+  for (const Eigen::Matrix3d& rotation : dodecahedron_rotations()) {
+    for (std::size_t k = 0; k < axes.size(); ++k) {
+      const auto upon = std::ranges::max_element(
+          axes, {}, [&](const Eigen::Vector3d& axis) { return std::abs(axis.dot(rotation * axes[k])); });
+      permutations[r][k] = static_cast<std::uint8_t>(upon - axes.begin());
+    }
+    ++r;
+  }
+  return permutations;
+}
+
+/// The turns of the sets: from the first, which is none, each the one of many random ones that is farthest from those
+/// there are, where rotations that differ by one of the dodecahedron are the same.
+std::array<Eigen::Quaterniond, light_field_sets> set_turns() {
+  std::vector<Eigen::Quaterniond> symmetries;
+  for (const Eigen::Matrix3d& rotation : dodecahedron_rotations()) symmetries.emplace_back(rotation);
+  RandomNumbers random(1);
+  std::vector<Eigen::Quaterniond> candidates;
+  constexpr std::size_t enough = 2000;
+  while (candidates.size() < enough) {
+    Eigen::Quaterniond turn;
+    for (double& coefficient : turn.coeffs()) coefficient = random.uniform(-1, 1);
+    const double norm = turn.norm();
+    if (norm > 0.1 && norm <= 1) candidates.push_back(turn.normalized());  // a ball in four dimensions is even
+  }
+  std::array<Eigen::Quaterniond, light_field_sets> turns;
+  turns.front() = Eigen::Quaterniond::Identity();
+  std::vector<double> nearest(candidates.size(), 0);  // the cosine of half the angle to the nearest of those there are
+  for (std::size_t count = 1; count < turns.size(); ++count) {
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      for (const Eigen::Quaterniond& symmetry : symmetries) {
+        const double cosine = std::abs((turns[count - 1] * symmetry).dot(candidates[c]));
+        nearest[c] = std::max(nearest[c], cosine);
+      }
+    }
+    turns[count] = candidates[static_cast<std::size_t>(std::ranges::min_element(nearest) - nearest.begin())];
+  }
+  return turns;
+}
+
+/// The rotation that brings an axis upon z.
+Eigen::Matrix3d looking_along(const Eigen::Vector3d& axis) {
+  return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+}
+
+/// The mesh with its centroid in the origin, in the unit ball, which it touches.
+Shape in_unit_ball(const Shape& mesh) {
+  if (is_cloud(mesh)) {
+    throw InputError("the descriptor light_field needs triangles, whose silhouettes it draws; the shape is a cloud");
+  }
+  const Samples faces = sample_shape(mesh, SampleSite::faces);
+  const double area = faces.weights.sum();
+  if (!(area > 0)) throw InputError("the descriptor light_field needs a mesh with area");
+  Shape unit = mesh;
+  unit.vertices.rowwise() -= faces.weights.transpose() * faces.points / area;
+  double square = 0;
+  for (const std::int32_t v : unit.triangles.reshaped()) square = std::max(square, unit.vertices.row(v).squaredNorm());
+  unit.vertices /= std::sqrt(square);
+  return unit;
+}
+
+using Bytes = std::array<std::uint8_t, light_field_sets * light_field_views * view_size>;
+
+Bytes bytes_of(std::span<const float> features) {
+  Bytes bytes{};
+  if (features.size() != bytes.size()) {
+    throw std::invalid_argument("a light field has " + std::to_string(bytes.size()) + " features, not " +
+                                std::to_string(features.size()));
+  }
+  std::ranges::transform(features, bytes.begin(), [](float feature) { return static_cast<std::uint8_t>(feature); });
+  return bytes;
+}
+
+std::uint32_t l1_of_views(const std::uint8_t* a, const std::uint8_t* b) {
+  std::uint32_t sum = 0;
+  for (std::size_t k = 0; k < view_size; ++k) {
+    sum += static_cast<std::uint32_t>(std::abs(static_cast<int>(a[k]) - static_cast<int>(b[k])));
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::VectorXf light_field(const Shape& mesh, const LightFieldOptions& options) {
+  check_options("light_field", table, options);
+  const Shape unit = in_unit_ball(mesh);
+  static const std::array<Eigen::Quaterniond, light_field_sets> turns = set_turns();
+  const Axes axes = dodecahedron_axes();
+  const SilhouetteFeatures features_of(options.pixels);
+  Eigen::VectorXf features(std::tuple_size_v<Bytes>);
+  Eigen::Index next = 0;
+  for (const Eigen::Quaterniond& turn : turns) {
+    for (const Eigen::Vector3d& axis : axes) {
+      for (const double feature : features_of(silhouette(unit, looking_along(turn * axis), options.pixels))) {
+        features[next++] = static_cast<float>(std::round(255 * std::min(feature, 1.0)));
+      }
+    }
+  }
+  return features;
+}
+
+double light_field_distance(std::span<const float> a, std::span<const float> b) {
+  static const std::array<ViewPermutation, rotations_of_dodecahedron> permutations = view_permutations();
+  const Bytes bytes_a = bytes_of(a);
+  const Bytes bytes_b = bytes_of(b);
+  std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+  std::array<std::array<std::uint32_t, light_field_views>, light_field_views> between{};
+  constexpr std::size_t set_size = light_field_views * view_size;
+  for (std::size_t s = 0; s < light_field_sets; ++s) {
+    for (std::size_t t = 0; t < light_field_sets; ++t) {
+      for (std::size_t i = 0; i < light_field_views; ++i) {
+        for (std::size_t j = 0; j < light_field_views; ++j) {
+          between[i][j] = l1_of_views(&bytes_a[s * set_size + i * view_size], &bytes_b[t * set_size + j * view_size]);
+        }
+      }
+      for (const ViewPermutation& permutation : permutations) {
+        std::uint32_t sum = 0;
+        for (std::size_t i = 0; i < light_field_views; ++i) sum += between[i][permutation[i]];
+        least = std::min(least, sum);
+      }
+    }
+  }
+  return least / 255.0;
+}
+
+Descriptor light_field_descriptor() {
+  return {.name = "light_field",
+          .meaning = "silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003)",
+          .parameters = parameters,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+                return light_field(input.shape, options_from("light_field", table, settings));
+              },
+          .distance = light_field_distance};
+}
+
+}  // namespace shapegauge

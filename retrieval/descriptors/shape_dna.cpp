@@ -1,0 +1,45 @@
+#include "shapegauge/retrieval/descriptors/shape_dna.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/retrieval/distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", 1, 1000, "positive eigenvalues, from the least on"),
+    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", 0, 1, "whether the k-th is divided by k"),
+};
+constexpr auto parameters = parameters_of(table);
+
+}  // namespace
+
+Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
+  check_options("shape_dna", table, options);
+  const double area = surface_area(mesh);
+  const Eigen::VectorXd eigenvalues = laplacian_spectrum(mesh, options.eigenvalues + 1).eigenvalues;
+  Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
+  for (Eigen::Index k = 1; k < eigenvalues.size(); ++k) {
+    const double by_area = eigenvalues[k] * area / (4 * std::numbers::pi);
+    features[k - 1] = static_cast<float>(options.divide_by_rank ? by_area / static_cast<double>(k) : by_area);
+  }
+  return features;
+}
+
+Descriptor shape_dna_descriptor() {
+  return {.name = "shape_dna",
+          .meaning = "the first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006)",
+          .parameters = parameters,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+                return shape_dna(input.shape, options_from("shape_dna", table, settings));
+              },
+          .distance = l2_distance};
+}
+
+}  // namespace shapegauge

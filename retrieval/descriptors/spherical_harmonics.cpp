@@ -1,0 +1,229 @@
+#include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/special_functions/legendre.hpp>
+#include <boost/math/special_functions/spherical_harmonic.hpp>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/core/spatial/triangle_bvh.h"
+#include "shapegauge/retrieval/distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&SphericalHarmonicsOptions::shells>("shells", 1, 256, "concentric spheres"),
+    option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", 1, 64, "frequencies of each sphere, from 0 on"),
+    option_of<&SphericalHarmonicsOptions::width>(
+        "width", 0.001, 10,
+        "width of the Gaussian of the distance to the surface, in mean distances from the centroid"),
+    option_of<&SphericalHarmonicsOptions::voxels>("voxels", 0, 1, "describe the voxelised surface, not the Gaussian"),
+};
+constexpr auto parameters = parameters_of(table);
+
+/// Nodes and weights of Gauss-Legendre quadrature over [-1, 1].
+struct Quadrature {
+  Eigen::VectorXd nodes;
+  Eigen::VectorXd weights;
+};
+
+Quadrature gauss_legendre(int count) {
+  Quadrature result{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+  const std::vector<double> not_negative = boost::math::legendre_p_zeros<double>(count);
+  Eigen::Index i = 0;
+  const auto add = [&](double node) {
+    const double slope = boost::math::legendre_p_prime(count, node);
+    result.nodes[i] = node;
+    result.weights[i++] = 2 / ((1 - node * node) * slope * slope);
+  };
+  for (const double node : not_negative) {
+    add(node);
+    if (node > 0) add(-node);
+  }
+  return result;
+}
+
+Eigen::Index meridians_of(int bandwidth) { return 4 * static_cast<Eigen::Index>(bandwidth); }
+Eigen::Index circles_of(int bandwidth) { return 2 * static_cast<Eigen::Index>(bandwidth); }
+
+/// What the norms by frequency need, computed once.
+class HarmonicTransform {
+ public:
+  explicit HarmonicTransform(int bandwidth) : bandwidth_(bandwidth) {
+    const Eigen::Index meridians = meridians_of(bandwidth);
+    cosines_.resize(meridians, bandwidth);
+    sines_.resize(meridians, bandwidth);
+    for (Eigen::Index j = 0; j < meridians; ++j) {
+      for (Eigen::Index m = 0; m < bandwidth; ++m) {
+        const double angle =
+            2 * std::numbers::pi * static_cast<double>(j * m % meridians) / static_cast<double>(meridians);
+        cosines_(j, m) = std::cos(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
+        sines_(j, m) = std::sin(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
+      }
+    }
+    const Quadrature circles = gauss_legendre(static_cast<int>(circles_of(bandwidth)));
+    for (int l = 0; l < bandwidth; ++l) {
+      Eigen::MatrixXd of_order(circles.nodes.size(), l + 1);
+      for (int m = 0; m <= l; ++m) {
+        for (Eigen::Index i = 0; i < circles.nodes.size(); ++i) {
+          const double polar = std::acos(circles.nodes[i]);
+          of_order(i, m) = circles.weights[i] * boost::math::spherical_harmonic_r(l, m, polar, 0.0);
+        }
+      }
+      by_frequency_.push_back(std::move(of_order));
+    }
+  }
+
+  [[nodiscard]] Eigen::VectorXd norms(const Eigen::VectorXd& values) const {
+    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const Eigen::Map<const Grid> grid(values.data(), circles_of(bandwidth_), meridians_of(bandwidth_));
+    const Eigen::MatrixXd even = grid * cosines_;
+    const Eigen::MatrixXd odd = grid * sines_;
+    Eigen::VectorXd result(bandwidth_);
+    for (int l = 0; l < bandwidth_; ++l) {
+      const Eigen::MatrixXd& legendre = by_frequency_[static_cast<std::size_t>(l)];
+      double square = 0;
+      for (int m = 0; m <= l; ++m) {
+        const double real = legendre.col(m).dot(even.col(m));
+        const double imaginary = legendre.col(m).dot(odd.col(m));
+        square += (m == 0 ? 1 : 2) * (real * real + imaginary * imaginary);  // -m has the same magnitude
+      }
+      result[l] = std::sqrt(square);
+    }
+    return result;
+  }
+
+ private:
+  int bandwidth_;
+  Eigen::MatrixXd cosines_;
+  Eigen::MatrixXd sines_;
+  std::vector<Eigen::MatrixXd> by_frequency_;  ///< circles x orders, with the quadrature's weights
+};
+
+/// The shape in units in which the centroid is the origin and the mean distance from it is 1.
+Shape centred(const Shape& shape, const Samples& samples) {
+  const double total = samples.weights.sum();
+  if (!(total > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with area");
+  const Eigen::RowVector3d centroid = samples.weights.transpose() * samples.points / total;
+  const double mean = samples.weights.dot((samples.points.rowwise() - centroid).rowwise().norm()) / total;
+  if (!(mean > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with extent");
+  Shape result = shape;
+  result.vertices = (shape.vertices.rowwise() - centroid) / mean;
+  result.normals = {};
+  return result;
+}
+
+/// Which cubes of a grid over [-2, 2]^3 the surface passes through.
+class Voxels {
+ public:
+  Voxels(const Shape& shape, int shells) : per_axis_(2 * static_cast<Eigen::Index>(shells)) {
+    const Eigen::Index cubes = per_axis_ * per_axis_ * per_axis_;
+    filled_.assign(static_cast<std::size_t>(cubes), 0);
+    // Some twenty a cube of a sphere's surface.
+    const Samples samples = sample_surface_of(shape, 60 * static_cast<Eigen::Index>(shells) * shells);
+    for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+      const Eigen::Index cube = cube_of(samples.points.row(i));
+      if (cube >= 0) filled_[static_cast<std::size_t>(cube)] = 1;
+    }
+  }
+
+  [[nodiscard]] double at(const Eigen::RowVector3d& x) const {
+    const Eigen::Index cube = cube_of(x);
+    return cube >= 0 ? filled_[static_cast<std::size_t>(cube)] : 0;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Index cube_of(const Eigen::RowVector3d& x) const {
+    Eigen::Index cube = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double along = (x[k] + 2) / 4 * static_cast<double>(per_axis_);
+      if (!(along >= 0 && along < static_cast<double>(per_axis_))) return -1;
+      cube = cube * per_axis_ + static_cast<Eigen::Index>(along);
+    }
+    return cube;
+  }
+
+  Eigen::Index per_axis_;
+  std::vector<char> filled_;
+};
+
+/// Norms of a function of space on shells of radius 2 k / shells, one shell after the other.
+template <typename Function>
+Eigen::VectorXf shell_norms(const SphericalHarmonicsOptions& options, Function at) {
+  const HarmonicTransform transform(options.bandwidth);
+  const Points directions = harmonic_directions(options.bandwidth);
+  Eigen::VectorXf features(options.shells * options.bandwidth);
+  Eigen::VectorXd values(directions.rows());
+  for (Eigen::Index shell = 0; shell < options.shells; ++shell) {
+    const double radius = 2 * static_cast<double>(shell + 1) / options.shells;
+    for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = at(radius * directions.row(i));
+    features.segment(shell * options.bandwidth, options.bandwidth) = (radius * transform.norms(values)).cast<float>();
+  }
+  return features;
+}
+
+}  // namespace
+
+Points harmonic_directions(int bandwidth) {
+  const Quadrature circles = gauss_legendre(static_cast<int>(circles_of(bandwidth)));
+  const Eigen::Index meridians = meridians_of(bandwidth);
+  Points directions(circles.nodes.size() * meridians, 3);
+  for (Eigen::Index i = 0; i < circles.nodes.size(); ++i) {
+    const double radius = std::sqrt(1 - circles.nodes[i] * circles.nodes[i]);
+    for (Eigen::Index j = 0; j < meridians; ++j) {
+      const double angle = 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(meridians);
+      directions.row(i * meridians + j) << radius * std::cos(angle), radius * std::sin(angle), circles.nodes[i];
+    }
+  }
+  return directions;
+}
+
+Eigen::VectorXd harmonic_norms(const Eigen::VectorXd& values, int bandwidth) {
+  if (bandwidth < 1 || values.size() != circles_of(bandwidth) * meridians_of(bandwidth)) {
+    throw std::invalid_argument("spherical harmonics below " + std::to_string(bandwidth) +
+                                " need a value for each of " + "their directions, not " +
+                                std::to_string(values.size()));
+  }
+  return HarmonicTransform(bandwidth).norms(values);
+}
+
+Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options) {
+  check_options("spherical_harmonics", table, options);
+  constexpr Eigen::Index places = 20'000;  // that find the centroid and the mean distance to a hundredth
+  const Samples samples = sample_surface_of(shape, places);
+  const Shape unit = centred(shape, samples);
+  if (options.voxels) {
+    const Voxels voxels(unit, options.shells);
+    return shell_norms(options, [&](const Eigen::RowVector3d& x) { return voxels.at(x); });
+  }
+  const TriangleBVH tree(unit);
+  const double reach = 4 * options.width;
+  std::int32_t hint = -1;
+  return shell_norms(options, [&](const Eigen::RowVector3d& x) {
+    const auto hit = tree.closest(x.transpose(), reach, hint);
+    if (!hit) return 0.0;
+    hint = hit->triangle;
+    return std::exp(-std::pow(hit->distance / options.width, 2));
+  });
+}
+
+Descriptor spherical_harmonics_descriptor() {
+  return {.name = "spherical_harmonics",
+          .meaning = "norms of spherical harmonics on concentric shells (Kazhdan et al. 2003)",
+          .parameters = parameters,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+                return spherical_harmonics(input.shape, options_from("spherical_harmonics", table, settings));
+              },
+          .distance = l2_distance};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,353 @@
+#include "shapegauge/retrieval/rerank.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <utility>
+#include <vector>
+
+namespace shapegauge {
+
+namespace {
+
+using Graph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
+
+constexpr Eigen::Index rows_at_once = 256;
+
+void require_between(int value, int low, int high, const char* what) {
+  if (value >= low && value <= high) return;
+  throw std::invalid_argument(std::string(what) + " must be " + std::to_string(low) + " to " + std::to_string(high) +
+                              ", not " + std::to_string(value));
+}
+
+void check(const DiffusionOptions& options) {
+  require_between(options.neighbours, 1, 1000, "the number of neighbours of diffusion");
+  if (!(options.damping >= 0 && options.damping < 1)) {
+    throw std::invalid_argument("the damping of diffusion must be at least 0 and less than 1, not " +
+                                std::to_string(options.damping));
+  }
+  if (!(options.tie >= 0 && options.tie <= 1)) {
+    throw std::invalid_argument("the share of the original distance in diffusion must be 0 to 1, not " +
+                                std::to_string(options.tie));
+  }
+}
+
+RowSource rows_of(const DistanceMatrix& distances) {
+  if (distances.rows() != distances.cols()) {
+    throw std::invalid_argument("only square distance matrices can be re-ranked, not " +
+                                std::to_string(distances.rows()) + " x " + std::to_string(distances.cols()));
+  }
+  return [&distances](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
+    return distances.middleRows(first, count);
+  };
+}
+
+/// Calls visit(first, rows) for rows of the matrix, some at a time.
+template <typename Visit>
+void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
+  for (Eigen::Index first = 0; first < models; first += rows_at_once) {
+    const Eigen::Index count = std::min(rows_at_once, models - first);
+    const DistanceMatrix block = rows(first, count);
+    if (block.rows() != count || block.cols() != models) {
+      throw std::invalid_argument("rows of " + std::to_string(block.cols()) + " distances for " +
+                                  std::to_string(models) + " models");
+    }
+    visit(first, block);
+  }
+}
+
+/// The factor of the original distances: the share over the mean distance to the nearest, where that is not 0.
+double tie_factor(const NearestModels& nearest, double tie) {
+  const double mean = nearest.distances.size() > 0 ? nearest.distances.mean() : 0;
+  return mean > 0 ? tie / mean : 0;
+}
+
+DistanceMatrix symmetric(const DistanceMatrix& distances) {
+  DistanceMatrix result = (distances + distances.transpose()) / 2;
+  result.diagonal().setZero();
+  return result;
+}
+
+/// Columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961): the graph's eigenvalues
+/// are between -1 and 1, so the number of steps to a tolerance is known beforehand. In single precision, which is finer
+/// than the tolerance; row-major blocks keep what is added to each other side by side.
+class ColumnSolver {
+ public:
+  ColumnSolver(const Graph& graph, double damping)
+      : graph_((damping * graph).cast<float>()), squared_damping_(damping * damping) {
+    constexpr double tolerance = 1e-6;
+    const double rate = damping / (1 + std::sqrt(1 - squared_damping_));
+    steps_ = damping > 0 ? static_cast<int>(std::ceil(std::log(2 / tolerance) / -std::log(rate))) : 0;
+  }
+
+  using Block = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+  [[nodiscard]] Block columns(Eigen::Index first, Eigen::Index count) const {
+    Block before = Block::Zero(graph_.rows(), count);
+    Block now = before;
+    for (Eigen::Index k = 0; k < count; ++k) now(first + k, k) = 1;
+    double weight = 1 / (1 - squared_damping_ / 2);
+    for (int step = 0; step < steps_; ++step) {
+      advance(first, static_cast<float>(weight), now, before);
+      now.swap(before);
+      weight = 1 / (1 - squared_damping_ * weight / 4);
+    }
+    return now;
+  }
+
+ private:
+  /// before += weight (damping graph now + identity columns - before)
+  void advance(Eigen::Index first, float weight, const Block& now, Block& before) const {
+    const Eigen::Index count = now.cols();
+    std::vector<float> sum(static_cast<std::size_t>(count));
+    for (Eigen::Index row = 0; row < graph_.rows(); ++row) {
+      std::ranges::fill(sum, 0.0F);
+      if (row >= first && row < first + count) sum[static_cast<std::size_t>(row - first)] = 1;
+      for (Eigen::SparseMatrix<float, Eigen::RowMajor>::InnerIterator entry(graph_, row); entry; ++entry) {
+        const float* const values = now.data() + entry.col() * count;
+        for (Eigen::Index k = 0; k < count; ++k) sum[static_cast<std::size_t>(k)] += entry.value() * values[k];
+      }
+      float* const values = before.data() + row * count;
+      for (Eigen::Index k = 0; k < count; ++k) values[k] += weight * (sum[static_cast<std::size_t>(k)] - values[k]);
+    }
+  }
+
+  Eigen::SparseMatrix<float, Eigen::RowMajor> graph_;
+  double squared_damping_;
+  int steps_;
+};
+
+}  // namespace
+
+NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
+  require_between(k, 1, 1'000'000, "the number of nearest neighbours");
+  const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
+  NearestModels nearest{{models, count}, {models, count}};
+  for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
+    if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
+      throw std::invalid_argument("distances between models must be numbers that are not negative");
+    }
+    tbb::parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
+      std::vector<std::int32_t> order(static_cast<std::size_t>(models));
+      std::iota(order.begin(), order.end(), 0);
+      order.erase(order.begin() + first + i);
+      std::ranges::partial_sort(order, order.begin() + count, {},
+                                [&](std::int32_t j) { return std::pair(block(i, j), j); });
+      for (Eigen::Index n = 0; n < count; ++n) {
+        const std::int32_t j = order[static_cast<std::size_t>(n)];
+        nearest.indices(first + i, n) = j;
+        nearest.distances(first + i, n) = block(i, j);
+      }
+    });
+  });
+  return nearest;
+}
+
+Graph diffusion_graph(const NearestModels& nearest, const DiffusionOptions& options) {
+  check(options);
+  const Eigen::Index models = nearest.indices.rows();
+  const Eigen::Index count = std::min<Eigen::Index>(options.neighbours, nearest.indices.cols());
+  Graph graph(models, models);
+  if (count == 0) return graph;
+  const Eigen::VectorXd scales = nearest.distances.leftCols(count).rowwise().mean();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < models; ++i) {
+    for (Eigen::Index n = 0; n < count; ++n) {
+      const std::int32_t j = nearest.indices(i, n);
+      const double distance = nearest.distances(i, n);
+      const double affinity = distance > 0 ? std::exp(-distance * distance / (scales[i] * scales[j])) : 1;
+      const auto row = static_cast<int>(i);
+      entries.emplace_back(row, j, affinity / 2);
+      entries.emplace_back(j, row, affinity / 2);
+    }
+  }
+  graph.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd degrees = graph * Eigen::VectorXd::Ones(models);
+  // Where all affinities vanish, the walk does not leave.
+  const Eigen::VectorXd inverse_root = (degrees.array() > 0).select(degrees.array().rsqrt(), 0.0);
+  return inverse_root.asDiagonal() * graph * inverse_root.asDiagonal();
+}
+
+DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen::Index count,
+                                   const DiffusionOptions& options) {
+  check(options);
+  DistanceMatrix rows(count, graph.cols());
+  const ColumnSolver solver(graph, options.damping);
+  constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
+  const Eigen::Index groups = (count + columns_at_once - 1) / columns_at_once;
+  tbb::parallel_for(Eigen::Index{0}, groups, [&](Eigen::Index group) {
+    const Eigen::Index begin = group * columns_at_once;
+    const Eigen::Index some = std::min(columns_at_once, count - begin);
+    rows.middleRows(begin, some) = solver.columns(first + begin, some).transpose().cast<double>();
+  });
+  return rows;
+}
+
+void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
+             const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit) {
+  check(options);
+  const NearestModels nearest = nearest_models(models, options.neighbours, rows);
+  const double tie = tie_factor(nearest, options.tie);
+  const Graph graph = diffusion_graph(nearest, options);
+  for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
+    const DistanceMatrix affinities = diffused_affinities(graph, first, block.rows(), options);
+    DistanceMatrix result = 1 - (1 - options.damping) * affinities.array() + tie * block.array();
+    for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, first + i) = 0;
+    visit(first, result);
+  });
+}
+
+DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
+  check(options);
+  const Eigen::Index models = distances.rows();
+  const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
+  const Graph graph = diffusion_graph(nearest, options);
+  const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(models, models) - options.damping * Eigen::MatrixXd(graph);
+  const Eigen::MatrixXd affinities = system.llt().solve(Eigen::MatrixXd::Identity(models, models));
+  const DistanceMatrix result =
+      1 - (1 - options.damping) * affinities.array() + tie_factor(nearest, options.tie) * distances.array();
+  return symmetric(result);
+}
+
+namespace {
+
+/// By model, whether others are among its k nearest.
+bool is_near(const NearestModels& nearest, std::int32_t model, std::int32_t other, Eigen::Index k) {
+  const auto row = nearest.indices.row(model).head(std::min(k, nearest.indices.cols()));
+  return (row.array() == other).any();
+}
+
+/// The model and those of its k nearest that have it among theirs, ascending.
+std::vector<std::int32_t> reciprocal_neighbours(const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
+  std::vector<std::int32_t> mutual = {model};
+  for (const std::int32_t other : nearest.indices.row(model).head(std::min(k, nearest.indices.cols()))) {
+    if (is_near(nearest, other, model, k)) mutual.push_back(other);
+  }
+  std::ranges::sort(mutual);
+  return mutual;
+}
+
+/// The reciprocal neighbours, and those of half the size of each of them of which two thirds are among them.
+std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
+  const std::vector<std::int32_t> mutual = reciprocal_neighbours(nearest, model, k);
+  std::vector<std::int32_t> expanded = mutual;
+  for (const std::int32_t other : mutual) {
+    const std::vector<std::int32_t> theirs = reciprocal_neighbours(nearest, other, std::max<Eigen::Index>(k / 2, 1));
+    std::vector<std::int32_t> common;
+    std::ranges::set_intersection(theirs, mutual, std::back_inserter(common));
+    if (3 * common.size() > 2 * theirs.size()) expanded.insert(expanded.end(), theirs.begin(), theirs.end());
+  }
+  std::ranges::sort(expanded);
+  const auto same = std::ranges::unique(expanded);
+  expanded.erase(same.begin(), same.end());
+  return expanded;
+}
+
+/// A model's neighbours with Gaussian weights that sum to 1.
+SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
+  SparseRow row;
+  const double unit = nearest.distances.row(model).mean();
+  double total = 0;
+  for (const std::int32_t other : expanded_neighbours(nearest, model, k)) {
+    const double weight = unit > 0 ? std::exp(-distances(model, other) / unit) : 1;
+    row.emplace_back(other, weight);
+    total += weight;
+  }
+  for (auto& entry : row) entry.second /= total;
+  return row;
+}
+
+/// The mean of the rows of the model and its nearest neighbours, `count` rows in all.
+SparseRow mean_row(const std::vector<SparseRow>& rows, const NearestModels& nearest, std::int32_t model,
+                   Eigen::Index count) {
+  SparseRow sum = rows[static_cast<std::size_t>(model)];
+  for (const std::int32_t other : nearest.indices.row(model).head(std::min(count - 1, nearest.indices.cols()))) {
+    const SparseRow& row = rows[static_cast<std::size_t>(other)];
+    sum.insert(sum.end(), row.begin(), row.end());
+  }
+  std::ranges::sort(sum);
+  SparseRow merged;
+  for (const auto& [column, weight] : sum) {
+    if (merged.empty() || merged.back().first != column) merged.emplace_back(column, 0);
+    merged.back().second += weight / static_cast<double>(count);
+  }
+  return merged;
+}
+
+/// 1 - sum of minima / sum of maxima, of one row with all; the rows' columns are given the other way round.
+Eigen::RowVectorXd jaccard_distances(const SparseRow& row, const std::vector<SparseRow>& by_column,
+                                     const Eigen::RowVectorXd& sums, double own_sum) {
+  Eigen::RowVectorXd minima = Eigen::RowVectorXd::Zero(sums.size());
+  for (const auto& [column, weight] : row) {
+    for (const auto& [other, others_weight] : by_column[static_cast<std::size_t>(column)]) {
+      minima[other] += std::min(weight, others_weight);
+    }
+  }
+  return 1 - minima.array() / (sums.array() + own_sum - minima.array());
+}
+
+}  // namespace
+
+DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options) {
+  require_between(options.neighbours, 1, 1000, "the number of neighbours of k-reciprocal re-ranking");
+  require_between(options.expansion_neighbours, 1, options.neighbours, "the number of neighbours of the expansion");
+  if (!(options.original >= 0 && options.original <= 1)) {
+    throw std::invalid_argument("the share of the original distance in k-reciprocal re-ranking must be 0 to 1, not " +
+                                std::to_string(options.original));
+  }
+  const Eigen::Index models = distances.rows();
+  const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
+  if (models < 2) return distances;
+  const auto size = static_cast<std::size_t>(models);
+  std::vector<SparseRow> codes(size);
+  std::vector<SparseRow> means(size);
+  const auto of_all = [&](auto compute) {
+    tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) { compute(i, static_cast<std::int32_t>(i)); });
+  };
+  of_all([&](std::size_t i, std::int32_t model) { codes[i] = encoded(distances, nearest, model, options.neighbours); });
+  of_all([&](std::size_t i, std::int32_t model) {
+    means[i] = mean_row(codes, nearest, model, std::min<Eigen::Index>(options.expansion_neighbours, models));
+  });
+  Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(models);
+  std::vector<SparseRow> by_column(size);
+  for (std::size_t i = 0; i < size; ++i) {
+    for (const auto& [column, weight] : means[i]) {
+      by_column[static_cast<std::size_t>(column)].emplace_back(static_cast<std::int32_t>(i), weight);
+      sums[static_cast<Eigen::Index>(i)] += weight;
+    }
+  }
+  const double largest = distances.maxCoeff();
+  const double unit = largest > 0 ? options.original / largest : 0;
+  DistanceMatrix result(models, models);
+  of_all([&](std::size_t i, std::int32_t model) {
+    result.row(model) = (1 - options.original) * jaccard_distances(means[i], by_column, sums, sums[model]) +
+                        unit * distances.row(model);
+  });
+  return symmetric(result);
+}
+
+DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options) {
+  require_between(options.neighbours, 1, 1000, "the number of neighbours of query expansion");
+  const NearestModels nearest = nearest_models(distances.rows(), options.neighbours, rows_of(distances));
+  DistanceMatrix result = distances;
+  tbb::parallel_for(Eigen::Index{0}, distances.rows(), [&](Eigen::Index i) {
+    double total = 1;
+    for (Eigen::Index n = 0; n < nearest.indices.cols(); ++n) {
+      const double weight = 1 / static_cast<double>(n + 2);
+      result.row(i) += weight * distances.row(nearest.indices(i, n));
+      total += weight;
+    }
+    result.row(i) /= total;
+  });
+  return symmetric(result);
+}
+
+}  // namespace shapegauge

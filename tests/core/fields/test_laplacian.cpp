@@ -1,0 +1,137 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/laplacian.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+using test::sphere;
+constexpr double pi = std::numbers::pi;
+
+/// A flat rectangle of 2 n x n cells with sides 2 and 1.
+Shape rectangle(int n) {
+  Shape shape;
+  shape.vertices.resize((2 * n + 1) * (n + 1), 3);
+  shape.triangles.resize(4 * n * n, 3);
+  const auto vertex = [n](int x, int y) { return y * (2 * n + 1) + x; };
+  for (int y = 0; y <= n; ++y) {
+    for (int x = 0; x <= 2 * n; ++x) shape.vertices.row(vertex(x, y)) << double(x) / n, double(y) / n, 0;
+  }
+  for (int y = 0; y < n; ++y) {
+    for (int x = 0; x < 2 * n; ++x) {
+      const int cell = y * 2 * n + x;
+      shape.triangles.row(2 * cell) << vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1);
+      shape.triangles.row(2 * cell + 1) << vertex(x, y), vertex(x + 1, y + 1), vertex(x, y + 1);
+    }
+  }
+  return shape;
+}
+
+TEST(Laplacian, HasConstantsInItsKernelAndTheAreaAsItsMass) {
+  const Shape shape = test::torus(2, 0.5, 12, 30);
+  const Laplacian laplacian = cotangent_laplacian(shape);
+  EXPECT_LT((laplacian.stiffness * Eigen::VectorXd::Ones(laplacian.mass.size())).cwiseAbs().maxCoeff(), 1e-12);
+  EXPECT_NEAR(laplacian.mass.sum(), surface_area(shape), 1e-9);
+}
+
+TEST(Laplacian, EnergyOfALinearFunctionIsTheAreaTimesItsSquaredSlope) {
+  const Shape shape = rectangle(5);
+  const Laplacian laplacian = cotangent_laplacian(shape);
+  Eigen::VectorXd values(laplacian.mass.size());
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    values[laplacian.node_of[static_cast<std::size_t>(v)]] = 3 * shape.vertices(v, 0) + 4 * shape.vertices(v, 1);
+  }
+  EXPECT_NEAR(values.dot(laplacian.stiffness * values), 2 * 25, 1e-9);
+}
+
+TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
+  const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 25);
+  Eigen::Index k = 0;
+  for (int l = 0; l < 5; ++l) {
+    for (int m = -l; m <= l; ++m, ++k) {
+      // Linear elements are off by about lambda h^2 / 12, relative; the edges are 0.07 long.
+      EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.02 * l * (l + 1) + 1e-8) << l << " " << m;
+    }
+  }
+}
+
+TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
+  const Spectrum spectrum = laplacian_spectrum(sphere(1, 4), 100);
+  for (Eigen::Index k = 1; k < 100; ++k) {
+    const double l = std::floor(std::sqrt(static_cast<double>(k)));
+    EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.06 * l * (l + 1)) << k;
+  }
+}
+
+TEST(Laplacian, EigenvaluesOfARectangleAreThoseOfCosines) {
+  const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
+  const double unit = pi * pi;  // of pi^2 (i^2 / 4 + j^2)
+  const std::vector<double> expected = {0, unit / 4, unit, unit, unit * 5 / 4, unit * 2};
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_NEAR(spectrum.eigenvalues[static_cast<Eigen::Index>(k)], expected[k], 0.01 * expected[k] + 1e-8) << k;
+  }
+}
+
+TEST(Laplacian, EigenvectorsAreOrthonormalByAreaAndSolveTheProblem) {
+  const Shape shape = test::capsule(0.5, 2, 16, 24);
+  const Laplacian laplacian = cotangent_laplacian(shape);
+  const Spectrum spectrum = laplacian_spectrum(shape, 12);
+  Eigen::MatrixXd at_nodes(laplacian.mass.size(), 12);
+  for (std::size_t v = 0; v < laplacian.node_of.size(); ++v) {
+    at_nodes.row(laplacian.node_of[v]) = spectrum.eigenvectors.row(static_cast<Eigen::Index>(v));
+  }
+  const Eigen::MatrixXd products = at_nodes.transpose() * laplacian.mass.asDiagonal() * at_nodes;
+  EXPECT_LT((products - Eigen::MatrixXd::Identity(12, 12)).cwiseAbs().maxCoeff(), 1e-7);
+  const Eigen::MatrixXd residual =
+      laplacian.stiffness * at_nodes - laplacian.mass.asDiagonal() * at_nodes * spectrum.eigenvalues.asDiagonal();
+  EXPECT_LT(residual.cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(Laplacian, SpectrumDoesNotChangeWithMotionOrderOrSoup) {
+  const Shape shape = test::capsule(0.5, 2, 16, 24);
+  const Eigen::VectorXd expected = laplacian_spectrum(shape, 10).eigenvalues;
+  const Shape moved = test::transformed(test::permuted(shape, 1).shape, 2, test::rotation(4), {3, 2, 1});
+  EXPECT_LT((4 * laplacian_spectrum(moved, 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
+  EXPECT_LT((laplacian_spectrum(test::soup(shape), 10).eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-6);
+}
+
+TEST(Laplacian, EachComponentHasItsZero) {
+  const Shape ball = sphere(1, 2);
+  const Shape pair = test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {4, 0, 0})});
+  const Spectrum spectrum = laplacian_spectrum(pair, 8);
+  EXPECT_NEAR(spectrum.eigenvalues[1], 0, 1e-8);
+  EXPECT_NEAR(spectrum.eigenvalues[2], 2, 0.1);
+}
+
+TEST(Laplacian, FewVerticesHaveFewEigenvalues) {
+  const Shape cube = test::box({1, 1, 1}, 1);
+  EXPECT_EQ(laplacian_spectrum(cube, 100).eigenvalues.size(), cube.vertices.rows());
+}
+
+TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
+  Shape shape = sphere(1, 2);
+  const Eigen::VectorXd expected = laplacian_spectrum(shape, 5).eigenvalues;
+  const Eigen::Index unused = shape.vertices.rows();
+  shape.vertices.conservativeResize(unused + 1, 3);
+  shape.vertices.bottomRows<1>() << 9, 9, 9;
+  shape.triangles.conservativeResize(shape.triangles.rows() + 1, 3);
+  shape.triangles.bottomRows<1>() << 0, 0, 1;
+  const Spectrum spectrum = laplacian_spectrum(shape, 5);
+  EXPECT_LT((spectrum.eigenvalues - expected).cwiseAbs().maxCoeff(), 1e-8);
+  EXPECT_TRUE(spectrum.eigenvectors.row(unused).array().isNaN().all());
+}
+
+TEST(Laplacian, RefusesCloudsAndWhatHasNoArea) {
+  EXPECT_THROW(laplacian_spectrum(Shape{sphere(1, 1).vertices, {}}, 5), InputError);
+  Shape line = test::box({1, 1, 1}, 1);
+  line.vertices.rightCols<2>().setZero();
+  EXPECT_THROW(laplacian_spectrum(line, 5), InputError);
+  EXPECT_THROW(laplacian_spectrum(sphere(1, 1), 0), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,51 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "shapegauge/retrieval/descriptors/d2.h"
+#include "shapegauge/retrieval/l1_distance.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+double distance(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+  return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
+}
+
+TEST(D2, OfASphereHasItsDensity) {
+  const Eigen::VectorXf found = d2(test::sphere(2, 4), {.points = 2000, .bins = 30, .longest = 1.5});
+  // The share of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
+  for (Eigen::Index bin = 0; bin < found.size(); ++bin) {
+    const double low = static_cast<double>(bin) / 20 * 4 / 3;
+    const double high = static_cast<double>(bin + 1) / 20 * 4 / 3;
+    EXPECT_NEAR(found[bin], (high * high - low * low) / 4, 0.004) << bin;
+  }
+}
+
+TEST(D2, DoesNotChangeWithMotionScaleAndMesh) {
+  const Shape shape = test::box({1, 2, 3}, 4);
+  const Eigen::VectorXf expected = d2(shape);
+  EXPECT_LT(distance(d2(test::transformed(shape, 5, test::rotation(1), {1, 2, 3})), expected), 1e-3);
+  // Other samples of the same surface: noise of a thousand points, and far less than another shape.
+  const double other_mesh = distance(d2(test::soup(test::box({1, 2, 3}, 9))), expected);
+  const double other_shape = distance(d2(test::box({1, 1, 3}, 4)), expected);
+  EXPECT_LT(other_mesh, 0.05);
+  EXPECT_GT(other_shape, 3 * other_mesh);
+}
+
+TEST(D2, CloudsAreDescribedByTheirPoints) {
+  const Shape ball = test::sphere(1, 4);
+  EXPECT_LT(distance(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
+}
+
+TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {
+  const Shape ball = test::sphere(1, 1);
+  EXPECT_THROW(d2(ball, {.points = 1}), InputError);
+  EXPECT_THROW(d2(ball, {.bins = 0}), InputError);
+  EXPECT_THROW(d2(ball, {.longest = 0}), InputError);
+  EXPECT_THROW(d2(Shape{}), InputError);
+  EXPECT_THROW(d2(Shape{Points::Zero(5, 3), {}}), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge

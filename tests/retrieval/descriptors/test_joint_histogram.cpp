@@ -1,0 +1,139 @@
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/retrieval/descriptors/joint_histogram.h"
+
+namespace shapegauge {
+namespace {
+
+/// Two fields that are independent: all pairs of some values of the one and some of the other.
+std::vector<ScalarField> all_pairs(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  std::vector<ScalarField> fields(2,
+                                  {Eigen::VectorXd(a.size() * b.size()), Eigen::VectorXd::Ones(a.size() * b.size())});
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    for (Eigen::Index j = 0; j < b.size(); ++j) {
+      fields[0].values[i * b.size() + j] = a[i];
+      fields[1].values[i * b.size() + j] = b[j];
+    }
+  }
+  return fields;
+}
+
+Eigen::VectorXd random_values(Eigen::Index count, std::uint64_t seed) {
+  RandomNumbers random(seed);
+  Eigen::VectorXd values(count);
+  for (double& value : values) value = random.uniform(0, 1) * random.uniform(0, 1);
+  return values;
+}
+
+TEST(JointHistogram, OfIndependentFieldsIsTheProductOfTheirHistograms) {
+  const std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  const std::vector<JointAxis> axes = {{.bins = 7, .smoothing_bins = 1.5}, {.bins = 5, .smoothing_bins = 0.5}};
+  const Eigen::VectorXf joint = joint_histogram(fields, axes);
+  const Eigen::VectorXf first = histogram(fields[0], {0, 1}, {.bins = 7, .smoothing_bins = 1.5});
+  const Eigen::VectorXf second = histogram(fields[1], {0, 1}, {.bins = 5, .smoothing_bins = 0.5});
+  ASSERT_EQ(joint.size(), 35);
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    for (Eigen::Index j = 0; j < 5; ++j) EXPECT_NEAR(joint[5 * i + j], first[i] * second[j], 1e-7);
+  }
+}
+
+TEST(JointHistogram, SumsOverAnAxisAreTheOtherFieldsHistogram) {
+  std::vector<ScalarField> fields(3);
+  for (std::size_t k = 0; k < 3; ++k) fields[k] = {random_values(200, k + 1), random_values(200, 9)};
+  fields[1].values = fields[0].values.cwiseAbs2();  // not independent
+  const std::vector<JointAxis> axes = {{.bins = 4}, {.bins = 6}, {.bins = 3}};
+  const Eigen::VectorXf joint = joint_histogram(fields, axes);
+  const Eigen::VectorXf middle = histogram(fields[1], {0, 1}, {.bins = 6, .smoothing_bins = 1});
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    float sum = 0;
+    for (Eigen::Index i = 0; i < 4; ++i) {
+      for (Eigen::Index k = 0; k < 3; ++k) sum += joint[(i * 6 + j) * 3 + k];
+    }
+    EXPECT_NEAR(sum, middle[j], 1e-6);
+  }
+}
+
+TEST(JointHistogram, DividedByTheMeanNoScaleMatters) {
+  std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  const std::vector<JointAxis> axes = {{.bins = 8}, {.bins = 8, .divide_by_mean = true, .low = 0.5, .high = 2}};
+  const Eigen::VectorXf before = joint_histogram(fields, axes);
+  fields[1].values *= 8;
+  EXPECT_EQ(joint_histogram(fields, axes), before);
+  fields[0].values *= 8;
+  EXPECT_NE(joint_histogram(fields, axes), before);
+}
+
+TEST(JointHistogram, PerShapeTheRangeIsTheShapesOwn) {
+  std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  const std::vector<JointAxis> axes = {{.bins = 8, .per_shape = true}, {.bins = 8}};
+  const Eigen::VectorXf before = joint_histogram(fields, axes);
+  fields[0].values = (16 * fields[0].values).array() + 4;
+  EXPECT_LT((joint_histogram(fields, axes) - before).cwiseAbs().maxCoeff(), 1e-6);
+  const Interval range = joint_range(fields[0], false);
+  const std::vector<JointAxis> fixed = {{.bins = 8, .low = range.low, .high = range.high}, {.bins = 8}};
+  EXPECT_EQ(joint_histogram(fields, fixed), joint_histogram(fields, axes));
+}
+
+TEST(JointHistogram, SamplesWithoutAllValuesDoNotCount) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<ScalarField> fields = {{Eigen::Vector3d(0.1, nan, 0.9), Eigen::Vector3d(1, 5, 3)},
+                                     {Eigen::Vector3d(0.1, 0.1, 0.9), Eigen::Vector3d(1, 5, 3)}};
+  const std::vector<JointAxis> axes(2, {.bins = 2, .smoothing_bins = 0});
+  EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0.25F, 0, 0, 0.75F}));
+  fields[1].values[0] = nan;
+  EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0, 0, 0, 1}));
+}
+
+TEST(JointHistogram, ValuesBeyondTheRangeCountInTheOuterBins) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<ScalarField> fields = {{Eigen::Vector2d(-infinity, 7), Eigen::Vector2d(1, 1)},
+                                           {Eigen::Vector2d(infinity, -1), Eigen::Vector2d(1, 1)}};
+  const std::vector<JointAxis> axes(2, {.bins = 2, .smoothing_bins = 0});
+  EXPECT_EQ(joint_histogram(fields, axes), (Eigen::Vector4f{0, 0.5F, 0.5F, 0}));
+}
+
+TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
+  const std::vector<ScalarField> small = all_pairs(random_values(50, 1), random_values(40, 2));
+  std::vector<ScalarField> large = small;
+  large[0].values *= 3;
+  const Shape none;
+  const std::vector<DescriptorInput> inputs = {{none, small}, {none, large}};
+  const Descriptor& joint = descriptor("joint_histogram");
+  const DescriptorSettings settings = {{"axes.0.bins", 6}, {"axes.0.over_data_set", 1}, {"axes.1.bins", 4}};
+  const LearntFeatures learnt = joint.learn(inputs, settings);
+  const Interval range = joint_range(large[0], false);
+  const double low = joint_range(small[0], false).low;
+  const std::vector<JointAxis> expected = {
+      {.bins = 6, .low = static_cast<float>(low), .high = static_cast<float>(range.high)}, {.bins = 4}};
+  EXPECT_EQ(joint.describe(inputs[0], learnt, settings), joint_histogram(small, expected));
+}
+
+TEST(JointHistogram, RefusesWhatIsNone) {
+  const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
+  const std::vector<JointAxis> axes(2);
+  EXPECT_THROW(joint_histogram(std::span(fields).first(1), std::span(axes).first(1)), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(fields, std::span(axes).first(1)), std::invalid_argument);
+  for (const JointAxis& axis :
+       {JointAxis{.bins = 0}, JointAxis{.smoothing_bins = -1}, JointAxis{.low = 1, .high = 1}}) {
+    EXPECT_THROW(joint_histogram(fields, std::vector{axis, JointAxis{}}), InputError);
+  }
+  EXPECT_THROW(joint_histogram(fields, std::vector{JointAxis{.bins = 1001}, JointAxis{.bins = 1}}), InputError);
+  EXPECT_THROW(joint_histogram(fields, std::vector(3, JointAxis{})), std::invalid_argument);
+  std::vector<ScalarField> other = fields;
+  other[1].values.conservativeResize(3);
+  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+  other = fields;
+  other[0].weights[2] = -1;
+  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+  other[0].values.setConstant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,77 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <stdexcept>
+
+#include "shapegauge/retrieval/descriptors/light_field.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+double distance(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+  return light_field_distance({a.data(), static_cast<std::size_t>(a.size())},
+                              {b.data(), static_cast<std::size_t>(b.size())});
+}
+
+constexpr LightFieldOptions coarse = {.pixels = 64};
+
+TEST(LightField, RotatedShapesAreFarNearerThanOthers) {
+  const Shape bar = test::box({1, 2, 4}, 2);
+  const Eigen::VectorXf of_bar = light_field(bar, coarse);
+  const std::vector<Eigen::VectorXf> others = {light_field(test::box({1, 1, 1}, 2), coarse),
+                                               light_field(test::sphere(1, 3), coarse),
+                                               light_field(test::box({1, 4, 4}, 2), coarse)};
+  double nearest_other = 1e9;
+  for (const Eigen::VectorXf& other : others) nearest_other = std::min(nearest_other, distance(of_bar, other));
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Shape turned = test::transformed(bar, 3, test::rotation(seed), {1, 2, 3});
+    EXPECT_LT(distance(light_field(turned, coarse), of_bar), 0.35 * nearest_other) << seed;
+  }
+}
+
+TEST(LightField, RotationsOfTheDodecahedronChangeNothing) {
+  // By a third of a turn about a vertex: a set's views change places.
+  const Shape bar = test::box({1, 2, 4}, 2);
+  const Eigen::Matrix3d third =
+      Eigen::AngleAxisd(2 * std::numbers::pi / 3, Eigen::Vector3d(1, 1, 1).normalized()).toRotationMatrix();
+  const Eigen::VectorXf before = light_field(bar);
+  const Eigen::VectorXf after = light_field(test::transformed(bar, 1, third, {0, 0, 0}));
+  // Only pixels on the rims differ, as each view is turned about its axis.
+  EXPECT_LT(distance(before, after), 0.6);
+  EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance(before, after));
+}
+
+TEST(LightField, AllViewsOfASphereAreThoseOfADisc) {
+  const Eigen::VectorXf found = light_field(test::sphere(3, 4));
+  ASSERT_EQ(found.size(), 4500);
+  EXPECT_LE(found.maxCoeff(), 10);
+  EXPECT_EQ(found, found.array().round().matrix());
+}
+
+TEST(LightField, IsSymmetricAndZeroForItself) {
+  const Eigen::VectorXf a = light_field(test::box({1, 2, 4}, 2), coarse);
+  const Eigen::VectorXf b = light_field(test::capsule(0.3, 1, 12, 12), coarse);
+  EXPECT_EQ(distance(a, a), 0);
+  EXPECT_EQ(distance(a, b), distance(b, a));
+  EXPECT_GT(distance(a, b), 0);
+}
+
+TEST(LightField, SoupsAndOpenMeshesAreTheirSilhouettes) {
+  const Shape bar = test::box({1, 2, 4}, 2);
+  EXPECT_EQ(light_field(test::flipped(test::soup(bar)), coarse), light_field(bar, coarse));
+}
+
+TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
+  const Shape ball = test::sphere(1, 1);
+  EXPECT_THROW(light_field(Shape{ball.vertices, {}}), InputError);
+  EXPECT_THROW(light_field(ball, {.pixels = 8}), InputError);
+  Shape line = ball;
+  line.vertices.rightCols<2>().setZero();
+  EXPECT_THROW(light_field(line), InputError);
+  EXPECT_THROW(distance(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace shapegauge
