@@ -48,7 +48,7 @@ class OffsetSdfSolver {
   /// The shape may be a point cloud. Throws InputError where it is unusable (validity.h) or has no extent.
   explicit OffsetSdfSolver(const Shape& shape);
 
-  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1; the design, section 2.2). Throws
+  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1; docs/definitions.md#offset-sdf). Throws
   /// InputError where the offset is out of range. The build's seconds do not include the constructor's.
   [[nodiscard]] OffsetSdfResult solve(const Samples& samples, const OffsetSdfOptions& options) const;
 

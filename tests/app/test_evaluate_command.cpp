@@ -22,7 +22,7 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
-/// The design's toy: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
+/// The toy of the known answers: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
 class EvaluateCommand : public testing::Test {
  protected:
   void SetUp() override {

@@ -7,7 +7,7 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/metrics/random_cases.h"
 
-// The figures that the design, section 4, gives.
+// The known answers of docs/definitions.md#measures.
 
 namespace shapegauge {
 namespace {

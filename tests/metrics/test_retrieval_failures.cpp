@@ -25,8 +25,8 @@ Matrix on_a_line(const std::vector<double>& places) {
 }
 
 TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
-  // The design's toy. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5 -> 4, 7 -> 9,
-  // 9 -> 7.
+  // The toy of the known answers. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5 -> 4,
+  // 7 -> 9, 9 -> 7.
   const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
   const std::vector<Eigen::Index> queries = {0, 1, 2, 3, 4, 5, 6};
   const Eigen::MatrixXi expected{{2, 1}, {2, 2}};

@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// The definition of the offset SDF taken literally (the design, sections 2.1 and 2.2): every distance is a minimum
+/// The definition of the offset SDF taken literally (docs/definitions.md#offset-sdf): every distance is a minimum
 /// over all triangles, the exterior is a dense grid flooded from outside, the ray is followed in small steps. Slow, and
 /// meant to be obviously right; the specification that the fast implementation is held to.
 class OffsetSdfReference {

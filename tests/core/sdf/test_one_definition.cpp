@@ -14,8 +14,8 @@
 #include "shapegauge/core/spatial/offset_exterior.h"
 #include "tests/support/test_shapes.h"
 
-/// The exterior is one, whether a closed surface helps to decide it or connectivity alone does (the design, section
-/// 2.2).
+/// The exterior is one, whether a closed surface helps to decide it or connectivity alone does
+/// (docs/definitions.md#offset-sdf).
 namespace shapegauge {
 namespace {
 
