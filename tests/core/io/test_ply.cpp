@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/render/image.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
 

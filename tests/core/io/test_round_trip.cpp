@@ -12,6 +12,7 @@
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/stl.h"
+#include "shapegauge/core/render/image.h"
 #include "tests/core/io/random_shapes.h"
 #include "tests/support/test_files.h"
 

@@ -4,106 +4,18 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <optional>
-#include <random>
 #include <rapidcheck/gtest.h>
 #include <vector>
 
 #include "shapegauge/core/spatial/triangle_bvh.h"
 #include "tests/core/spatial/random_triangle.h"
+#include "tests/core/spatial/soups.h"
 #include "tests/support/test_shapes.h"
 
 /// The tree against all triangles tried in turn, on soups that trees find hard.
 namespace shapegauge {
 
 namespace {
-
-/// A shape of triangles with vertices of their own.
-Shape soup_of(const std::vector<Triangle>& triangles) {
-  Shape shape;
-  shape.vertices.resize(3 * std::ssize(triangles), 3);
-  shape.triangles.resize(std::ssize(triangles), 3);
-  for (Eigen::Index f = 0; f < std::ssize(triangles); ++f) {
-    const Triangle& t = triangles[static_cast<std::size_t>(f)];
-    shape.vertices.row(3 * f) = t.a.transpose();
-    shape.vertices.row(3 * f + 1) = t.b.transpose();
-    shape.vertices.row(3 * f + 2) = t.c.transpose();
-    for (int k = 0; k < 3; ++k) shape.triangles(f, k) = static_cast<std::int32_t>(3 * f + k);
-  }
-  return shape;
-}
-
-enum class Soup {
-  scattered,   ///< at random places, of sizes over several orders of magnitude, every tenth degenerate
-  coplanar,    ///< in one plane that no axis is normal to
-  lattice,     ///< corners on a coarse grid: coplanar, touching, degenerate and duplicate triangles abound
-  needles,     ///< long, and of hardly any area
-  points,      ///< no extent at all
-  duplicated,  ///< a few triangles, many times over, either way round
-};
-
-const std::vector<Soup> all_soups{Soup::scattered, Soup::coplanar, Soup::lattice,
-                                  Soup::needles,   Soup::points,   Soup::duplicated};
-
-class SoupMaker {
- public:
-  SoupMaker(Soup kind, unsigned seed) : kind_(kind), generator_(seed) {}
-
-  Shape make(int count) {
-    std::vector<Triangle> triangles;
-    for (int i = 0; i < count; ++i) {
-      if (kind_ == Soup::duplicated && i >= 7) {
-        Triangle copy = triangles[static_cast<std::size_t>(i % 7)];
-        if (i % 2 == 0) std::swap(copy.b, copy.c);
-        triangles.push_back(copy);
-      } else {
-        triangles.push_back(triangle(i));
-      }
-    }
-    return soup_of(triangles);
-  }
-
- private:
-  double uniform(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
-
-  Eigen::Vector3d in_cube() {
-    const double x = uniform(-0.5, 0.5);
-    const double y = uniform(-0.5, 0.5);
-    return {x, y, uniform(-0.5, 0.5)};
-  }
-
-  Eigen::Vector3d on_lattice() { return (8 * in_cube()).array().round() / 8; }
-
-  Triangle triangle(int i) {
-    const Eigen::Vector3d centre = in_cube();
-    const double size = std::pow(10, uniform(-4, -0.5));
-    Triangle t{centre + size * in_cube(), centre + size * in_cube(), centre + size * in_cube()};
-    if (kind_ == Soup::lattice) return {on_lattice(), on_lattice(), on_lattice()};
-    if (kind_ == Soup::points) return {centre, centre, centre};
-    if (kind_ == Soup::needles) return {centre, centre + in_cube(), centre + 1e-9 * in_cube()};
-    if (kind_ == Soup::coplanar) {
-      const Eigen::Vector3d normal = Eigen::Vector3d(1, 2, 3).normalized();
-      for (Eigen::Vector3d* corner : {&t.a, &t.b, &t.c}) *corner -= normal.dot(*corner) * normal;
-    }
-    if (i % 10 == 0) t.b = t.a;
-    if (i % 20 == 0) t.c = t.a;
-    return t;
-  }
-
-  Soup kind_;
-  std::mt19937 generator_;
-};
-
-/// A soup of any kind, of up to so many triangles, for a RapidCheck property.
-Shape any_soup(int most) {
-  const Soup kind = *rc::gen::elementOf(all_soups);
-  const int count = *rc::gen::inRange(1, most);
-  return SoupMaker(kind, *rc::gen::inRange(0U, 100'000U)).make(count);
-}
-
-Triangle triangle_of(const Shape& shape, Eigen::Index f) {
-  return {shape.vertices.row(shape.triangles(f, 0)), shape.vertices.row(shape.triangles(f, 1)),
-          shape.vertices.row(shape.triangles(f, 2))};
-}
 
 double distance_to(const Shape& shape, Eigen::Index f, const Eigen::Vector3d& x) {
   return (closest_point(triangle_of(shape, f), x) - x).norm();
@@ -235,30 +147,6 @@ RC_GTEST_PROP(TriangleBVH, ClosestToEachIsTheClosestOfEach, ()) {
   }
 }
 
-/// Whether the ray crosses the triangle: 1 along its normal, -1 against it, 0 not at all; nothing where it passes so
-/// close to a side that rounding may decide. By the signs of the volumes that the ray spans with the triangle's sides.
-std::optional<int> crossing_of(const Triangle& t, const Eigen::Vector3d& x, const Eigen::Vector3d& direction) {
-  constexpr double unsure = 1e-7;
-  for (const auto& [p, q] : {std::pair(t.a, t.b), {t.b, t.c}, {t.c, t.a}}) {
-    // The distance of the line from the side: both seen along the line.
-    const auto across = [&](const Eigen::Vector3d& y) -> Eigen::Vector3d {
-      return (y - x) - (y - x).dot(direction) * direction;
-    };
-    if (closest_point_on_segment(across(p), across(q), Eigen::Vector3d::Zero()).norm() < unsure) return std::nullopt;
-  }
-  const auto volume = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
-    return direction.dot((p - x).cross(q - x));
-  };
-  const double u = volume(t.a, t.b);
-  const double v = volume(t.b, t.c);
-  const double w = volume(t.c, t.a);
-  if (!((u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0))) return 0;
-  const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a);
-  const double along = normal.dot(t.a - x) / normal.dot(direction);
-  if (!(std::abs(along) > unsure)) return std::nullopt;
-  return along < 0 ? 0 : (u > 0 ? 1 : -1);
-}
-
 RC_GTEST_PROP(TriangleBVH, CountsTheCrossingsOfEveryTriangle, ()) {
   const Shape shape = any_soup(300);
   const TriangleBVH tree(shape);
@@ -273,10 +161,10 @@ RC_GTEST_PROP(TriangleBVH, CountsTheCrossingsOfEveryTriangle, ()) {
     RayParity expected;
     bool sure = true;
     for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      const std::optional<int> one = crossing_of(triangle_of(shape, f), x, direction);
-      sure = sure && one.has_value();
-      expected.count += std::abs(one.value_or(0));
-      expected.balance += one.value_or(0);
+      const RayMeeting one = meeting_of(triangle_of(shape, f), x, direction, 1e-7);
+      sure = sure && one.sure;
+      expected.count += one.crosses ? 1 : 0;
+      expected.balance += one.crosses ? (one.along_normal ? 1 : -1) : 0;
     }
     const std::optional<RayParity> found = tree.ray_parity(x, direction);
     if (!sure || !found) continue;
