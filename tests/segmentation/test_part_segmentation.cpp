@@ -31,7 +31,7 @@ double disagreement(const Labels& a, const Labels& b) {
 }
 
 /// Other patches cut the bar elsewhere. Three parts that have nothing to do with each other disagree by 0.4 or more.
-constexpr double unlike = 0.15;
+constexpr double unlike = 0.05;
 
 TEST(PartSegmentation, ADumbbellHasBallsApart) {
   const Shape shape = test::dumbbell(5);
