@@ -93,8 +93,8 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
       1 - options.confidence);
 }
 
-std::string formatted(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                      const ComparisonOptions& options, const CompareArguments& arguments) {
+std::string formatted_comparison(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                                 const ComparisonOptions& options, const CompareArguments& arguments) {
   const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
   if (arguments.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
   const bool csv = arguments.format == "csv";
@@ -158,7 +158,7 @@ int run(const CompareArguments& arguments) {
   }
   warn_of_same_files(arguments.inputs, warnings);
   warn_of_few_units(comparisons.front(), options, warnings);
-  fmt::print("{}", formatted(aligned, comparisons, options, arguments));
+  fmt::print("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
   return exit_success;
 }

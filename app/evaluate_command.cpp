@@ -69,7 +69,8 @@ std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& t
   return json.dump(2) + "\n";
 }
 
-std::string formatted(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
+std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,
+                                 const EvaluateArguments& arguments) {
   if (arguments.format == "json") return formatted_json(named, task, arguments);
   const std::vector<NamedEvaluation> one{named};
   const ScoreStyle style = style_of(arguments);
@@ -149,7 +150,7 @@ int run(const EvaluateArguments& arguments) {
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
-  fmt::print("{}", formatted(named, task, arguments));
+  fmt::print("{}", formatted_evaluation(named, task, arguments));
   print_warnings(warnings);
   return exit_success;
 }

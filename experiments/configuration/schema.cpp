@@ -23,7 +23,7 @@ std::string_view base_schema();  // base_schema.cpp.in
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <typename Types>
 std::vector<ParameterGroup> groups_of(const Types& types) {
@@ -40,7 +40,7 @@ std::vector<std::string> names_of(const Types& types) {
 }
 
 /// Adds the parameters to the schema of an object.
-void add_parameters(std::span<const Parameter> parameters, Json& object) {
+void add_parameters(std::span<const Parameter> parameters, OrderedJson& object) {
   for (const Parameter& parameter : parameters) {
     object["properties"][std::string(parameter.name)] = schema_of(parameter);
     if (parameter.required()) object["required"].push_back(parameter.name);
@@ -48,29 +48,29 @@ void add_parameters(std::span<const Parameter> parameters, Json& object) {
 }
 
 /// The schema of the settings of one type of field or perturbation.
-Json schema_of(const ParameterGroup& type) {
-  Json schema{{"description", type.description},
-              {"type", "object"},
-              {"additionalProperties", false},
-              {"required", {"type"}},
-              {"properties", {{"type", {{"const", type.name}}}}}};
+OrderedJson schema_of(const ParameterGroup& type) {
+  OrderedJson schema{{"description", type.description},
+                     {"type", "object"},
+                     {"additionalProperties", false},
+                     {"required", {"type"}},
+                     {"properties", {{"type", {{"const", type.name}}}}}};
   add_parameters(type.parameters, schema);
   return schema;
 }
 
 /// Adds to the schema of a field or perturbation its "type" and, for each, the settings.
-void add_types(const std::vector<ParameterGroup>& types, const std::vector<Json>& schemas, Json& schema) {
+void add_types(const std::vector<ParameterGroup>& types, const std::vector<OrderedJson>& schemas, OrderedJson& schema) {
   schema["type"] = "object";
   schema["required"] = {"type"};
   schema["properties"]["type"]["enum"] = names_of(types);
   for (std::size_t i = 0; i < types.size(); ++i) {
-    const Json condition{{"required", {"type"}}, {"properties", {{"type", {{"const", types[i].name}}}}}};
+    const OrderedJson condition{{"required", {"type"}}, {"properties", {{"type", {{"const", types[i].name}}}}}};
     schema["allOf"].push_back({{"if", condition}, {"then", schemas[i]}});
   }
 }
 
-void add_fields(Json& schema) {
-  std::vector<Json> schemas;
+void add_fields(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const ParameterGroup& type : field_groups()) {
     schemas.push_back(schema_of(type));
     schemas.back()["properties"]["at"] = {{"$ref", "#/definitions/site"}};
@@ -78,8 +78,8 @@ void add_fields(Json& schema) {
   add_types(field_groups(), schemas, schema);
 }
 
-void add_perturbations(Json& schema) {
-  std::vector<Json> schemas;
+void add_perturbations(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const PerturbationType& type : perturbation_types()) {
     schemas.push_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
     if (!type.has_choices) continue;
@@ -134,8 +134,8 @@ const Parameter& registered_parameter(std::string_view group, std::string_view n
 }
 
 std::string experiment_schema() {
-  Json schema = Json::parse(base_schema());
-  Json& definitions = schema["definitions"];
+  OrderedJson schema = OrderedJson::parse(base_schema());
+  OrderedJson& definitions = schema["definitions"];
   for (const ParameterGroup& section : section_groups()) {
     if (section.name != "experiment") add_parameters(section.parameters, definitions[std::string(section.name)]);
   }
