@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -150,6 +151,7 @@ int run(const CompareArguments& arguments) {
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;
   try {
+    const BusyLine line("comparing the methods");
     for (const Eigen::MatrixXd& values : aligned.values) {
       comparisons.push_back(compare_methods(values, aligned.classes, options));
     }
