@@ -94,6 +94,7 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
     {"type": "one_of", "choices": [[], [{"type": "holes"}, {"type": "one_of", "choices": [[{"type": "decimate", "faces": 9}]]}]]}
   ])");
   const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
+  EXPECT_EQ(filled["report"], full["report"]);
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
   EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
   EXPECT_EQ(filled["evaluation"]["ties"], "expected");

@@ -23,6 +23,19 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
   return model;
 }
 
+TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
+  const Field field = make_field({{"type", "cone_sdf"}});
+  ModelDescription model;
+  model.fields.resize(1);
+  model.histograms = {Eigen::VectorXf{{0.25F, 0.75F}}, Eigen::VectorXf{{1.0F}}, {}};
+  const std::vector<SignatureConfiguration> signatures{
+      {.name = "two", .field = field, .histogram = {.options = {.bins = 2}, .fixed = {}}, .parts = {}},
+      {.name = "one", .field = field, .histogram = {.options = {.bins = 1}, .fixed = {}}, .parts = {}},
+      {.name = "both", .field = std::nullopt, .histogram = {}, .parts = {1, 0}}};
+  const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures);
+  EXPECT_EQ(tables[2], (Signatures{{1.0F, 0.25F, 0.75F}}));
+}
+
 TEST(ReportFields, CountsAndAddsOverTheModels) {
   const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
   const ModelDescription open = model_with_gaps(0.6, 0.05);
