@@ -33,7 +33,7 @@ TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
       {.name = "one", .field = field, .histogram = {.options = {.bins = 1}, .fixed = {}}, .parts = {}},
       {.name = "both", .field = std::nullopt, .histogram = {}, .parts = {1, 0}}};
   const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures);
-  EXPECT_EQ(tables[2], (Signatures{{1.0F, 0.25F, 0.75F}}));
+  EXPECT_EQ(tables[2], (Signatures{{0.5F, 0.125F, 0.375F}}));
 }
 
 TEST(ReportFields, CountsAndAddsOverTheModels) {
