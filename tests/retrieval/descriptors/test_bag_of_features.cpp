@@ -113,7 +113,8 @@ TEST(BagOfFeatures, AsADescriptorItLearnsAndDescribes) {
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, fields}};
   const Descriptor& bag = descriptor("bag_of_features");
-  const DescriptorSettings settings = {{"words", 3}};
+  DescriptorSettings settings = default_settings(bag, 2);
+  settings.values.set("words", std::int64_t{3});
   const BagOfFeaturesOptions options = {.words = 3};
   EXPECT_EQ(bag.describe(inputs[0], bag.learn(inputs, settings), settings),
             bag_of_features(fields, codebook_of({fields}, options), options));
