@@ -47,4 +47,7 @@ std::string with_reference_tables(std::string_view page);
 /// source, the path as `--set` writes it, what is wrong and what is allowed.
 void check_against_schema(const nlohmann::json& configuration, const std::string& source);
 
+/// The same for a part of a configuration: what the schema calls by that name in its definitions, such as "descriptor".
+void check_against_schema(const nlohmann::json& part, const std::string& definition, const std::string& source);
+
 }  // namespace shapegauge
