@@ -105,8 +105,7 @@ void learn_and_describe(const DescriptorChoice& choice, std::vector<std::optiona
   const LearntFeatures learnt = choice.descriptor.learn(inputs, choice.values);
   for (auto& shape : shapes) {
     if (!shape) continue;
-    shape->features =
-        choice.descriptor.describe({.shape = none, .fields = shape->fields}, learnt, choice.values);
+    shape->features = choice.descriptor.describe({.shape = none, .fields = shape->fields}, learnt, choice.values);
   }
 }
 
@@ -159,7 +158,8 @@ void add_describe_command(CLI::App& app, int& status) {
   command->footer(
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n"
       "         shapegauge describe a.off b.off --descriptor joint_histogram -o features.csv \\\n"
-      "           --set 'fields=[{\"type\": \"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": 0.65}]'\n"
+      "           --set 'fields=[{\"type\": \"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": "
+      "0.65}]'\n"
       "Shapes are scaled to unit area first. What a descriptor learns it learns from all shapes given.\n"
       "'shapegauge evaluate' takes features, but not every descriptor's own distance; 'shapegauge run' has it.");
   const auto arguments = std::make_shared<DescribeArguments>();

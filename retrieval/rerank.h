@@ -71,8 +71,8 @@ struct ReciprocalOptions {
 };
 
 /// k-reciprocal re-ranking (Zhong, Zheng, Cao, Li 2017): the Jaccard distance of models' sets of neighbours that are
-/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Throws InputError for options
-/// out of range, and as diffused().
+/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Throws InputError for
+/// options out of range, and as diffused().
 DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options = {});
 
 /// Settings of query_expansion().
@@ -85,7 +85,8 @@ struct ExpansionOptions {
 /// and as diffused().
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options = {});
 
-/// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of range.
+/// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of
+/// range.
 struct RerankMethod {
   std::string_view name;
   std::string_view description;  ///< one sentence

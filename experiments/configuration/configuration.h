@@ -36,9 +36,9 @@ struct HistogramConfiguration {
 struct SignatureConfiguration {
   std::string name;
   std::optional<Field> field;
-  HistogramConfiguration histogram;              ///< of the field
-  std::optional<DescriptorChoice> descriptor;    ///< instead of a field
-  std::optional<DerivedDistances> derived;       ///< instead of both
+  HistogramConfiguration histogram;            ///< of the field
+  std::optional<DescriptorChoice> descriptor;  ///< instead of a field
+  std::optional<DerivedDistances> derived;     ///< instead of both
   std::vector<std::size_t> parts;  ///< by index, the signatures to concatenate or to derive from; each comes earlier in
                                    ///< computation_order()
 };

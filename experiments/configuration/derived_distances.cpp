@@ -51,8 +51,8 @@ DerivedDistances rank_fusion_of(const Json& signature) {
                            .settings = {{"fuse_ranks", signature.at("fuse_ranks")}, {"score", score}},
                            .names = signature.at("fuse_ranks"),
                            .compute = {}};
-  derived.compute = [score = score == "borda" ? RankScore::borda : RankScore::reciprocal](
-                        std::span<const DistanceMatrix> matrices) {
+  derived.compute = [score = score == "borda" ? RankScore::borda
+                                              : RankScore::reciprocal](std::span<const DistanceMatrix> matrices) {
     return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), score);
   };
   return derived;

@@ -39,10 +39,9 @@ bool is_file_of(int descriptor, const fs::path& path) {
 
 /// What runs write, retrieval experiments first; comparisons after them.
 constexpr std::array<std::string_view, 18> result_names{
-    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv", "per_class.csv",
-    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",     "shape_seconds.csv",
-    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv",
-    "features"};
+    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv",  "per_class.csv",
+    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",      "shape_seconds.csv",
+    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv", "features"};
 
 /// Whether runs write files of that name, relative to the folder.
 bool is_result(const fs::path& file) {

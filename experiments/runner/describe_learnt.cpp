@@ -61,9 +61,9 @@ class Learner {
 
   const DescriptorChoice* choice_;
   Cache* cache_;
-  Shape none_;                                     ///< meshes are not kept
-  std::vector<std::vector<ScalarField>> fields_;   ///< by model
-  std::vector<std::vector<std::string>> keys_;     ///< of the fields, by model
+  Shape none_;                                    ///< meshes are not kept
+  std::vector<std::vector<ScalarField>> fields_;  ///< by model
+  std::vector<std::vector<std::string>> keys_;    ///< of the fields, by model
   std::vector<std::size_t> taking_part_;
   std::string key_;
   LearntFeatures learnt_;
@@ -81,9 +81,9 @@ std::vector<ModelFailure> describe_learnt(std::vector<std::optional<ModelDescrip
     const SignatureConfiguration& signature = configuration.signatures[descriptors[d].signature];
     Learner learner(models, descriptors[d], *signature.descriptor, cache);
     learner.learn();
-    std::vector<ModelFailure> failures = for_each_model(
-        learner.taking_part(), signature.name, configuration.on_error == OnError::stop, control,
-        [&](std::size_t i) { models[i]->features[d] = learner.describe(i, models[i]->shape_key); });
+    std::vector<ModelFailure> failures =
+        for_each_model(learner.taking_part(), signature.name, configuration.on_error == OnError::stop, control,
+                       [&](std::size_t i) { models[i]->features[d] = learner.describe(i, models[i]->shape_key); });
     if (!failures.empty()) return failures;
   }
   return {};

@@ -158,8 +158,7 @@ FeatureDescription describe_features(const DescriptorChoice& choice, const Descr
   const auto start = std::chrono::steady_clock::now();
   Eigen::VectorXf features = choice.descriptor.describe(input, learnt, choice.values);
   if (features.size() == 0 || !features.allFinite()) {
-    throw InputError(
-        fmt::format("the features of the descriptor {} are not finite numbers", choice.descriptor.name));
+    throw InputError(fmt::format("the features of the descriptor {} are not finite numbers", choice.descriptor.name));
   }
   const auto end = std::chrono::steady_clock::now();
   return {.features = std::move(features), .seconds = std::chrono::duration<double>(end - start).count()};

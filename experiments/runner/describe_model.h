@@ -59,17 +59,17 @@ struct FeatureDescription {
 
 /// What is kept of one shape; its mesh is not.
 struct ModelDescription {
-  std::string sha256;                       ///< of the file; empty where a shape has none
-  ShapeDiagnostics diagnostics;             ///< after the perturbations, in the file's units
-  std::vector<FieldDescription> fields;     ///< as in the plan
-  std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
+  std::string sha256;                        ///< of the file; empty where a shape has none
+  ShapeDiagnostics diagnostics;              ///< after the perturbations, in the file's units
+  std::vector<FieldDescription> fields;      ///< as in the plan
+  std::vector<Eigen::VectorXf> histograms;   ///< by signature; empty where it cannot be computed from one shape alone
   std::vector<FeatureDescription> features;  ///< by planned descriptor; of those that learn empty until they have
   std::string shape_key;                     ///< shape_key() in the cache; empty where there is none
-  std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
-  double area = 0;                          ///< that was scaled to 1, in the file's units, squared
-  double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
-  double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
-  std::string picture;                      ///< model_picture(), where the configuration wants one
+  std::vector<std::size_t> chosen;           ///< what perturbations that choose have chosen
+  double area = 0;                           ///< that was scaled to 1, in the file's units, squared
+  double noise = 0;                          ///< NoiseLevel::relative(), where the preparation looks for noise
+  double pass_band = 0;                      ///< of the preparation's smoothing; 0: none
+  std::string picture;                       ///< model_picture(), where the configuration wants one
 };
 
 /// Called for each field of a plan once it is computed, with its index, the prepared shape, the samples and the values.

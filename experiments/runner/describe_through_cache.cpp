@@ -142,7 +142,7 @@ class DescribedModel {
     PlannedField rest;  ///< with the signatures that are still to be computed
     std::string key;
     std::optional<FieldDescription> found;
-    bool described = false;  ///< by descriptors whose features are missing
+    bool described = false;   ///< by descriptors whose features are missing
     ScalarField values = {};  ///< where it is
   };
 

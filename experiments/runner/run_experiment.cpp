@@ -137,12 +137,11 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
 
   std::vector<DistanceMatrix> distances = all_distances(configuration, computed.signatures, control, cache);
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
-    results.methods.push_back(
-        {.name = configuration.signatures[i].name,
-         .distances = std::move(distances[i]),
-         .evaluations = {},
-         .signatures = std::move(computed.signatures[i]),
-         .histogram_ranges = std::move(computed.histogram_ranges[i])});
+    results.methods.push_back({.name = configuration.signatures[i].name,
+                               .distances = std::move(distances[i]),
+                               .evaluations = {},
+                               .signatures = std::move(computed.signatures[i]),
+                               .histogram_ranges = std::move(computed.histogram_ranges[i])});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 

@@ -226,15 +226,15 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
 Descriptor bag_of_features_descriptor() {
   constexpr std::size_t most_fields = 1000;
   return {.name = "bag_of_features",
-          .description = "Shares of the surface by words of a codebook over several fields' values (Sivic and Zisserman 2003).",
+          .description =
+              "Shares of the surface by words of a codebook over several fields' values (Sivic and Zisserman 2003).",
           .parameters = parameters,
           .fewest_fields = 1,
           .most_fields = most_fields,
           .version = bag_of_features_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {
-                return bag_of_features(input.fields, as_codebook(learnt),
-                                       options_from(table, settings.values));
+                return bag_of_features(input.fields, as_codebook(learnt), options_from(table, settings.values));
               },
           .distance = l1_distance,
           .learn =

@@ -35,8 +35,8 @@ using LearntFeatures = Eigen::MatrixXf;
 /// be described. Names, parameters and descriptions are referred to, not copied.
 struct Descriptor {
   std::string_view name;
-  std::string_view description;           ///< one sentence
-  std::span<const Parameter> parameters;  ///< not called type, fields or axes
+  std::string_view description;                     ///< one sentence
+  std::span<const Parameter> parameters;            ///< not called type, fields or axes
   std::span<const Parameter> axis_parameters = {};  ///< of each field
   std::size_t fewest_fields = 0;
   std::size_t most_fields = 0;

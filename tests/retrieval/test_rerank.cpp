@@ -9,8 +9,8 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
-#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
