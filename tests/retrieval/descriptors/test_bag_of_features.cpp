@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 
