@@ -26,8 +26,8 @@ constexpr std::array table = {
     option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
                                           "Standard deviation of a Gaussian that smooths along the axis, in bins."),
     option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
-    option_of<&JointAxis::low>("low", {}, "Lower end of the range."),
-    option_of<&JointAxis::high>("high", {}, "Upper end of the range."),
+    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
+    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),
     option_of<&JointAxis::per_shape>("per_shape", "Take each shape's own range instead."),
     option_of<&JointAxis::over_data_set>("over_data_set", "Take the data set's range instead."),
 };

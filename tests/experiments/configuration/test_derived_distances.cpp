@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -62,8 +63,8 @@ TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
 TEST(Derived, ComeAfterWhatTheyAreMadeFrom) {
   Json changed = document({{"sum", {{{"of", "a"}}}}});
   std::reverse(changed["signatures"].begin(), changed["signatures"].end());
-  changed["signatures"].insert(changed["signatures"].begin(),
-                               {{"name", "d"}, {"rerank", {{"of", "c"}, {"method", "k_reciprocal"}}}});
+  const Json reranked = Json::parse(R"({"name": "d", "rerank": {"of": "c", "method": "k_reciprocal"}})");
+  changed["signatures"].insert(changed["signatures"].begin(), reranked);
   const auto signatures = configuration_from_json(changed, "x.json", ".").signatures;
   EXPECT_THAT(computation_order(signatures), ElementsAre(3, 1, 0, 2));
 }

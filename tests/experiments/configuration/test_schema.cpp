@@ -219,7 +219,7 @@ TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
                   .make = field_types()[0].make});
   EXPECT_EQ(message_with("/signatures/0/field", field), "no error");
   EXPECT_EQ(message_with("/signatures/0/field/type", "test_flat"),
-            "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"height\", \"type\"");
+            "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"bilateral\", \"height\", \"type\"");
   EXPECT_EQ(message_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
             "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
 }
