@@ -257,7 +257,7 @@ TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
     EXPECT_THAT(program, HasSubstr(page.substr(code, page.find("```", code) - code)));
     ++shown;
   }
-  EXPECT_EQ(shown, 5);
+  EXPECT_EQ(shown, 6);
 }
 
 }  // namespace
