@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -20,6 +22,9 @@ void catch_interruption();
 
 /// Whether the program has been interrupted since catch_interruption().
 bool interrupted();
+
+/// The commands that the app, or a command, has.
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
 /// The commands of the program, in the order of its help. Each adds its subcommand to the app. The command runs while
 /// the arguments are parsed and stores its exit status in `status`, which must outlive the app.

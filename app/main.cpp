@@ -59,10 +59,6 @@ std::string command_in(const CLI::App& app) {
   return command;
 }
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// The long options of a command and of those that it belongs to.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;

@@ -180,7 +180,7 @@ std::size_t weight(const Finding& finding) { return (finding.unknown_key ? 1000 
 
 namespace {
 
-void check(const Json& rules, const Json& configuration, const std::string& source) {
+void check_by_rules(const Json& rules, const Json& configuration, const std::string& source) {
   if (is_valid(rules, configuration)) return;
   SchemaWalk walk(rules);
   walk.visit(rules, configuration);
@@ -195,13 +195,13 @@ void check(const Json& rules, const Json& configuration, const std::string& sour
 }  // namespace
 
 void check_against_schema(const Json& configuration, const std::string& source) {
-  check(Json::parse(experiment_schema()), configuration, source);
+  check_by_rules(Json::parse(experiment_schema()), configuration, source);
 }
 
 void check_against_schema(const Json& part, const std::string& definition, const std::string& source) {
   Json rules = Json::parse(experiment_schema());
   const Json reference{{"$ref", "#/definitions/" + definition}};
-  check({{"allOf", Json::array({reference})}, {"definitions", std::move(rules["definitions"])}}, part, source);
+  check_by_rules({{"allOf", Json::array({reference})}, {"definitions", std::move(rules["definitions"])}}, part, source);
 }
 
 }  // namespace shapegauge

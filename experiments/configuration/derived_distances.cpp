@@ -16,9 +16,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::array<std::string_view, 3> keys{"sum", "fuse_ranks", "rerank"};
-constexpr std::array<std::string_view, 3> scales{"median", "mean", "none"};
-constexpr std::array<std::string_view, 2> scores{"reciprocal", "borda"};
+constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
+constexpr std::array<std::string_view, 3> distance_scales{"median", "mean", "none"};
+constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
 
 DistanceScale scale_of(std::string_view word) {
   if (word == "none") return DistanceScale::none;
@@ -76,20 +76,20 @@ DerivedDistances reranking_of(const Json& signature) {
 
 }  // namespace
 
-std::span<const std::string_view> derived_keys() { return keys; }
+std::span<const std::string_view> derived_keys() { return kinds_of_derived; }
 
 std::span<const Parameter> derived_parameters() {
   static const std::array parameters{
       Parameter{.name = "scale",
                 .kind = ParameterKind::choice,
-                .default_value = scales[0],
-                .choices = scales,
+                .default_value = distance_scales[0],
+                .choices = distance_scales,
                 .description = "With sum: what each signature's distances are divided by first, their median or mean "
                                "over all pairs of models."},
       Parameter{.name = "score",
                 .kind = ParameterKind::choice,
-                .default_value = scores[0],
-                .choices = scores,
+                .default_value = rank_scores[0],
+                .choices = rank_scores,
                 .description = "With fuse_ranks: reciprocal, 1 / (60 + rank): what is first anywhere counts most; "
                                "borda: all ranks count alike."}};
   return parameters;
@@ -105,13 +105,13 @@ std::span<const Parameter> sum_term_parameters() {
 
 DerivedDistances make_derived(const std::string& key, const Json& signature) {
   for (const Parameter& parameter : derived_parameters()) {
-    const std::string_view belongs_to = parameter.name == "scale" ? keys[0] : keys[1];
+    const std::string_view belongs_to = parameter.name == "scale" ? kinds_of_derived[0] : kinds_of_derived[1];
     if (signature.contains(parameter.name) && key != belongs_to) {
       throw ConfigurationError{std::string(parameter.name), fmt::format("goes with \"{}\" only", belongs_to)};
     }
   }
-  if (key == keys[0]) return sum_of(signature);
-  return key == keys[1] ? rank_fusion_of(signature) : reranking_of(signature);
+  if (key == kinds_of_derived[0]) return sum_of(signature);
+  return key == kinds_of_derived[1] ? rank_fusion_of(signature) : reranking_of(signature);
 }
 
 }  // namespace shapegauge

@@ -27,7 +27,7 @@ std::string_view base_schema();  // base_schema.cpp.in
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <typename Types>
 std::vector<ParameterGroup> groups_of(const Types& types) {
@@ -44,7 +44,7 @@ std::vector<std::string> names_of(const Types& types) {
 }
 
 /// Adds the parameters to the schema of an object.
-void add_parameters(std::span<const Parameter> parameters, Json& object) {
+void add_parameters(std::span<const Parameter> parameters, OrderedJson& object) {
   for (const Parameter& parameter : parameters) {
     object["properties"][std::string(parameter.name)] = schema_of(parameter);
     if (parameter.required()) object["required"].push_back(parameter.name);
@@ -52,31 +52,31 @@ void add_parameters(std::span<const Parameter> parameters, Json& object) {
 }
 
 /// The schema of the settings of one type of field, perturbation or the like.
-Json schema_of(const ParameterGroup& type, const char* key = "type") {
-  Json schema{{"description", type.description},
-              {"type", "object"},
-              {"additionalProperties", false},
-              {"required", {key}},
-              {"properties", {{key, {{"const", type.name}}}}}};
+OrderedJson schema_of(const ParameterGroup& type, const char* key = "type") {
+  OrderedJson schema{{"description", type.description},
+                     {"type", "object"},
+                     {"additionalProperties", false},
+                     {"required", {key}},
+                     {"properties", {{key, {{"const", type.name}}}}}};
   add_parameters(type.parameters, schema);
   return schema;
 }
 
 /// Adds to the schema of a field, perturbation or the like its "type" (or what else the key is) and, for each, the
 /// settings.
-void add_types(const std::vector<ParameterGroup>& types, const std::vector<Json>& schemas, Json& schema,
+void add_types(const std::vector<ParameterGroup>& types, const std::vector<OrderedJson>& schemas, OrderedJson& schema,
                const char* key = "type") {
   schema["type"] = "object";
   schema["required"] = {key};
   schema["properties"][key]["enum"] = names_of(types);
   for (std::size_t i = 0; i < types.size(); ++i) {
-    const Json condition{{"required", {key}}, {"properties", {{key, {{"const", types[i].name}}}}}};
+    const OrderedJson condition{{"required", {key}}, {"properties", {{key, {{"const", types[i].name}}}}}};
     schema["allOf"].push_back({{"if", condition}, {"then", schemas[i]}});
   }
 }
 
-void add_fields(Json& schema) {
-  std::vector<Json> schemas;
+void add_fields(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const ParameterGroup& type : field_groups()) {
     schemas.push_back(schema_of(type));
     schemas.back()["properties"]["at"] = {{"$ref", "#/definitions/site"}};
@@ -85,10 +85,11 @@ void add_fields(Json& schema) {
   add_types(field_groups(), schemas, schema);
 }
 
-void add_descriptors(Json& schema) {
-  std::vector<Json> schemas;
+void add_descriptors(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const Descriptor& type : descriptors()) {
-    Json& settings = schemas.emplace_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
+    OrderedJson& settings =
+        schemas.emplace_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
     if (type.most_fields == 0) continue;
     if (type.fewest_fields > 0) settings["required"].push_back("fields");
     settings["properties"]["fields"] = {{"type", "array"},
@@ -96,28 +97,28 @@ void add_descriptors(Json& schema) {
                                         {"maxItems", type.most_fields},
                                         {"items", {{"$ref", "#/definitions/field"}}}};
     if (type.axis_parameters.empty()) continue;
-    Json axis{{"description", "How the field of the same place in the list is counted."},
-              {"type", "object"},
-              {"additionalProperties", false},
-              {"properties", Json::object()}};
+    OrderedJson axis{{"description", "How the field of the same place in the list is counted."},
+                     {"type", "object"},
+                     {"additionalProperties", false},
+                     {"properties", OrderedJson::object()}};
     add_parameters(type.axis_parameters, axis);
     settings["properties"]["axes"] = {{"type", "array"}, {"maxItems", type.most_fields}, {"items", std::move(axis)}};
   }
   add_types(descriptor_groups(), schemas, schema);
 }
 
-void add_rerank_methods(Json& schema) {
-  std::vector<Json> schemas;
+void add_rerank_methods(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const ParameterGroup& method : rerank_groups()) {
-    Json& settings = schemas.emplace_back(schema_of(method, "method"));
+    OrderedJson& settings = schemas.emplace_back(schema_of(method, "method"));
     settings["required"].push_back("of");
     settings["properties"]["of"] = {{"type", "string"}};
   }
   add_types(rerank_groups(), schemas, schema, "method");
 }
 
-void add_perturbations(Json& schema) {
-  std::vector<Json> schemas;
+void add_perturbations(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const PerturbationType& type : perturbation_types()) {
     schemas.push_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
     if (!type.has_choices) continue;
@@ -192,8 +193,8 @@ const Parameter& registered_parameter(std::string_view group, std::string_view n
 }
 
 std::string experiment_schema() {
-  Json schema = Json::parse(base_schema());
-  Json& definitions = schema["definitions"];
+  OrderedJson schema = OrderedJson::parse(base_schema());
+  OrderedJson& definitions = schema["definitions"];
   for (const ParameterGroup& section : section_groups()) {
     if (section.name != "experiment") add_parameters(section.parameters, definitions[std::string(section.name)]);
   }

@@ -69,11 +69,11 @@ class DescriptorRuns : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
-const MethodResults& method(const ExperimentResults& results, const std::string& name) {
+const MethodResults& method_named(const ExperimentResults& results, const std::string& name) {
   return *std::ranges::find(results.methods, name, &MethodResults::name);
 }
 
-CacheUse use_of(const ExperimentResults& results, EntryKind kind) {
+CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
   return results.cache.uses.at(static_cast<std::size_t>(kind));
 }
 
@@ -81,25 +81,28 @@ TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
   const ExperimentResults results = run(document(), false);
   for (Eigen::Index i = 0; i < 9; ++i) {
     const Shape shape = scaled_to_unit_area(read_shape(results.models[static_cast<std::size_t>(i)].file));
-    EXPECT_EQ(method(results, "d2").signatures.row(i).transpose(), d2(shape, {.points = 64, .bins = 8}));
+    EXPECT_EQ(method_named(results, "d2").signatures.row(i).transpose(), d2(shape, {.points = 64, .bins = 8}));
   }
-  EXPECT_EQ(method(results, "d2").distances, descriptor_distances(descriptor("d2"), method(results, "d2").signatures));
-  const Signatures& joint = method(results, "joint").signatures;
+  EXPECT_EQ(method_named(results, "d2").distances,
+            descriptor_distances(descriptor("d2"), method_named(results, "d2").signatures));
+  const Signatures& joint = method_named(results, "joint").signatures;
   EXPECT_EQ(joint.cols(), 16);
-  const Signatures& bag = method(results, "bag").signatures;
+  const Signatures& bag = method_named(results, "bag").signatures;
   EXPECT_EQ(bag.cols(), 5);
   for (Eigen::Index i = 0; i < 9; ++i) EXPECT_NEAR(bag.row(i).sum(), 1, 1e-6);
 }
 
 TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
   const ExperimentResults results = run(document(), false);
-  const std::vector<DistanceMatrix> parts{method(results, "d2").distances, method(results, "joint").distances,
-                                          method(results, "fixed").distances};
+  const std::vector<DistanceMatrix> parts{method_named(results, "d2").distances,
+                                          method_named(results, "joint").distances,
+                                          method_named(results, "fixed").distances};
   const std::vector<double> weights{1, 0.5, 1};
-  EXPECT_EQ(method(results, "sum").distances, sum_of_distances(parts, weights));
-  EXPECT_EQ(method(results, "again").distances, diffused(method(results, "sum").distances, {.neighbours = 2}));
-  EXPECT_EQ(method(results, "again").signatures.size(), 0);
-  EXPECT_EQ(method(results, "again").evaluations.size(), 2U);
+  EXPECT_EQ(method_named(results, "sum").distances, sum_of_distances(parts, weights));
+  EXPECT_EQ(method_named(results, "again").distances,
+            diffused(method_named(results, "sum").distances, {.neighbours = 2}));
+  EXPECT_EQ(method_named(results, "again").signatures.size(), 0);
+  EXPECT_EQ(method_named(results, "again").evaluations.size(), 2U);
 }
 
 TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
@@ -110,10 +113,10 @@ TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
   EXPECT_EQ(files_of(run(document(), true, 3)), fresh);
   const ExperimentResults again = run(document(), true);
   EXPECT_EQ(files_of(again), fresh);
-  EXPECT_EQ(use_of(again, EntryKind::features).computed, 0U);
-  EXPECT_EQ(use_of(again, EntryKind::features).hits, 27U);
-  EXPECT_EQ(use_of(again, EntryKind::learnt).hits, 1U);
-  EXPECT_EQ(use_of(again, EntryKind::field).computed, 0U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::features).computed, 0U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::features).hits, 27U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::learnt).hits, 1U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::field).computed, 0U);
 }
 
 TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
@@ -122,8 +125,8 @@ TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
   changed["signatures"][7]["descriptor"]["axes"][0]["bins"] = 5;
   const auto fresh = files_of(run(changed, false));
   const ExperimentResults results = run(changed, true);
-  EXPECT_EQ(use_of(results, EntryKind::field).computed, 0U);
-  EXPECT_EQ(use_of(results, EntryKind::features).computed, 9U);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::field).computed, 0U);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::features).computed, 9U);
   EXPECT_EQ(files_of(results), fresh);
 }
 
@@ -132,9 +135,9 @@ TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
   write_off(data() / "T8.off", test::small_shape("box", 9));
   const auto fresh = files_of(run(document(), false));
   const ExperimentResults results = run(document(), true);
-  EXPECT_EQ(use_of(results, EntryKind::learnt).computed, 1U);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::learnt).computed, 1U);
   // All of the bag's, and those of the other two descriptors on the one model.
-  EXPECT_EQ(use_of(results, EntryKind::features).computed, 9U + 2U);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::features).computed, 9U + 2U);
   EXPECT_EQ(files_of(results), fresh);
 }
 
@@ -151,7 +154,7 @@ TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
   const ExperimentResults results = run(document, false);
   ASSERT_EQ(results.failures.size(), 1U);
   EXPECT_EQ(results.failures[0].model.id, "4");
-  EXPECT_EQ(method(results, "dna").distances.rows(), 8);
+  EXPECT_EQ(method_named(results, "dna").distances.rows(), 8);
 }
 
 TEST_F(DescriptorRuns, WithoutAnyFieldThereIsAReportWithoutPictures) {
