@@ -36,6 +36,8 @@ void add_info_command(CLI::App& app, int& status);                     ///< diag
 void add_perturb_command(CLI::App& app, int& status);                  ///< a shape, changed at random
 void add_convert_command(CLI::App& app, int& status);                  ///< a shape in another format
 void add_segment_command(CLI::App& app, int& status);                  ///< a shape, cut into parts
+void add_describe_command(CLI::App& app, int& status);                 ///< the features of shapes
+void add_rerank_command(CLI::App& app, int& status);                   ///< distances, re-ranked
 void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix
 void add_compare_command(CLI::App& app, int& status);                  ///< methods on the same queries
 void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< segmentations against people's

@@ -134,14 +134,16 @@ int report_replay(const nlohmann::json& recorded, const fs::path& results) {
 
 /// What a run took from the cache, as a line: "From the cache: 600 of 600 fields, ..."; empty where that is nothing.
 std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 4> shown{{{EntryKind::shape, "shapes"},
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 5> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
                                                                          {EntryKind::histogram, "histograms"},
+                                                                         {EntryKind::features, "features"},
                                                                          {EntryKind::distances, "distance matrices"}}};
   std::vector<std::string> parts;
   bool any = false;
   for (const auto& [kind, name] : shown) {
     const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
+    if (kind == EntryKind::features && use.hits + use.computed == 0) continue;  // no descriptor
     parts.push_back(fmt::format("{} of {} {}", use.hits, use.hits + use.computed, name));
     any = any || use.hits > 0;
   }

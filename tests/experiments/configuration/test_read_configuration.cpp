@@ -208,7 +208,7 @@ TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
   EXPECT_THAT(experiment_error_with("/report/pictures/of", "bb"),
               HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; known here: \"a\", \"b\""));
   EXPECT_THAT(experiment_error_with("/report/pictures/of", "c"),
-              HasSubstr("report.pictures.of: the signature \"c\" concatenates"));
+              HasSubstr("report.pictures.of: the signature \"c\" has no field"));
   EXPECT_THAT(experiment_error_with("/report/pictures/range", {0.2, 0.2}),
               HasSubstr("report.pictures.range: the first value"));
   EXPECT_THAT(experiment_error_with("/report/picture", true), HasSubstr("pictures"));

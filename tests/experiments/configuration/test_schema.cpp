@@ -223,8 +223,9 @@ TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
                   .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
                   .make = field_types()[0].make});
   EXPECT_EQ(schema_error_with("/signatures/0/field", field), "no error");
-  EXPECT_EQ(schema_error_with("/signatures/0/field/type", "test_flat"),
-            "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"height\", \"type\"");
+  EXPECT_EQ(
+      schema_error_with("/signatures/0/field/type", "test_flat"),
+      "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"bilateral\", \"height\", \"type\"");
   EXPECT_EQ(schema_error_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
             "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
 }
@@ -262,7 +263,7 @@ TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
     EXPECT_THAT(program, HasSubstr(page.substr(code, page.find("```", code) - code)));
     ++shown;
   }
-  EXPECT_EQ(shown, 5);
+  EXPECT_EQ(shown, 6);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/support/test_shapes.h"
@@ -94,7 +96,89 @@ INSTANTIATE_TEST_SUITE_P(Each, FieldVersions,
                                                   {{"cone_sdf", 2}},
                                                   {{0.229121719107, 0.00860165659469, 1},
                                                    {0.171100542702, 0.00698436038499, 1},
-                                                   {0.179804427187, 0.100130395241, 1}}}));
+                                                   {0.179804427187, 0.100130395241, 1}}},
+                                         Recorded{{{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.1}}}},
+                                                  {{"cone_sdf", 2}, {"bilateral", 1}},
+                                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+                                         Recorded{{{"type", "centricity"}, {"sources", 10}},
+                                                  {{"centricity", 1}},
+                                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+                                         Recorded{{{"type", "heat_kernel"}, {"eigenvalues", 20}},
+                                                  {{"heat_kernel", 1}},
+                                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+                                         Recorded{{{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
+                                                  {{"heat_kernel", 1}},
+                                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}},
+                                         Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
+                                                  {{"heat_kernel", 1}},
+                                                  {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}}));
+
+/// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
+/// counted from 1, over their number; and the distances between the first shape and the others.
+struct RecordedDescriptor {
+  Json settings;
+  int version = 0;
+  std::vector<double> numbers;
+};
+
+void PrintTo(const RecordedDescriptor& recorded, std::ostream* stream) { *stream << recorded.settings; }
+
+class DescriptorVersions : public testing::TestWithParam<RecordedDescriptor> {};
+
+std::vector<double> numbers_of(const DescriptorChoice& choice) {
+  std::vector<PreparedShape> prepared;
+  std::vector<std::vector<ScalarField>> fields;
+  for (const Shape& shape : shapes()) {
+    const Shape& ready = prepared.emplace_back(prepare_shape(shape, {})).shape;
+    FieldSource source(ready);
+    auto& of_shape = fields.emplace_back();
+    for (const Field& field : choice.fields) {
+      const Samples samples = take_samples(ready, field.samples);
+      of_shape.push_back({field.compute(source, samples, false).values, samples.weights});
+    }
+  }
+  std::vector<DescriptorInput> inputs;
+  for (std::size_t i = 0; i < prepared.size(); ++i) inputs.push_back({prepared[i].shape, fields[i]});
+  const bool learning = learns(choice.descriptor, choice.values);
+  const LearntFeatures learnt = learning ? choice.descriptor.learn(inputs, choice.values) : LearntFeatures{};
+  Signatures features;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Eigen::VectorXd found = choice.descriptor.describe(inputs[i], learnt, choice.values).cast<double>();
+    features.conservativeResize(features.rows() + 1, found.size());
+    features.bottomRows<1>() = found.transpose().cast<float>();
+    numbers.push_back(found.sum());
+    numbers.push_back(found.dot(Eigen::VectorXd::LinSpaced(found.size(), 1, static_cast<double>(found.size()))) /
+                      static_cast<double>(found.size()));
+  }
+  const DistanceMatrix distances = descriptor_distances(choice.descriptor, features);
+  numbers.insert(numbers.end(), {distances(0, 1), distances(0, 2)});
+  return numbers;
+}
+
+TEST_P(DescriptorVersions, WithOtherValuesComesAnotherVersion) {
+  const DescriptorChoice choice = make_descriptor(GetParam().settings);
+  EXPECT_EQ(choice.descriptor.version, GetParam().version);
+  const std::vector<double> found = numbers_of(choice);
+  ASSERT_EQ(found.size(), GetParam().numbers.size());
+  // Features are in single precision.
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], GetParam().numbers[i], 1e-5 * std::max(1.0, std::abs(found[i]))) << "number " << i;
+  }
+}
+
+const Json two_fields{{{"type", "cone_sdf"}}, {{"type", "centricity"}, {"sources", 10}}};
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, DescriptorVersions,
+    testing::Values(
+        RecordedDescriptor{{{"type", "joint_histogram"}, {"fields", two_fields}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}},
+        RecordedDescriptor{
+            {{"type", "bag_of_features"}, {"words", 7}, {"fields", two_fields}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}},
+        RecordedDescriptor{{{"type", "light_field"}, {"pixels", 64}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}},
+        RecordedDescriptor{{{"type", "spherical_harmonics"}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}},
+        RecordedDescriptor{{{"type", "d2"}, {"points", 100}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}},
+        RecordedDescriptor{{{"type", "shape_dna"}}, 1, {0, 0, 0, 0, 0, 0, 0, 0}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),

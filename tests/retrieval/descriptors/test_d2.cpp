@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/l1_distance.h"
 #include "tests/support/test_shapes.h"

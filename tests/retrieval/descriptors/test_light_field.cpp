@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
 #include "tests/support/test_shapes.h"
 

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
 #include "shapegauge/retrieval/distances.h"
 #include "tests/support/test_shapes.h"
