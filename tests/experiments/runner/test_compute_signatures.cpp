@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "shapegauge/experiments/runner/compute_signatures.h"
@@ -23,15 +24,22 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
   return model;
 }
 
+SignatureConfiguration histogram_of(const char* name, const nlohmann::json& field, int bins = 80) {
+  SignatureConfiguration signature;
+  signature.name = name;
+  signature.field = make_field(field);
+  signature.histogram.options.bins = bins;
+  return signature;
+}
+
 TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
-  const Field field = make_field({{"type", "cone_sdf"}});
   ModelDescription model;
   model.fields.resize(1);
   model.histograms = {Eigen::VectorXf{{0.25F, 0.75F}}, Eigen::VectorXf{{1.0F}}, {}};
-  const std::vector<SignatureConfiguration> signatures{
-      {.name = "two", .field = field, .histogram = {.options = {.bins = 2}, .fixed = {}}, .parts = {}},
-      {.name = "one", .field = field, .histogram = {.options = {.bins = 1}, .fixed = {}}, .parts = {}},
-      {.name = "both", .field = std::nullopt, .histogram = {}, .parts = {1, 0}}};
+  SignatureConfiguration both;
+  both.parts = {1, 0};
+  const std::vector<SignatureConfiguration> signatures{histogram_of("two", {{"type", "cone_sdf"}}, 2),
+                                                       histogram_of("one", {{"type", "cone_sdf"}}, 1), both};
   const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures);
   EXPECT_EQ(tables[2], (Signatures{{0.5F, 0.125F, 0.375F}}));
 }
@@ -40,12 +48,9 @@ TEST(ReportFields, CountsAndAddsOverTheModels) {
   const ModelDescription closed = model_with_gaps(0.4, 0.05);  // narrower than 0.05 of the diagonal
   const ModelDescription open = model_with_gaps(0.6, 0.05);
   const ModelDescription wide = model_with_gaps(0.6, 0.07);
-  const std::vector<PlannedField> plan = plan_fields(
-      {{.name = "fixed", .field = make_field({{"type", "offset_sdf"}, {"offset", 0.05}}), .histogram = {}, .parts = {}},
-       {.name = "auto",
-        .field = make_field({{"type", "offset_sdf"}, {"offset", "auto"}}),
-        .histogram = {},
-        .parts = {}}});
+  const std::vector<PlannedField> plan =
+      plan_fields({histogram_of("fixed", {{"type", "offset_sdf"}, {"offset", 0.05}}),
+                   histogram_of("auto", {{"type", "offset_sdf"}, {"offset", "auto"}})});
   ASSERT_EQ(plan.size(), 2U);
   const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, plan);
   ASSERT_EQ(reports.size(), 2U);
