@@ -56,6 +56,12 @@ TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0.75, 0.75, 0.5));
 }
 
+TEST(PrecisionAtLevels, PaperIsOneBeforeAnyHit) {
+  const Eigen::VectorXd precision = precision_at_levels(list_of_hits({false, true, true}), CurveKind::paper);
+  const std::vector<double> values(precision.begin(), precision.end());
+  EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5, 0.5, 2.0 / 3));
+}
+
 TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
   // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must count at level 0.3 all the
   // same.

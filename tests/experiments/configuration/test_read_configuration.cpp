@@ -35,6 +35,32 @@ std::string experiment_error_with(const std::string& pointer, const Json& value)
   return test::input_error_of([&] { configuration_with(pointer, value); });
 }
 
+TEST(Configuration, MeasuresAreThoseOfItsProtocols) {
+  const auto names_under = [](const char* protocol) {
+    std::vector<std::string> names;
+    for (const Measure& measure : configuration_with("/protocol", protocol).measures) names.push_back(measure.name);
+    return names;
+  };
+  EXPECT_THAT(names_under("psb"), testing::Contains("FT"));
+  EXPECT_THAT(names_under("psb"), testing::Not(testing::Contains("nDCG")));
+  EXPECT_THAT(names_under("trec"), testing::Contains("nDCG"));
+}
+
+TEST(Configuration, PathsAreWrittenSoThatTheyHoldFromAnyFolder) {
+  Json document = experiment_document();
+  document["dataset"]["root"] = "../data";
+  const Json written = to_json(configuration_from_json(document, "x.json", "configs/mine"));
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(written["dataset"]["root"], (here / "configs/data").string());
+  EXPECT_TRUE(written["dataset"]["classification"].get<std::string>().starts_with((here / "configs/data/").string()));
+}
+
+TEST(Configuration, SmoothingMayBeAsWideAsAllBins) {
+  EXPECT_EQ(
+      configuration_with("/signatures/1/histogram/smoothing_bins", 40).signatures[1].histogram.options.smoothing_bins,
+      40);
+}
+
 TEST(Configuration, FillsInDefaults) {
   const Configuration configuration = configuration_from_json(experiment_document(), "x.json", "/configs");
   EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
@@ -68,6 +94,7 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
     {"type": "one_of", "choices": [[], [{"type": "holes"}, {"type": "one_of", "choices": [[{"type": "decimate", "faces": 9}]]}]]}
   ])");
   const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
+  EXPECT_EQ(filled["report"], full["report"]);
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
   EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
   EXPECT_EQ(filled["evaluation"]["ties"], "expected");
