@@ -33,6 +33,21 @@ TEST(PlanFields, EqualSettingsAreOneFieldWhetherWrittenOutOrNot) {
   EXPECT_FALSE(plan[1].keep_values);
 }
 
+TEST(DescribeField, KeepsValuesOnlyForARangeOverAllShapes) {
+  const ScalarField field{.values = Eigen::Vector3d(0.25, 0.5, 1), .weights = Eigen::Vector3d(1, 1, 2)};
+  for (const HistogramRange range : {HistogramRange::per_shape, HistogramRange::dataset}) {
+    const std::vector<SignatureConfiguration> signatures{signature({{"type", "cone_sdf"}}, range)};
+    const std::vector<PlannedField> plan = plan_fields(signatures);
+    FieldDescription kept;
+    std::vector<Eigen::VectorXf> histograms(1);
+    describe_field(field, plan[0], signatures, kept, histograms);
+    const bool waits = range == HistogramRange::dataset;
+    EXPECT_EQ(kept.values.size(), waits ? 3 : 0);  // of thousands of shapes they would fill the memory
+    EXPECT_EQ(histograms[0].size(), waits ? 0 : 80);
+    EXPECT_EQ(kept.range.high, 1);
+  }
+}
+
 }  // namespace
 
 }  // namespace shapegauge
