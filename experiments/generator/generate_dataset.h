@@ -43,7 +43,8 @@ using GeneratorProgress = std::function<void(int done, int total)>;
 /// Names of the classes the generator knows, in the order in which GeneratorOptions::classes counts them.
 std::vector<std::string> generated_class_names();
 
-/// Writes articulated shapes and, after their classes, rigid objects into the folder (made where absent), in the layout of SHREC'11:
+/// Writes articulated shapes and, after their classes, rigid objects into the folder (made where absent), in the layout
+/// of SHREC'11:
 /// - T0.off, T1.off, ...: closed, manifold, outward-oriented meshes without self-intersections, one component each;
 /// - T0.seg, T1.seg, ...: a part label per triangle, one integer a line, as in the Princeton segmentation benchmark;
 /// - test.cla: the classification; the models of a class are scattered over the numbers at random;

@@ -10,6 +10,7 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/model_picture.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -52,6 +53,9 @@ std::string picture_key(const std::string& field, const PictureOptions& options)
 
 /// Of the distance matrix of the signatures.
 std::string distances_key(const Signatures& signatures, const std::string& distance);
+
+/// Of the parts of a shape by a method; `version` is that of the method's algorithm.
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version);
 
 /// The numbers of an array.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);
