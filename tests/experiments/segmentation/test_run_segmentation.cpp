@@ -47,10 +47,11 @@ class SegmentationRun : public testing::Test {
   [[nodiscard]] std::filesystem::path root() const { return folder_.path() / "psb"; }
 
   [[nodiscard]] SegmentationExperiment experiment() const {
-    return segmentation_from_json({{"name", "balls"},
-                                   {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
-                                   {"segmentation", {{{"name", "best"}}, {{"name", "the paper"}, {"method", "paper"}}}}},
-                                  "x.json", folder_.path());
+    return segmentation_from_json(
+        {{"name", "balls"},
+         {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
+         {"segmentation", {{{"name", "best"}}, {{"name", "the paper"}, {"method", "paper"}}}}},
+        "x.json", folder_.path());
   }
 
   TemporaryFolder folder_;
@@ -84,7 +85,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   same.methods[0].name = "another name";
   EXPECT_EQ(use_of(same).hits, 3U);
   same.methods[0].parts = 2;
-  EXPECT_EQ(use_of(same).hits, 0U);
+  EXPECT_GE(use_of(same).computed, 1U);
 }
 
 TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
@@ -146,7 +147,8 @@ TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
 
 TEST(SegmentationConfiguration, RefusesWhatContradictsItself) {
   const auto error_of = [](const nlohmann::json& methods) {
-    const nlohmann::json document{{"name", "x"}, {"dataset", {{"generate", {{"classes", 1}}}}}, {"segmentation", methods}};
+    const nlohmann::json document{
+        {"name", "x"}, {"dataset", {{"generate", {{"classes", 1}}}}}, {"segmentation", methods}};
     return test::input_error_of([&] { segmentation_from_json(document, "x.json", "/"); });
   };
   EXPECT_THAT(error_of({{{"name", "a"}}, {{"name", "a"}}}), HasSubstr("segmentation.1.name"));
