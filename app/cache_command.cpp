@@ -24,7 +24,7 @@ fs::path folder_of(const CacheOption& option) {
   return folder;
 }
 
-int info(const CacheOption& option) {
+int show_cache(const CacheOption& option) {
   const fs::path folder = folder_of(option);
   const CacheContents contents = cache_contents(folder);
   Table table{.header = {"kind", "entries", "size"}, .rows = {}};
@@ -65,7 +65,7 @@ void add_cache_command(CLI::App& app, int& status) {
       "same\n"
       "again. It can be removed at any time: later runs take longer, their results are the same.\n"
       "Example: shapegauge cache info");
-  add_action(*cache, "info", "Say where the cache is and what it holds", info, status);
+  add_action(*cache, "info", "Say where the cache is and what it holds", show_cache, status);
   add_action(*cache, "clear", "Remove all of it", clear, status);
 }
 

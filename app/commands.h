@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 namespace CLI {
 class App;
 }
@@ -21,6 +23,9 @@ void catch_interruption();
 /// Whether the program has been interrupted since catch_interruption().
 bool interrupted();
 
+/// The commands that the app, or a command, has.
+std::vector<const CLI::App*> commands_of(const CLI::App& app);
+
 /// The commands of the program, in the order of its help. Each adds its subcommand to the app. The command runs while
 /// the arguments are parsed and stores its exit status in `status`, which must outlive the app.
 /// @{
@@ -31,6 +36,8 @@ void add_info_command(CLI::App& app, int& status);                     ///< diag
 void add_perturb_command(CLI::App& app, int& status);                  ///< a shape, changed at random
 void add_convert_command(CLI::App& app, int& status);                  ///< a shape in another format
 void add_segment_command(CLI::App& app, int& status);                  ///< a shape, cut into parts
+void add_describe_command(CLI::App& app, int& status);                 ///< the features of shapes
+void add_rerank_command(CLI::App& app, int& status);                   ///< distances, re-ranked
 void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix
 void add_compare_command(CLI::App& app, int& status);                  ///< methods on the same queries
 void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< segmentations against people's

@@ -10,6 +10,7 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -93,8 +94,8 @@ std::string explanation(const AlignedMethods& methods, std::span<const MethodCom
       1 - options.confidence);
 }
 
-std::string formatted(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                      const ComparisonOptions& options, const CompareArguments& arguments) {
+std::string formatted_comparison(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                                 const ComparisonOptions& options, const CompareArguments& arguments) {
   const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
   if (arguments.format == "json") return comparison_json(methods, comparisons, options).dump(2) + "\n";
   const bool csv = arguments.format == "csv";
@@ -150,6 +151,7 @@ int run(const CompareArguments& arguments) {
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;
   try {
+    const BusyLine line("comparing the methods");
     for (const Eigen::MatrixXd& values : aligned.values) {
       comparisons.push_back(compare_methods(values, aligned.classes, options));
     }
@@ -158,7 +160,7 @@ int run(const CompareArguments& arguments) {
   }
   warn_of_same_files(arguments.inputs, warnings);
   warn_of_few_units(comparisons.front(), options, warnings);
-  fmt::print("{}", formatted(aligned, comparisons, options, arguments));
+  fmt::print("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
   return exit_success;
 }

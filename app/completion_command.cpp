@@ -12,10 +12,6 @@ namespace shapegauge {
 
 namespace {
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// "--format", "-o": the names of an option as they are typed; none for what has no name.
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
@@ -153,6 +149,10 @@ _shapegauge "$@"
 }
 
 }  // namespace
+
+std::vector<const CLI::App*> commands_of(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
 
 void add_completion_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("completion", "Print the completion of commands and options for a shell");

@@ -39,7 +39,7 @@ DatasetLocation location_of(const LookArguments& arguments) {
   return location;
 }
 
-int info(const LookArguments& arguments) {
+int show_dataset(const LookArguments& arguments) {
   const DatasetLocation location = location_of(arguments);
   const Dataset dataset = find_dataset(location);
   const std::vector<ModelFailure> failures = check_models(dataset);
@@ -141,7 +141,7 @@ void add_dataset_command(CLI::App& app, int& status) {
       dataset->add_subcommand("info", "Classes and numbers of models; looks at the files' headers");
   info_command->footer("Example: shapegauge dataset info shrec11 --classification test.cla");
   const auto info_arguments = add_look_arguments(info_command);
-  info_command->callback([info_arguments, &status] { status = info(*info_arguments); });
+  info_command->callback([info_arguments, &status] { status = show_dataset(*info_arguments); });
 
   CLI::App* validate_command =
       dataset->add_subcommand("validate", "Read every model and name those that cannot be used");

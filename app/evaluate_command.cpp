@@ -9,6 +9,8 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/standard_streams.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
@@ -24,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EvaluateArguments {
-  fs::path distances;
+  fs::path distances;  ///< "-": standard input
+  std::string input_format;
   EvaluationArguments evaluation;
   ResamplingArguments resampling;
   std::string format = "table";
@@ -69,7 +72,8 @@ std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& t
   return json.dump(2) + "\n";
 }
 
-std::string formatted(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
+std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationTask& task,
+                                 const EvaluateArguments& arguments) {
   if (arguments.format == "json") return formatted_json(named, task, arguments);
   const std::vector<NamedEvaluation> one{named};
   const ScoreStyle style = style_of(arguments);
@@ -129,14 +133,47 @@ void write_files(const NamedEvaluation& named, const EvaluationTask& task, const
   if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, task.class_names));
 }
 
+/// The extension of the format that the first bytes name; text without one is CSV.
+std::string_view sniffed_format(std::string_view bytes) {
+  if (bytes.starts_with("\x93NUMPY")) return "npy";
+  if (bytes.starts_with("PK\x03\x04")) return "npz";
+  return bytes.starts_with("MATLAB 5.0") ? "mat" : "csv";
+}
+
+/// Evaluates what comes through a pipe. It becomes a file in the folder, since matrices are read by blocks.
+EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const ScratchFolder& scratch) {
+  const std::string bytes = read_standard_input();
+  const std::string format =
+      arguments.input_format.empty() ? std::string(sniffed_format(bytes)) : arguments.input_format;
+  const fs::path file = scratch.path() / ("standard input." + format);
+  write_file_atomically(file, bytes);
+  try {
+    return evaluate_with_progress(file, arguments.evaluation);
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (const auto at = message.find(file.string()); at != std::string::npos) {
+      message.replace(at, file.string().size(), "standard input");
+    }
+    throw InputError(message);
+  }
+}
+
 int run(const EvaluateArguments& arguments) {
-  const EvaluatedFiles evaluated = evaluate_with_progress(arguments.distances, arguments.evaluation);
+  const bool piped = is_standard_stream(arguments.distances);
+  if (!piped && !arguments.input_format.empty()) {
+    throw InputError("--input-format goes with standard input (-); a file's format is told by its extension");
+  }
+  std::optional<ScratchFolder> scratch;
+  if (piped) scratch.emplace();
+  const EvaluatedFiles evaluated = piped ? evaluate_standard_input(arguments, *scratch)
+                                         : evaluate_with_progress(arguments.distances, arguments.evaluation);
   const EvaluationTask& task = evaluated.data.task;
   if (!arguments.report.empty()) check_fit_for_report(task);
   std::vector<std::string> warnings = evaluated.warnings;
-  NamedEvaluation named{.method = method_name(arguments.distances, evaluated.data),
+  NamedEvaluation named{.method = method_name(piped ? "standard input" : arguments.distances, evaluated.data),
                         .evaluation = &evaluated.evaluation};
   if (arguments.resampling.confidence > 0) {
+    const BusyLine line("resampling");
     named.intervals = intervals_of(evaluated.evaluation, {.confidence = arguments.resampling.confidence,
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
                                                           .resampling = arguments.resampling.resampling});
@@ -149,7 +186,7 @@ int run(const EvaluateArguments& arguments) {
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
-  fmt::print("{}", formatted(named, task, arguments));
+  fmt::print("{}", formatted_evaluation(named, task, arguments));
   print_warnings(warnings);
   return exit_success;
 }
@@ -190,8 +227,12 @@ void add_evaluate_command(CLI::App& app, int& status) {
   command
       ->add_option("distances", arguments->distances,
                    "Distances or features: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat; or ranked lists: .run, "
-                   ".trec, .txt, .lists; text and .npy also with .gz behind")
+                   ".trec, .txt, .lists; text and .npy also with .gz behind; -: standard input")
       ->required();
+  command
+      ->add_option("--input-format", arguments->input_format,
+                   "Format of standard input: an extension without the point (default: by the first bytes, else csv)")
+      ->check(CLI::IsMember({"npy", "npz", "mat", "matrix", "csv", "txt", "dat", "run", "trec", "lists"}));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);

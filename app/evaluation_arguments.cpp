@@ -66,7 +66,7 @@ void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")
       ->check(CLI::Range(1, 10000000))
       ->capture_default_str();
-  command.add_option("--seed", arguments.resampling.seed, "Seed of the resamples")->capture_default_str();
+  add_seed_option(command, arguments.resampling.seed);
 }
 
 Protocol chosen_protocol(const EvaluationArguments& arguments) {
@@ -108,7 +108,7 @@ std::optional<std::string> ties_warning(const Evaluation& evaluation) {
 }
 
 void print_warnings(std::span<const std::string> warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "shapegauge: note: {}\n", warning);
+  for (const std::string& warning : warnings) warn(warning);
 }
 
 }  // namespace shapegauge

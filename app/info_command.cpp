@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct InfoArguments {
   ShapeFiles files;
@@ -79,11 +79,11 @@ std::string winding(const ShapeDiagnostics& found, double volume) {
 
 /// Place, volume, genus and winding; null where the shape has none: a volume and a genus take a closed mesh, oriented
 /// alike, whose edges are of two triangles each.
-Json geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
+OrderedJson geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
   const bool solid = found.watertight && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;
   const double volume = solid ? signed_volume(shape) : 0;
-  Json json{
+  OrderedJson json{
       {"bounding_box",
        {{"min", {box.min()[0], box.min()[1], box.min()[2]}}, {"max", {box.max()[0], box.max()[1], box.max()[2]}}}},
       {"volume", nullptr},
@@ -96,14 +96,14 @@ Json geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
   return json;
 }
 
-Json info_of(const Shape& shape) {
+OrderedJson info_of(const Shape& shape) {
   const ShapeDiagnostics found = diagnose(shape);
-  Json json = diagnostics_json(found);
+  OrderedJson json = diagnostics_json(found);
   json.update(geometry_json(shape, found));
   return json;
 }
 
-std::string value_text(const Json& value) {
+std::string value_text(const OrderedJson& value) {
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_null()) return "none";
   if (value.is_string()) return value.get<std::string>();
@@ -114,7 +114,7 @@ std::string value_text(const Json& value) {
   return corner("min") + " to " + corner("max");
 }
 
-std::string text_of(const Json& info) {
+std::string text_of(const OrderedJson& info) {
   std::string text;
   for (const auto& [name, value] : info.items()) {
     std::string words = name;
@@ -125,20 +125,20 @@ std::string text_of(const Json& info) {
 }
 
 int run(const InfoArguments& arguments) {
-  std::vector<Json> infos(arguments.files.inputs.size());  // null where a shape could not be used
+  std::vector<OrderedJson> infos(arguments.files.inputs.size());  // null where a shape could not be used
   std::vector<std::string> names(infos.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
     names[job.index] = job.input;
     infos[job.index] = info_of(shape);
   });
   const bool several = infos.size() > 1;
-  Json all = Json::array();
+  OrderedJson all = OrderedJson::array();
   for (std::size_t i = 0; i < infos.size(); ++i) {
     if (infos[i].is_null()) continue;
     if (arguments.format == "text") {
       fmt::print("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", names[i]) : "", text_of(infos[i]));
     }
-    Json named{{"file", names[i]}};
+    OrderedJson named{{"file", names[i]}};
     named.update(infos[i]);
     all.push_back(several ? std::move(named) : infos[i]);
   }

@@ -59,10 +59,6 @@ std::string command_in(const CLI::App& app) {
   return command;
 }
 
-std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-  return app.get_subcommands([](const CLI::App*) { return true; });
-}
-
 /// The long options of a command and of those that it belongs to.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -180,9 +176,9 @@ int run_command(std::span<const std::string> arguments) {
   add_program_options(app);
   int status = exit_success;
   for (const auto add : {add_run_command, add_sdf_command, add_normals_command, add_info_command, add_perturb_command,
-                         add_convert_command, add_segment_command, add_evaluate_command, add_compare_command,
-                         add_segmentation_evaluation_command, add_measures_command, add_dataset_command,
-                         add_cache_command, add_completion_command}) {
+                         add_convert_command, add_segment_command, add_describe_command, add_rerank_command,
+                         add_evaluate_command, add_compare_command, add_segmentation_evaluation_command,
+                         add_measures_command, add_dataset_command, add_cache_command, add_completion_command}) {
     add(app, status);
   }
   settle(app);

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
@@ -39,7 +41,13 @@ void add_threads_option(CLI::App& command, int& threads) {
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "The same seed gives the same result")
-      ->check(CLI::NonNegativeNumber)  // else -1 is read as the largest number
+      ->check([](const std::string& text) {  // else -1 is read as the largest number
+        const std::optional<double> number = parse_number(text);
+        const bool possible =
+            number && *number == std::floor(*number) && *number >= seed_bounds.low && *number <= seed_bounds.high;
+        return possible ? std::string()
+                        : fmt::format("must be an integer {}, not {}", to_string(seed_bounds), quoted_word(text));
+      })
       ->capture_default_str();
 }
 

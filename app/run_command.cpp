@@ -137,9 +137,10 @@ int report_replay(const nlohmann::json& recorded, const fs::path& results) {
 
 /// What a run took from the cache, as a line: "From the cache: 600 of 600 fields, ..."; empty where that is nothing.
 std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 5> shown{{{EntryKind::shape, "shapes"},
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 6> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
                                                                          {EntryKind::histogram, "histograms"},
+                                                                         {EntryKind::features, "features"},
                                                                          {EntryKind::distances, "distance matrices"},
                                                                          {EntryKind::segmentation, "segmentations"}}};
   std::vector<std::string> parts;

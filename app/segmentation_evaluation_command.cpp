@@ -119,7 +119,7 @@ std::string words_of(const SegmentationScores& scores, const MethodComparison& c
   return words;
 }
 
-std::string formatted(const SegmentationScores& scores, const EvaluationArguments& arguments) {
+std::string formatted_errors(const SegmentationScores& scores, const EvaluationArguments& arguments) {
   if (arguments.format == "json") return json_of(scores, arguments).dump(2) + "\n";
   if (arguments.format == "csv") return to_csv(mean_table(scores));
   const auto text = arguments.format == "markdown" ? to_markdown : to_plain_text;
@@ -136,7 +136,7 @@ int run(const EvaluationArguments& arguments) {
                      benchmark.without_people.front()));
   }
   if (!arguments.per_mesh.empty()) write_file_atomically(arguments.per_mesh, to_csv(mesh_table(scores)));
-  fmt::print("{}", formatted(scores, arguments));
+  fmt::print("{}", formatted_errors(scores, arguments));
   return exit_success;
 }
 

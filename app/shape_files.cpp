@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -11,11 +10,11 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <stdlib.h>
 #include <system_error>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -28,30 +27,6 @@ namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_standard_stream(const fs::path& path) { return path == "-"; }
-
-/// A folder of its own for the time of its scope.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string pattern = (fs::temp_directory_path() / "shapegauge-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw InputError("cannot make a folder in " + pattern);
-    path_ = pattern;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ScratchFolder(ScratchFolder&&) = delete;
-  ScratchFolder& operator=(ScratchFolder&&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// Whether the outputs go into a folder.
 bool fills_folder(const ShapeFiles& files) {
@@ -118,11 +93,7 @@ Shape read_input(const fs::path& input, const std::string& format) {
   if (!is_standard_stream(input)) {
     return extension.empty() ? read_shape(input) : read_shape(read_file_bytes(input), input.string() + extension);
   }
-  std::string bytes;
-  std::array<char, 1 << 16> piece = {};
-  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), stdin)) bytes.append(piece.data(), size);
-  if (bytes.empty()) throw InputError("standard input is empty");
-  return read_shape(bytes, "standard input" + extension);
+  return read_shape(read_standard_input(), "standard input" + extension);
 }
 
 /// Does one job; what goes to standard output is written to a file first, as the writers need a name.
@@ -135,10 +106,7 @@ void do_job(const ShapeFiles& files, ShapeJob job,
   const ScratchFolder scratch;
   job.output = scratch.path() / ("output." + files.output_format);
   work(shape, job, remarks);
-  const std::string bytes = read_file_bytes(job.output);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) {
-    throw InputError("cannot write to standard output: " + std::generic_category().message(errno));
-  }
+  write_standard_output(read_file_bytes(job.output));
 }
 
 void print(const Remarks& remarks, const std::string& prefix) {

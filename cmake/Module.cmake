@@ -1,11 +1,12 @@
-# shapegauge_add_library(NAME FOLDER [SOURCES sources...] [USES targets...] [USES_PRIVATELY targets...]): the library
-# shapegauge_NAME, alias shapegauge::NAME, from a folder of the project, and its installation.
+# shapegauge_add_library(NAME FOLDER [SEPARATELY] [SOURCES sources...] [USES targets...] [USES_PRIVATELY targets...]): the
+# library shapegauge_NAME, alias shapegauge::NAME, from a folder of the project, and its installation. SEPARATELY: its
+# sources are never compiled in batches, since they compute long or share little.
 #
 # A library sees the headers of the libraries that it uses and no others: each one's headers are reachable only through
 # an include directory of its own, <build>/include/NAME, in which shapegauge/FOLDER links to the source folder. An
 # include across a border that docs/architecture.md does not have is therefore a build error.
 function(shapegauge_add_library name folder)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES;USES_PRIVATELY" ${ARGN})
+  cmake_parse_arguments(arg "SEPARATELY" "" "SOURCES;USES;USES_PRIVATELY" ${ARGN})
   add_library(shapegauge_${name} STATIC)
   add_library(shapegauge::${name} ALIAS shapegauge_${name})
   foreach(source IN LISTS arg_SOURCES)
@@ -21,17 +22,26 @@ function(shapegauge_add_library name folder)
                                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
+  if(arg_SEPARATELY)
+    set_target_properties(shapegauge_${name} PROPERTIES UNITY_BUILD OFF)
+  endif()
   install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${folder}
           FILES_MATCHING PATTERN "*.h")
 endfunction()
-# What all of our own targets share: the language standard, the warnings, the sanitizers.
+# What all of our own targets share: the language standard, the warnings, the sanitizers, and sources compiled eight at
+# a time where that is wanted. Names in anonymous namespaces must therefore differ within a target.
 function(shapegauge_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD ${SHAPEGAUGE_UNITY_BUILD}
+                                             UNITY_BUILD_BATCH_SIZE 8)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast
                                            -Wcast-align -Woverloaded-virtual -Wnull-dereference
                                            $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(SHAPEGAUGE_UNITY_BUILD)
+    # What hides a name of another source of its batch hides nothing.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
+  endif()
   # GCC 12 warns, wrongly, of overlap inside std::string's own operator+ (GCC's bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)

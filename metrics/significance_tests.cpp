@@ -19,7 +19,7 @@ namespace shapegauge {
 namespace {
 
 // Of the magnitudes that are summed: sums in another order or with other signs round otherwise.
-constexpr double rounding = 1e-12;
+constexpr double share_of_rounding = 1e-12;
 
 // The sum of the terms in random signs, 64 of them from each random number.
 double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
@@ -43,7 +43,7 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
   }
   if (differences.size() == 0) throw std::invalid_argument("no units for a randomisation test");
   const Eigen::VectorXd terms = differences.cwiseProduct(weights);
-  const double observed = std::abs(terms.sum()) - rounding * terms.cwiseAbs().sum();
+  const double observed = std::abs(terms.sum()) - share_of_rounding * terms.cwiseAbs().sum();
   const int as_extreme = tbb::parallel_reduce(
       tbb::blocked_range<int>(0, options.resamples), 0,
       [&](const tbb::blocked_range<int>& range, int count) {
@@ -106,7 +106,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& 
   });
   std::ranges::sort(ranges);
   const Eigen::VectorXd averages = averages_of(units);
-  const double slack = rounding * averages.cwiseAbs().maxCoeff();
+  const double slack = share_of_rounding * averages.cwiseAbs().maxCoeff();
   const Eigen::Index methods = averages.size();
   Eigen::MatrixXd p_values = Eigen::MatrixXd::Ones(methods, methods);
   for (Eigen::Index a = 0; a < methods; ++a) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -13,6 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
+
 namespace shapegauge {
 
 namespace {
@@ -22,23 +26,31 @@ using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
 
 constexpr Eigen::Index rows_at_once = 256;
 
-void require_between(int value, int low, int high, const char* what) {
-  if (value >= low && value <= high) return;
-  throw std::invalid_argument(std::string(what) + " must be " + std::to_string(low) + " to " + std::to_string(high) +
-                              ", not " + std::to_string(value));
-}
+constexpr std::array diffusion_table = {
+    option_of<&DiffusionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                             "Nearest models that a walk goes on to: about half of a class."),
+    option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
+                                          "A walk goes on with this probability."),
+    option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
+                                      "Share of the original distance, which orders what no walk tells apart."),
+};
+constexpr std::array reciprocal_table = {
+    option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                              "Nearest models among which those of each other are sought."),
+    option_of<&ReciprocalOptions::expansion_neighbours>(
+        "expansion_neighbours", {.low = 1, .high = 1000},
+        "Nearest models over which sets are averaged; at most neighbours."),
+    option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Share of the original distance."),
+};
+constexpr std::array expansion_table = {
+    option_of<&ExpansionOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
+                                             "Nearest models whose rows are added to a model's own."),
+};
+constexpr auto diffusion_parameters = parameters_of(diffusion_table);
+constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);
+constexpr auto expansion_parameters = parameters_of(expansion_table);
 
-void check(const DiffusionOptions& options) {
-  require_between(options.neighbours, 1, 1000, "the number of neighbours of diffusion");
-  if (!(options.damping >= 0 && options.damping < 1)) {
-    throw std::invalid_argument("the damping of diffusion must be at least 0 and less than 1, not " +
-                                std::to_string(options.damping));
-  }
-  if (!(options.tie >= 0 && options.tie <= 1)) {
-    throw std::invalid_argument("the share of the original distance in diffusion must be 0 to 1, not " +
-                                std::to_string(options.tie));
-  }
-}
+void check(const DiffusionOptions& options) { check_options("diffusion", diffusion_table, options); }
 
 RowSource rows_of(const DistanceMatrix& distances) {
   if (distances.rows() != distances.cols()) {
@@ -128,7 +140,7 @@ class ColumnSolver {
 }  // namespace
 
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
-  require_between(k, 1, 1'000'000, "the number of nearest neighbours");
+  if (k < 1) throw std::invalid_argument("at least one nearest neighbour must be asked for, not " + std::to_string(k));
   const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
   NearestModels nearest{{models, count}, {models, count}};
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
@@ -297,11 +309,10 @@ Eigen::RowVectorXd jaccard_distances(const SparseRow& row, const std::vector<Spa
 }  // namespace
 
 DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options) {
-  require_between(options.neighbours, 1, 1000, "the number of neighbours of k-reciprocal re-ranking");
-  require_between(options.expansion_neighbours, 1, options.neighbours, "the number of neighbours of the expansion");
-  if (!(options.original >= 0 && options.original <= 1)) {
-    throw std::invalid_argument("the share of the original distance in k-reciprocal re-ranking must be 0 to 1, not " +
-                                std::to_string(options.original));
+  check_options("k_reciprocal", reciprocal_table, options);
+  if (options.expansion_neighbours > options.neighbours) {
+    throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
+                     "; it must be at most neighbours, which is " + std::to_string(options.neighbours));
   }
   const Eigen::Index models = distances.rows();
   const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
@@ -335,7 +346,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOpt
 }
 
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options) {
-  require_between(options.neighbours, 1, 1000, "the number of neighbours of query expansion");
+  check_options("query_expansion", expansion_table, options);
   const NearestModels nearest = nearest_models(distances.rows(), options.neighbours, rows_of(distances));
   DistanceMatrix result = distances;
   tbb::parallel_for(Eigen::Index{0}, distances.rows(), [&](Eigen::Index i) {
@@ -349,5 +360,33 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
   });
   return symmetric(result);
 }
+
+std::span<const RerankMethod> rerank_methods() {
+  static constexpr std::array methods{
+      RerankMethod{"diffusion", "Walks from model to near model.", diffusion_parameters,
+                   [](const DistanceMatrix& distances, const ParameterValues& values) {
+                     return diffused(distances, diffusion_options(values));
+                   }},
+      RerankMethod{"k_reciprocal", "Sets of models that are near each other.", reciprocal_parameters,
+                   [](const DistanceMatrix& distances, const ParameterValues& values) {
+                     return k_reciprocal(distances, options_from(reciprocal_table, values));
+                   }},
+      RerankMethod{"query_expansion", "Means with the nearest models' distances.", expansion_parameters,
+                   [](const DistanceMatrix& distances, const ParameterValues& values) {
+                     return query_expansion(distances, options_from(expansion_table, values));
+                   }}};
+  return methods;
+}
+
+const RerankMethod& rerank_method(std::string_view name) {
+  const auto methods = rerank_methods();
+  const auto found = std::ranges::find(methods, name, &RerankMethod::name);
+  if (found != methods.end()) return *found;
+  std::string message = "there is no way to re-rank named \"" + std::string(name) + "\"; known are:";
+  for (const RerankMethod& one : methods) message.append(" ").append(one.name);
+  throw InputError(message);
+}
+
+DiffusionOptions diffusion_options(const ParameterValues& values) { return options_from(diffusion_table, values); }
 
 }  // namespace shapegauge

@@ -4,7 +4,10 @@
 #include <Eigen/SparseCore>
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <string_view>
 
+#include "shapegauge/core/base/parameter.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 /// Re-ranking: distances between the models of a set, improved by what the distances say of the whole set. None of it
@@ -40,7 +43,7 @@ struct DiffusionOptions {
 
 /// The symmetric graph on which a walk goes from model to model: affinities exp(-d^2 / (s_i s_j)) between the k nearest
 /// neighbours, s being a model's mean distance to them (Zelnik-Manor and Perona 2004); A = (W + W^T) / 2, then
-/// D^-1/2 A D^-1/2. Throws std::invalid_argument for options out of range.
+/// D^-1/2 A D^-1/2. Throws InputError for options out of range.
 Eigen::SparseMatrix<double, Eigen::RowMajor> diffusion_graph(const NearestModels& nearest,
                                                              const DiffusionOptions& options = {});
 
@@ -68,8 +71,8 @@ struct ReciprocalOptions {
 };
 
 /// k-reciprocal re-ranking (Zhong, Zheng, Cao, Li 2017): the Jaccard distance of models' sets of neighbours that are
-/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Throws
-/// std::invalid_argument for options out of range and as diffused().
+/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Throws InputError for
+/// options out of range, and as diffused().
 DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options = {});
 
 /// Settings of query_expansion().
@@ -78,8 +81,26 @@ struct ExpansionOptions {
 };
 
 /// Average query expansion (Chum et al. 2007), on distances: each row becomes the mean of its own and its nearest
-/// neighbours' rows, the r-th with weight 1 / (1 + r); then made symmetric. Throws std::invalid_argument for options
-/// out of range and as diffused().
+/// neighbours' rows, the r-th with weight 1 / (1 + r); then made symmetric. Throws InputError for options out of range,
+/// and as diffused().
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options = {});
+
+/// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of
+/// range.
+struct RerankMethod {
+  std::string_view name;
+  std::string_view description;  ///< one sentence
+  std::span<const Parameter> parameters;
+  DistanceMatrix (*rerank)(const DistanceMatrix&, const ParameterValues&) = nullptr;
+};
+
+/// All ways to re-rank.
+std::span<const RerankMethod> rerank_methods();
+
+/// The way of that name. Throws InputError, naming those there are.
+const RerankMethod& rerank_method(std::string_view name);
+
+/// The options of the values of the parameters of "diffusion", for diffuse().
+DiffusionOptions diffusion_options(const ParameterValues& values);
 
 }  // namespace shapegauge

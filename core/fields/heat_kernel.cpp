@@ -37,6 +37,14 @@ Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, con
   return heat_kernel(spectrum, area, options.first_time, options.last_time, options.times);
 }
 
+Eigen::VectorXd heat_kernel_signature_at(const Spectrum& spectrum, double area, double time) {
+  if (!(time > 0 && std::isfinite(time))) {
+    throw InputError(fmt::format("the time of a heat kernel must be positive, not {}", time));
+  }
+  const Eigen::VectorXd decay = (-spectrum.eigenvalues * time * area).array().exp();
+  return area * (spectrum.eigenvectors.cwiseAbs2() * decay);
+}
+
 Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
                                                       const ScaleInvariantOptions& options) {
   check(options.first_time, options.last_time, options.times, 4, 10000);

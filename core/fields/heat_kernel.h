@@ -23,6 +23,9 @@ struct HeatKernelOptions {
 /// when it has spread evenly; 1 for late times. Throws InputError for options out of range.
 Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, const HeatKernelOptions& options = {});
 
+/// The same at one time, in units of the area. Throws InputError unless the time is positive.
+Eigen::VectorXd heat_kernel_signature_at(const Spectrum& spectrum, double area, double time);
+
 /// Settings of scale_invariant_heat_kernel_signature().
 struct ScaleInvariantOptions {
   double first_time = 0.0005;  ///< positive, in units of the surface area

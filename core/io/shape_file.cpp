@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<ShapeFormat>& registry() {
+std::vector<ShapeFormat>& format_registry() {
   static std::vector<ShapeFormat> formats{off_format(), obj_format(), ply_format(), stl_format(), xyz_format()};
   return formats;
 }
@@ -38,15 +38,15 @@ const ShapeFormat* format_by_extension(std::string_view extension) {
                std::ranges::count(format.ambiguous_extensions, extension) >
            0;
   };
-  const auto found = std::ranges::find_if(registry(), has_it);
-  return found == registry().end() ? nullptr : &*found;
+  const auto found = std::ranges::find_if(format_registry(), has_it);
+  return found == format_registry().end() ? nullptr : &*found;
 }
 
 const ShapeFormat* format_by_content(std::string_view bytes) {
-  const auto found = std::ranges::find_if(registry(), [&](const ShapeFormat& format) {
+  const auto found = std::ranges::find_if(format_registry(), [&](const ShapeFormat& format) {
     return format.begins_like != nullptr && format.begins_like(bytes);
   });
-  return found == registry().end() ? nullptr : &*found;
+  return found == format_registry().end() ? nullptr : &*found;
 }
 
 const ShapeFormat& format_of(const fs::path& path, std::string_view bytes) {
@@ -86,7 +86,7 @@ ShapeWriter shape_writer(const fs::path& path) {
                                fmt::join(written_shape_extensions(), ", ")));
 }
 
-std::span<const ShapeFormat> shape_formats() { return registry(); }
+std::span<const ShapeFormat> shape_formats() { return format_registry(); }
 
 void register_shape_format(const ShapeFormat& format) {
   for (const std::string_view extension : extensions_of(format)) {
@@ -94,24 +94,24 @@ void register_shape_format(const ShapeFormat& format) {
       throw InputError(fmt::format("there is a shape format with the extension \"{}\" already", extension));
     }
   }
-  registry().push_back(format);
+  format_registry().push_back(format);
 }
 
 std::vector<std::string_view> shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : registry()) std::ranges::copy(extensions_of(format), std::back_inserter(all));
+  for (const ShapeFormat& format : format_registry()) std::ranges::copy(extensions_of(format), std::back_inserter(all));
   return all;
 }
 
 std::vector<std::string_view> unambiguous_shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : registry()) std::ranges::copy(format.extensions, std::back_inserter(all));
+  for (const ShapeFormat& format : format_registry()) std::ranges::copy(format.extensions, std::back_inserter(all));
   return all;
 }
 
 std::vector<std::string_view> written_shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : registry()) {
+  for (const ShapeFormat& format : format_registry()) {
     if (format.write != nullptr) std::ranges::copy(format.extensions, std::back_inserter(all));
   }
   return all;
@@ -122,7 +122,7 @@ std::string_view without_shape_extension(std::string_view file_name) {
   if (dot == std::string_view::npos || dot == 0) return file_name;
   const std::string extension = lower_case(std::string(file_name.substr(dot)));
   const auto has_it = [&](const ShapeFormat& format) { return std::ranges::count(format.extensions, extension) > 0; };
-  return std::ranges::any_of(registry(), has_it) ? file_name.substr(0, dot) : file_name;
+  return std::ranges::any_of(format_registry(), has_it) ? file_name.substr(0, dot) : file_name;
 }
 
 }  // namespace shapegauge

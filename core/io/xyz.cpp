@@ -43,7 +43,7 @@ bool has_decimal_commas(std::string_view line) {
   return tight_comma && other;
 }
 
-using Vector = std::array<double, 3>;
+using Triple = std::array<double, 3>;
 
 class XyzReader {
  public:
@@ -63,7 +63,7 @@ class XyzReader {
     for (std::size_t i = 0; i < points; ++i) soup.add_vertex(positions_[i]);
     for (std::size_t i = points; i < lines; ++i) soup.add_normal(positions_[i]);
     if (normals_in_columns()) {
-      for (const Vector& normal : columns_4_to_6_) soup.add_normal(normal);
+      for (const Triple& normal : columns_4_to_6_) soup.add_normal(normal);
     }
     return soup.shape();
   }
@@ -91,13 +91,13 @@ class XyzReader {
 
   void read_line() {
     const std::size_t begin = text_.size() - scanner_.remaining();
-    Vector position;
+    Triple position;
     for (std::size_t k = 0; k < 3; ++k) {
       if (k > 0 && scanner_.at_line_end()) scanner_.fail(fmt::format("{} of a point's three coordinates", k));
       scanner_.read_number(position[k], "a coordinate");
     }
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();  // no number
-    Vector more = {};
+    Triple more = {};
     std::size_t columns = 3;
     for (; !scanner_.at_line_end(); ++columns) {
       const std::string_view word = scanner_.read_word();
@@ -120,7 +120,7 @@ class XyzReader {
     }
   }
 
-  void add_columns_4_to_6(const Vector& vector) {
+  void add_columns_4_to_6(const Triple& vector) {
     columns_4_to_6_.push_back(vector);
     const Eigen::Vector3d v(vector[0], vector[1], vector[2]);
     const double length = v.stableNorm();
@@ -153,8 +153,8 @@ class XyzReader {
   std::string_view text_;
   std::optional<std::size_t> count_;
   std::size_t columns_ = 0;
-  std::vector<Vector> positions_;
-  std::vector<Vector> columns_4_to_6_;
+  std::vector<Triple> positions_;
+  std::vector<Triple> columns_4_to_6_;
   std::size_t vectors_ = 0;                ///< in columns 4 to 6, finite and not zero
   std::size_t unit_vectors_ = 0;           ///< of these, with a length of about 1
   std::optional<std::size_t> not_finite_;  ///< the place in the text of the first that is not finite

@@ -131,7 +131,7 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
   return random_motion(std::move(shape), settings.number("scale"), random);
 }
 
-std::vector<ShapePerturbation>& registry() {
+std::vector<ShapePerturbation>& perturbation_registry() {
   static std::vector<ShapePerturbation> entries{
       {"vertex_noise", "Every vertex (or point) moves by a random vector.", vertex_noise_parameters,
        apply_vertex_noise},
@@ -212,13 +212,14 @@ Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
   return shape;
 }
 
-std::span<const ShapePerturbation> shape_perturbations() { return registry(); }
+std::span<const ShapePerturbation> shape_perturbations() { return perturbation_registry(); }
 
 void register_shape_perturbation(const ShapePerturbation& perturbation) {
-  if (std::ranges::find(registry(), perturbation.name, &ShapePerturbation::name) != registry().end()) {
+  if (std::ranges::find(perturbation_registry(), perturbation.name, &ShapePerturbation::name) !=
+      perturbation_registry().end()) {
     throw InputError(fmt::format("there is a perturbation \"{}\" already", perturbation.name));
   }
-  registry().push_back(perturbation);
+  perturbation_registry().push_back(perturbation);
 }
 
 Eigen::Vector3d gaussian_vector(RandomNumbers& random) {

@@ -87,7 +87,7 @@ std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
   return std::ranges::count(has_neighbours, true);
 }
 
-double median(std::vector<double> values) {
+double median_or_zero(std::vector<double> values) {
   if (values.empty()) return 0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::ranges::nth_element(values, middle);
@@ -171,7 +171,7 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
   const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
   const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, shape.triangles)};
-  return {.deviation = deviation_of_median * median(unshared_heights(heights, neighbours)),
+  return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
           .agreement = agreement_of(heights, neighbours)};
 }

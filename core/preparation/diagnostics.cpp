@@ -17,11 +17,11 @@ namespace shapegauge {
 
 namespace {
 
-using Corners = std::array<std::int32_t, 3>;
+using CornerIndices = std::array<std::int32_t, 3>;
 
 /// The triangles' corners, vertices at the same place taken as one.
-std::vector<Corners> merged_corners(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
-  std::vector<Corners> corners(static_cast<std::size_t>(triangles.rows()));
+std::vector<CornerIndices> merged_corners(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+  std::vector<CornerIndices> corners(static_cast<std::size_t>(triangles.rows()));
   for (std::size_t f = 0; f < corners.size(); ++f) {
     const auto triangle = triangles.row(static_cast<Eigen::Index>(f));
     for (std::size_t k = 0; k < 3; ++k) {
@@ -54,21 +54,21 @@ std::size_t count_degenerate(const Shape& shape) {
   return count;
 }
 
-std::size_t count_duplicates(std::vector<Corners> corners) {
-  for (Corners& triangle : corners) std::ranges::sort(triangle);
+std::size_t count_duplicates(std::vector<CornerIndices> corners) {
+  for (CornerIndices& triangle : corners) std::ranges::sort(triangle);
   std::ranges::sort(corners);
   return static_cast<std::size_t>(corners.end() - std::unique(corners.begin(), corners.end()));
 }
 
 /// Parts connected through vertices: sets of vertices that are united triangle by triangle.
-std::size_t count_components(const std::vector<Corners>& corners, std::size_t vertices) {
+std::size_t count_components(const std::vector<CornerIndices>& corners, std::size_t vertices) {
   DisjointSets parts;
   parts.grow_to(vertices);
-  for (const Corners& triangle : corners) {
+  for (const CornerIndices& triangle : corners) {
     for (std::size_t k = 1; k < 3; ++k) parts.join(triangle[0], triangle[k]);
   }
   std::vector<bool> is_part(vertices);
-  for (const Corners& triangle : corners) is_part[static_cast<std::size_t>(parts.find(triangle[0]))] = true;
+  for (const CornerIndices& triangle : corners) is_part[static_cast<std::size_t>(parts.find(triangle[0]))] = true;
   return static_cast<std::size_t>(std::ranges::count(is_part, true));
 }
 
@@ -113,7 +113,7 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.triangles = static_cast<std::size_t>(shape.triangles.rows());
   found.area = surface_area(shape);
   found.degenerate_triangles = count_degenerate(shape);
-  std::vector<Corners> corners = merged_corners(shape.triangles, merged);
+  std::vector<CornerIndices> corners = merged_corners(shape.triangles, merged);
   found.components = count_components(corners, merged.size());
   found.duplicate_triangles = count_duplicates(std::move(corners));
   diagnose_edges(shape, merged, found);

@@ -35,10 +35,10 @@ constexpr std::array<std::array<double, 3>, 18> viridis = {{{0.267004, 0.004874,
                                                             {0.845561, 0.887322, 0.099702},
                                                             {0.993248, 0.906157, 0.143936}}};
 
-constexpr int channels = 4;
+constexpr int bytes_per_pixel = 4;
 
 std::size_t byte_count(int width, int height) {
-  return static_cast<std::size_t>(channels) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return static_cast<std::size_t>(bytes_per_pixel) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace shapegauge {
 namespace {
 
 /// The first vertex at each place, in a hash table with open addressing.
-class Places {
+class PlaceTable {
  public:
-  explicit Places(const Points& vertices)
+  explicit PlaceTable(const Points& vertices)
       : vertices_(vertices), slots_(std::bit_ceil(2 * static_cast<std::size_t>(vertices.rows()) + 1), -1) {}
 
   std::int32_t first_at_place_of(std::int32_t vertex) {
@@ -66,7 +66,7 @@ bool all_edges(const Shape& shape, Condition condition) {
 }  // namespace
 
 std::vector<std::int32_t> merged_by_place(const Points& vertices) {
-  Places places(vertices);
+  PlaceTable places(vertices);
   std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
   for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
   return merged;

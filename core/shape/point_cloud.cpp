@@ -65,19 +65,19 @@ constexpr Eigen::Index most_neighbours = 12;
 constexpr double largest_ratio = 4;
 
 /// The different places among points, in an order that only depends on the places.
-struct Places {
+struct DistinctPlaces {
   Points points;
   std::vector<Eigen::Index> place_of;   ///< of each of the original points
   std::vector<Eigen::Index> points_at;  ///< number of original points at each place
 };
 
-Places places_of(const Points& points) {
+DistinctPlaces places_of(const Points& points) {
   const auto coordinates = [&](Eigen::Index i) { return std::array{points(i, 0), points(i, 1), points(i, 2)}; };
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points.rows()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::ranges::sort(order, {}, coordinates);
-  Places places{Points(points.rows(), 3), std::vector<Eigen::Index>(order.size()),
-                std::vector<Eigen::Index>(order.size())};
+  DistinctPlaces places{Points(points.rows(), 3), std::vector<Eigen::Index>(order.size()),
+                        std::vector<Eigen::Index>(order.size())};
   Eigen::Index count = 0;
   for (const Eigen::Index i : order) {
     if (count == 0 || places.points.row(count - 1) != points.row(i)) places.points.row(count++) = points.row(i);
@@ -170,7 +170,7 @@ Eigen::VectorXd point_weights(const Points& points) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(points.rows());
   const UnitFrame frame = unit_frame({points, {}, {}});
   require_finite(points, frame.diagonal);
-  Places places = places_of(points);
+  DistinctPlaces places = places_of(points);
   if (places.points.rows() < 2) return weights;
   // In coordinates near 1, squares neither vanish nor overflow.
   for (Eigen::Index i = 0; i < places.points.rows(); ++i) {

@@ -178,8 +178,9 @@ std::size_t weight(const Finding& finding) { return (finding.unknown_key ? 1000 
 
 }  // namespace
 
-void check_against_schema(const Json& configuration, const std::string& source) {
-  const Json rules = Json::parse(experiment_schema());
+namespace {
+
+void check_by_rules(const Json& rules, const Json& configuration, const std::string& source) {
   if (is_valid(rules, configuration)) return;
   SchemaWalk walk(rules);
   walk.visit(rules, configuration);
@@ -189,6 +190,18 @@ void check_against_schema(const Json& configuration, const std::string& source) 
   }
   const std::string place = worst->path.empty() ? "" : fmt::format("{}: ", fmt::join(worst->path, "."));
   throw InputError(fmt::format("{}: {}{}", source, printable(place, 200), printable(worst->message, 500)));
+}
+
+}  // namespace
+
+void check_against_schema(const Json& configuration, const std::string& source) {
+  check_by_rules(Json::parse(experiment_schema()), configuration, source);
+}
+
+void check_against_schema(const Json& part, const std::string& definition, const std::string& source) {
+  Json rules = Json::parse(experiment_schema());
+  const Json reference{{"$ref", "#/definitions/" + definition}};
+  check_by_rules({{"allOf", Json::array({reference})}, {"definitions", std::move(rules["definitions"])}}, part, source);
 }
 
 }  // namespace shapegauge

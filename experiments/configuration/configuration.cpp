@@ -131,6 +131,12 @@ std::span<const Parameter> preparation_parameters() {
   return parameters;
 }
 
+const Field* pictured_field(const SignatureConfiguration& signature) {
+  if (signature.field) return &*signature.field;
+  if (signature.descriptor && !signature.descriptor->fields.empty()) return &signature.descriptor->fields.front();
+  return nullptr;
+}
+
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<std::size_t> order;
   std::vector<Visit> visits(signatures.size(), Visit::not_yet);
@@ -164,6 +170,10 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
     if (signature.field) {
       json["field"] = signature.field->settings;
       json["histogram"] = to_json(signature.histogram);
+    } else if (signature.descriptor) {
+      json["descriptor"] = signature.descriptor->settings;
+    } else if (signature.derived) {
+      json.update(signature.derived->settings);
     } else {
       for (const std::size_t part : signature.parts) json["concatenate"].push_back(signatures[part].name);
     }

@@ -9,6 +9,8 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/derived_distances.h"
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/datasets/dataset.h"
@@ -29,12 +31,15 @@ struct HistogramConfiguration {
   Interval fixed;  ///< with HistogramRange::fixed, in lengths of shapes of unit area
 };
 
-/// A signature: the histogram of a field, or, where there is no field, signatures side by side.
+/// A signature: the histogram of a field, the features of a descriptor, distances derived from those of other
+/// signatures, or, with none of these, signatures side by side.
 struct SignatureConfiguration {
   std::string name;
   std::optional<Field> field;
-  HistogramConfiguration histogram;
-  std::vector<std::size_t> parts;  ///< without a field: the signatures to concatenate, by index; each comes earlier in
+  HistogramConfiguration histogram;            ///< of the field
+  std::optional<DescriptorChoice> descriptor;  ///< instead of a field
+  std::optional<DerivedDistances> derived;     ///< instead of both
+  std::vector<std::size_t> parts;  ///< by index, the signatures to concatenate or to derive from; each comes earlier in
                                    ///< computation_order()
 };
 
@@ -53,8 +58,8 @@ struct PictureOptions {
 /// The page that a run of the experiment ends in.
 struct ReportConfiguration {
   bool wanted = true;
-  bool pictures = true;                ///< of the models
-  std::size_t pictured_signature = 0;  ///< the signature whose field colours them; it has one
+  bool pictures = true;                ///< of the models; there is a field that colours them
+  std::size_t pictured_signature = 0;  ///< the signature whose pictured_field() that is
   PictureOptions picture_options;
 };
 
@@ -86,10 +91,13 @@ std::span<const Parameter> evaluation_parameters();
 std::span<const Parameter> preparation_parameters();
 /// @}
 
-/// The index of a signature that concatenates itself, directly or through others; nothing where there is none.
+/// The field of a signature that can colour a model: its own, or the first of its descriptor's. Null where it has none.
+const Field* pictured_field(const SignatureConfiguration& signature);
+
+/// The index of a signature that is made from itself, directly or through others; nothing where there is none.
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures);
 
-/// The signatures' indices, parts before the signatures that concatenate them. None may be a part of itself.
+/// The signatures' indices, parts before the signatures that are made from them. None may be a part of itself.
 std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
 
 /// The histogram's settings as JSON with all defaults filled in, in the form of a signature's "histogram".

@@ -8,6 +8,11 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/bilateral.h"
+#include "shapegauge/core/fields/centricity.h"
+#include "shapegauge/core/fields/heat_kernel.h"
+#include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
@@ -104,11 +109,169 @@ std::vector<Parameter> cone_sdf_parameters() {
            .description = "CGAL's post-processing: smoothed and scaled to [0, 1] shape by shape; engine cgal only."}};
 }
 
+constexpr std::array<std::string_view, 2> centricity_measures{"mean", "eccentricity"};
+constexpr std::array<std::string_view, 3> geodesic_methods{"graph", "heat", "exact"};
+
+GeodesicMethod geodesic_method(std::string_view word) {
+  if (word == "heat") return GeodesicMethod::heat;
+  return word == "exact" ? GeodesicMethod::exact : GeodesicMethod::graph;
+}
+
+/// Geodesic distances to all of the surface (centricity.h).
+FieldComputation centricity_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  const CentricityOptions options{
+      .measure = values.word("measure") == "mean" ? Centricity::mean : Centricity::eccentricity,
+      .geodesics = {.method = geodesic_method(values.word("method")),
+                    .neighbours = static_cast<int>(values.integer("neighbours"))},
+      .sources = static_cast<int>(values.integer("sources"))};
+  return {.versions = {{"centricity", centricity_version}},
+          .compute = [options](const FieldSource& source, const Samples& samples, bool /*parallel*/) {
+            return FieldValues{.values = centricity(source.shape(), samples, options)};
+          }};
+}
+
+std::vector<Parameter> centricity_parameters() {
+  return {{.name = "measure",
+           .kind = ParameterKind::choice,
+           .default_value = centricity_measures[0],
+           .choices = centricity_measures,
+           .description = "Of the distances to all places the mean, by area, or the largest."},
+          {.name = "method",
+           .kind = ParameterKind::choice,
+           .default_value = geodesic_methods[0],
+           .choices = geodesic_methods,
+           .description = "graph: shortest paths, on every shape, a few percent too long; heat and exact: CGAL's, on "
+                          "connected manifold meshes."},
+          {.name = "neighbours",
+           .kind = ParameterKind::integer,
+           .default_value = std::int64_t{GeodesicOptions{}.neighbours},
+           .bounds = {.low = 1, .high = 64},
+           .description = "Nearest points that are joined in a point cloud, and across the gaps between components."},
+          {.name = "sources",
+           .kind = ParameterKind::integer,
+           .default_value = std::int64_t{CentricityOptions{}.sources},
+           .bounds = {.low = 1, .high = 1000},
+           .description = "Places, spread over the surface, that stand for all others."}};
+}
+
+/// How many eigenvalues heat kernels and their like are summed over.
+Parameter eigenvalues_parameter() {
+  return {.name = "eigenvalues",
+          .kind = ParameterKind::integer,
+          .default_value = std::int64_t{100},
+          .bounds = {.low = 2, .high = 1000},
+          .description = "Eigenvalues of the Laplacian, from the least on."};
+}
+
+/// A field that a spectrum's function of vertices, one column of it, gives (heat_kernel.h).
+/// - `column`: from a spectrum and the shape's area to values at the vertices.
+FieldComputation spectral_field(const ParameterValues& values,
+                                std::function<Eigen::VectorXd(const Spectrum&, double area)> column) {
+  return {.versions = {{"heat_kernel", heat_kernel_version}},
+          .compute = [column = std::move(column), count = static_cast<int>(values.integer("eigenvalues"))](
+                         FieldSource& source, const Samples& samples, bool /*parallel*/) {
+            const Eigen::VectorXd at_vertices = column(source.spectrum(count), surface_area(source.shape()));
+            return FieldValues{.values = at_samples(source.shape(), samples, at_vertices)};
+          }};
+}
+
+FieldComputation heat_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  return spectral_field(values, [time = values.number("time")](const Spectrum& spectrum, double area) {
+    return heat_kernel_signature_at(spectrum, area, time);
+  });
+}
+
+std::vector<Parameter> heat_kernel_parameters() {
+  return {{.name = "time",
+           .default_value = 0.02,
+           .bounds = {.low = 1e-6, .high = 100},
+           .description = "How long heat spreads, in units of the surface's area: about the square of a "
+                          "neighbourhood's size."},
+          eigenvalues_parameter()};
+}
+
+FieldComputation scale_invariant_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  const auto frequency = static_cast<Eigen::Index>(values.integer("frequency"));
+  return spectral_field(values, [frequency](const Spectrum& spectrum, double area) {
+    const ScaleInvariantOptions options{.frequencies = static_cast<int>(frequency) + 1};
+    return Eigen::VectorXd(scale_invariant_heat_kernel_signature(spectrum, area, options).col(frequency));
+  });
+}
+
+std::vector<Parameter> scale_invariant_parameters() {
+  return {{.name = "frequency",
+           .kind = ParameterKind::integer,
+           .default_value = std::int64_t{0},
+           .bounds = {.low = 0, .high = 63},
+           .description = "Which of the Fourier coefficients over the logarithm of time."},
+          eigenvalues_parameter()};
+}
+
+FieldComputation wave_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  const auto energy = static_cast<Eigen::Index>(values.integer("energy"));
+  const WaveKernelOptions options{.energies = static_cast<int>(values.integer("energies")),
+                                  .width_steps = values.number("width_steps")};
+  if (energy >= options.energies) {
+    throw InputError(fmt::format("energy is {}; it must be less than energies, {}", energy, options.energies));
+  }
+  return spectral_field(values, [energy, options](const Spectrum& spectrum, double area) {
+    return Eigen::VectorXd(wave_kernel_signature(spectrum, area, options).col(energy));
+  });
+}
+
+std::vector<Parameter> wave_kernel_parameters() {
+  const WaveKernelOptions usual;
+  return {{.name = "energy",
+           .kind = ParameterKind::integer,
+           .default_value = std::int64_t{0},
+           .bounds = {.low = 0, .high = 999},
+           .description = "Which of the energies, from the least on."},
+          {.name = "energies",
+           .kind = ParameterKind::integer,
+           .default_value = std::int64_t{usual.energies},
+           .bounds = {.low = 2, .high = 1000},
+           .description = "How many there are, evenly spaced by their logarithm."},
+          {.name = "width_steps",
+           .default_value = usual.width_steps,
+           .bounds = {.low = 0.1, .high = 100},
+           .description = "Standard deviation of a filter, in hundredths of the range of energies."},
+          eigenvalues_parameter()};
+}
+
+constexpr std::array bilateral_table = {
+    option_of<&BilateralOptions::iterations>("iterations", {.low = 0, .high = 100}, "How many times."),
+    option_of<&BilateralOptions::spatial_width>(
+        "spatial_width", {.low = 0, .high = 1, .low_open = true},
+        "Standard deviation by distance along the surface, in square roots of the area."),
+    option_of<&BilateralOptions::value_width>("value_width", {.low = 0, .high = 1e6, .low_open = true},
+                                              "Standard deviation by value, in standard deviations of the field."),
+};
+
+/// The field, smoothed.
+FieldComputation smoothed(FieldComputation field, const BilateralOptions& options) {
+  field.versions["bilateral"] = bilateral_version;
+  field.compute = [compute = std::move(field.compute), options](FieldSource& source, const Samples& samples,
+                                                                bool parallel) {
+    FieldValues computed = compute(source, samples, parallel);
+    ScalarField values{.values = std::move(computed.values), .weights = samples.weights};
+    computed.values = bilateral_smoothing(source.shape(), samples, std::move(values), options).values;
+    return computed;
+  };
+  return field;
+}
+
 std::vector<FieldType>& registry() {
   static std::vector<FieldType> types{
       {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field},
       {"cone_sdf", "Conventional shape diameter function: a cone of rays about the inward normal.",
        cone_sdf_parameters(), cone_sdf_field},
+      {"centricity", "Geodesic distance from a place to all others: small in a shape's middle, large at its ends.",
+       centricity_parameters(), centricity_field},
+      {"heat_kernel", "Heat kernel signature at one time: the heat left at a place, over its share when it is even.",
+       heat_kernel_parameters(), heat_kernel_field},
+      {"scale_invariant_heat_kernel", "Scale-invariant heat kernel signature: one of its coefficients.",
+       scale_invariant_parameters(), scale_invariant_field},
+      {"wave_kernel", "Wave kernel signature at one energy.", wave_kernel_parameters(), wave_kernel_field},
   };
   return types;
 }
@@ -140,6 +303,12 @@ const OffsetSdfSolver& FieldSource::offset_sdf_solver() {
   return *offset_sdf_solver_;
 }
 
+const Spectrum& FieldSource::spectrum(int eigenvalues) {
+  std::unique_ptr<Spectrum>& spectrum = spectra_[eigenvalues];
+  if (!spectrum) spectrum = std::make_unique<Spectrum>(laplacian_spectrum(*shape_, eigenvalues));
+  return *spectrum;
+}
+
 SamplePlan sample_plan_of(const Json& settings) {
   const auto at = settings.find("at");
   if (at == settings.end()) return {};
@@ -159,14 +328,21 @@ Samples take_samples(const Shape& shape, const SamplePlan& plan) {
 std::span<const FieldType> field_types() { return registry(); }
 
 void register_field(FieldType type) {
-  const auto reserved = [](const Parameter& parameter) { return parameter.name == "type" || parameter.name == "at"; };
+  const auto reserved = [](const Parameter& parameter) {
+    return parameter.name == "type" || parameter.name == "at" || parameter.name == "bilateral";
+  };
   const bool known = std::ranges::find(registry(), type.name, &FieldType::name) != registry().end();
   if (type.name.empty() || known || !type.make || std::ranges::any_of(type.parameters, reserved)) {
     throw std::invalid_argument(fmt::format(
-        "a field needs a name of its own, a function, and parameters that are not called type or at: \"{}\"",
+        "a field needs a name of its own, a function, and parameters that are not called type, at or bilateral: \"{}\"",
         type.name));
   }
   registry().push_back(std::move(type));
+}
+
+std::span<const Parameter> bilateral_parameters() {
+  static constexpr auto parameters = parameters_of(bilateral_table);
+  return parameters;
 }
 
 Field make_field(const Json& settings) {
@@ -181,11 +357,17 @@ Field make_field(const Json& settings) {
   Field field;
   field.samples = sample_plan_of(settings);
   FieldComputation computation = type->make(values, field.samples);
+  std::optional<ParameterValues> smoothing;
+  if (const auto given = settings.find("bilateral"); given != settings.end()) {
+    smoothing = read_parameters(bilateral_parameters(), *given);
+    computation = smoothed(std::move(computation), options_from(bilateral_table, *smoothing));
+  }
   field.versions = std::move(computation.versions);
   field.compute = with_outcomes(std::move(computation.compute));
   field.settings = to_json(values);
   field.settings["type"] = name;
   field.settings["at"] = to_json(field.samples);
+  if (smoothing) field.settings["bilateral"] = to_json(*smoothing);
   return field;
 }
 

@@ -20,6 +20,7 @@
 namespace shapegauge {
 
 class OffsetSdfSolver;
+struct Spectrum;
 
 /// A shape that fields are computed of, one after the other, and what they share. Keeps a reference to the shape.
 class FieldSource {
@@ -36,9 +37,13 @@ class FieldSource {
   /// Built when it is first asked for; throws what its constructor throws.
   const OffsetSdfSolver& offset_sdf_solver();
 
+  /// laplacian_spectrum() of so many eigenvalues, computed when they are first asked for; throws what that throws.
+  const Spectrum& spectrum(int eigenvalues);
+
  private:
   const Shape* shape_;
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
+  std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< by number of eigenvalues
 };
 
 /// Where a field takes its samples.
@@ -104,7 +109,7 @@ struct FieldComputation {
 struct FieldType {
   std::string name;         ///< the value of "type"
   std::string description;  ///< one sentence
-  /// Its settings besides "type" and "at". Names, choices and descriptions are referred to, not copied.
+  /// Its settings besides "type", "at" and "bilateral". Names, choices and descriptions are referred to, not copied.
   std::vector<Parameter> parameters;
   /// Throws InputError where settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
@@ -114,9 +119,12 @@ struct FieldType {
 std::span<const FieldType> field_types();
 
 /// Adds a type of field for the rest of the program: configurations, their schema and make_field() know it then. Throws
-/// std::invalid_argument for a name that is empty or taken, for a parameter "type" or "at", and without a `make`. Not
-/// to be called while other threads use field types.
+/// std::invalid_argument for a name that is empty or taken, for a parameter "type", "at" or "bilateral", and without a
+/// `make`. Not to be called while other threads use field types.
 void register_field(FieldType type);
+
+/// The settings of "bilateral", by which any field is smoothed along the surface (bilateral_smoothing()).
+std::span<const Parameter> bilateral_parameters();
 
 /// The field that the settings describe, by their "type". Throws InputError for a type that is not in field_types(),
 /// and for settings that the type does not take.

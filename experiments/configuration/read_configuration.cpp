@@ -4,7 +4,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -24,7 +26,7 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-bool has_field(const SignatureConfiguration& signature) { return signature.field.has_value(); }
+bool has_field(const SignatureConfiguration& signature) { return pictured_field(signature) != nullptr; }
 
 std::size_t signature_named(const std::string& name, const std::vector<SignatureConfiguration>& signatures) {
   const auto found = std::ranges::find(signatures, name, &SignatureConfiguration::name);
@@ -36,7 +38,7 @@ std::size_t signature_named(const std::string& name, const std::vector<Signature
   }
   if (!has_field(*found)) {
     throw ConfigurationError{"pictures.of",
-                             fmt::format("the signature \"{}\" concatenates others: name one of them", name)};
+                             fmt::format("the signature \"{}\" has no field of its own: name one that has", name)};
   }
   return static_cast<std::size_t>(found - signatures.begin());
 }
@@ -56,7 +58,7 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   report.pictured_signature = static_cast<std::size_t>(first - signatures.begin());
   if (setting.is_boolean()) report.wanted = setting;
   const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.wanted);
-  report.pictures = pictures != Json(false);
+  report.pictures = pictures != Json(false) && first != signatures.end();
   if (!pictures.is_object()) return report;
   if (pictures.contains("of")) report.pictured_signature = signature_named(pictures.at("of"), signatures);
   if (pictures.contains("range")) report.picture_options.range = picture_range(pictures.at("range"));
@@ -106,13 +108,20 @@ std::vector<std::string> unique_names(const Json& signatures) {
   return names;
 }
 
-std::vector<std::size_t> parts_of(const Json& concatenate, const std::vector<std::string>& names) {
+/// Where in the setting of that key the name of that index stands.
+std::string place_of_name(const std::string& key, std::size_t index) {
+  if (key == "rerank") return "rerank.of";
+  return fmt::format("{}.{}{}", key, index, key == "sum" ? ".of" : "");
+}
+
+/// The signatures of the names that the setting of that key lists.
+std::vector<std::size_t> parts_of(const std::string& key, const std::vector<std::string>& listed,
+                                  const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
-  for (std::size_t i = 0; i < concatenate.size(); ++i) {
-    const std::string name = concatenate[i];
+  for (const std::string& name : listed) {
     const auto found = std::ranges::find(names, name);
     if (found == names.end()) {
-      throw ConfigurationError{fmt::format("concatenate.{}", i),
+      throw ConfigurationError{place_of_name(key, parts.size()),
                                fmt::format("there is no signature \"{}\"{}", name, suggestion(name, names))};
     }
     parts.push_back(static_cast<std::size_t>(found - names.begin()));
@@ -120,20 +129,68 @@ std::vector<std::size_t> parts_of(const Json& concatenate, const std::vector<std
   return parts;
 }
 
+/// The settings by each of which a signature is of one kind; a histogram has two of them.
+std::vector<std::string> keys_of_kinds() {
+  std::vector<std::string> keys{"concatenate", "descriptor"};
+  for (const std::string_view key : derived_keys()) keys.emplace_back(key);
+  return keys;
+}
+
+/// The setting that says of which kind the signature is, where it is no histogram. Throws ConfigurationError where
+/// there are several.
+std::optional<std::string> kind_of(const Json& settings) {
+  std::optional<std::string> kind;
+  for (const std::string& key : keys_of_kinds()) {
+    if (!settings.contains(key)) continue;
+    if (kind) throw ConfigurationError{key, fmt::format("does not go with \"{}\"; remove one of the two", *kind)};
+    kind = key;
+  }
+  for (const char* key : {"field", "histogram"}) {
+    if (kind && settings.contains(key)) {
+      throw ConfigurationError{key, fmt::format("does not go with \"{}\"; remove one of the two", *kind)};
+    }
+  }
+  return kind;
+}
+
 SignatureConfiguration signature_of(const Json& settings, const std::vector<std::string>& names) {
   SignatureConfiguration signature;
   signature.name = settings.at("name");
-  if (settings.contains("concatenate")) {
-    for (const char* key : {"field", "histogram"}) {
-      if (settings.contains(key))
-        throw ConfigurationError{key, "does not go with \"concatenate\"; remove one of the two"};
+  const std::optional<std::string> kind = kind_of(settings);
+  if (kind == "concatenate") {
+    signature.parts = parts_of(*kind, settings.at(*kind), names);
+    return signature;
+  }
+  if (kind == "descriptor") {
+    signature.descriptor = at(*kind, [&] { return make_descriptor(settings.at(*kind)); });
+    return signature;
+  }
+  if (kind) {
+    try {
+      signature.derived = make_derived(*kind, settings);
+    } catch (const InputError& error) {
+      throw ConfigurationError{*kind, error.what()};
     }
-    signature.parts = parts_of(settings.at("concatenate"), names);
+    signature.parts = parts_of(*kind, signature.derived->names, names);
     return signature;
   }
   signature.field = at("field", [&] { return make_field(settings.at("field")); });
   signature.histogram = at("histogram", [&] { return histogram_of(settings.at("histogram")); });
   return signature;
+}
+
+/// Only histograms, and what is made of them, can stand side by side.
+void require_histograms(const std::vector<SignatureConfiguration>& signatures) {
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    const auto& parts = signatures[i].parts;
+    for (std::size_t k = 0; !signatures[i].derived && k < parts.size(); ++k) {
+      const SignatureConfiguration& part = signatures[parts[k]];
+      if (!part.descriptor && !part.derived) continue;
+      throw ConfigurationError{
+          fmt::format("{}.concatenate.{}", i, k),
+          fmt::format("the signature \"{}\" is no histogram of a field; \"sum\" takes it", part.name)};
+    }
+  }
 }
 
 DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
@@ -212,9 +269,11 @@ std::vector<SignatureConfiguration> read_signatures(const Json& settings) {
     signatures.push_back(at(std::to_string(i), [&] { return signature_of(settings[i], names); }));
   }
   if (const auto cyclic = part_of_itself(signatures)) {
-    throw ConfigurationError{fmt::format("{}.concatenate", *cyclic),
+    const auto& derived = signatures[*cyclic].derived;
+    throw ConfigurationError{fmt::format("{}.{}", *cyclic, derived ? derived->key : "concatenate"),
                              fmt::format("the signature \"{}\" is a part of itself", names[*cyclic])};
   }
+  require_histograms(signatures);
   return signatures;
 }
 

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
@@ -16,7 +18,9 @@
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
 
@@ -24,7 +28,7 @@ std::string_view base_schema();  // base_schema.cpp.in
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <typename Types>
 std::vector<ParameterGroup> groups_of(const Types& types) {
@@ -41,46 +45,81 @@ std::vector<std::string> names_of(const Types& types) {
 }
 
 /// Adds the parameters to the schema of an object.
-void add_parameters(std::span<const Parameter> parameters, Json& object) {
+void add_parameters(std::span<const Parameter> parameters, OrderedJson& object) {
   for (const Parameter& parameter : parameters) {
     object["properties"][std::string(parameter.name)] = schema_of(parameter);
     if (parameter.required()) object["required"].push_back(parameter.name);
   }
 }
 
-/// The schema of the settings of one type of field or perturbation.
-Json schema_of(const ParameterGroup& type) {
-  Json schema{{"description", type.description},
-              {"type", "object"},
-              {"additionalProperties", false},
-              {"required", {"type"}},
-              {"properties", {{"type", {{"const", type.name}}}}}};
+/// The schema of the settings of one type of field, perturbation or the like.
+OrderedJson schema_of(const ParameterGroup& type, const char* key = "type") {
+  OrderedJson schema{{"description", type.description},
+                     {"type", "object"},
+                     {"additionalProperties", false},
+                     {"required", {key}},
+                     {"properties", {{key, {{"const", type.name}}}}}};
   add_parameters(type.parameters, schema);
   return schema;
 }
 
-/// Adds to the schema of a field or perturbation its "type" and, for each, the settings.
-void add_types(const std::vector<ParameterGroup>& types, const std::vector<Json>& schemas, Json& schema) {
+/// Adds to the schema of a field, perturbation or the like its "type" (or what else the key is) and, for each, the
+/// settings.
+void add_types(const std::vector<ParameterGroup>& types, const std::vector<OrderedJson>& schemas, OrderedJson& schema,
+               const char* key = "type") {
   schema["type"] = "object";
-  schema["required"] = {"type"};
-  schema["properties"]["type"]["enum"] = names_of(types);
+  schema["required"] = {key};
+  schema["properties"][key]["enum"] = names_of(types);
   for (std::size_t i = 0; i < types.size(); ++i) {
-    const Json condition{{"required", {"type"}}, {"properties", {{"type", {{"const", types[i].name}}}}}};
+    const OrderedJson condition{{"required", {key}}, {"properties", {{key, {{"const", types[i].name}}}}}};
     schema["allOf"].push_back({{"if", condition}, {"then", schemas[i]}});
   }
 }
 
-void add_fields(Json& schema) {
-  std::vector<Json> schemas;
+void add_fields(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const ParameterGroup& type : field_groups()) {
     schemas.push_back(schema_of(type));
     schemas.back()["properties"]["at"] = {{"$ref", "#/definitions/site"}};
+    schemas.back()["properties"]["bilateral"] = {{"$ref", "#/definitions/bilateral"}};
   }
   add_types(field_groups(), schemas, schema);
 }
 
-void add_perturbations(Json& schema) {
-  std::vector<Json> schemas;
+void add_descriptors(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
+  for (const Descriptor& type : descriptors()) {
+    OrderedJson& settings =
+        schemas.emplace_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
+    if (type.most_fields == 0) continue;
+    if (type.fewest_fields > 0) settings["required"].push_back("fields");
+    settings["properties"]["fields"] = {{"type", "array"},
+                                        {"minItems", type.fewest_fields},
+                                        {"maxItems", type.most_fields},
+                                        {"items", {{"$ref", "#/definitions/field"}}}};
+    if (type.axis_parameters.empty()) continue;
+    OrderedJson axis{{"description", "How the field of the same place in the list is counted."},
+                     {"type", "object"},
+                     {"additionalProperties", false},
+                     {"properties", OrderedJson::object()}};
+    add_parameters(type.axis_parameters, axis);
+    settings["properties"]["axes"] = {{"type", "array"}, {"maxItems", type.most_fields}, {"items", std::move(axis)}};
+  }
+  add_types(descriptor_groups(), schemas, schema);
+}
+
+void add_rerank_methods(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
+  for (const ParameterGroup& method : rerank_groups()) {
+    OrderedJson& settings = schemas.emplace_back(schema_of(method, "method"));
+    settings["required"].push_back("of");
+    settings["properties"]["of"] = {{"type", "string"}};
+  }
+  add_types(rerank_groups(), schemas, schema, "method");
+}
+
+void add_perturbations(OrderedJson& schema) {
+  std::vector<OrderedJson> schemas;
   for (const PerturbationType& type : perturbation_types()) {
     schemas.push_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
     if (!type.has_choices) continue;
@@ -91,20 +130,28 @@ void add_perturbations(Json& schema) {
   add_types(perturbation_groups(), schemas, schema);
 }
 
-std::string reference_table(const ParameterGroup& group) {
+/// - `key`: the setting that names the group.
+std::string reference_table(const ParameterGroup& group, std::string_view key) {
   if (group.description.empty()) return markdown_table(group.parameters);
-  const std::string heading = fmt::format("`\"type\": \"{}\"`. {}\n", group.name, group.description);
-  return group.parameters.empty() ? heading : heading + "\n" + markdown_table(group.parameters);
+  std::string text = fmt::format("`\"{}\": \"{}\"`. {}\n", key, group.name, group.description);
+  if (!group.parameters.empty()) text += "\n" + markdown_table(group.parameters);
+  if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_table(group.axis_parameters);
+  return text;
 }
 
 std::string reference_tables(std::string_view name) {
-  if (name != "fields" && name != "perturbations") {
+  const std::map<std::string_view, std::vector<ParameterGroup>> lists{{"fields", field_groups()},
+                                                                      {"perturbations", perturbation_groups()},
+                                                                      {"descriptors", descriptor_groups()},
+                                                                      {"rerank", rerank_groups()}};
+  const auto list = lists.find(name);
+  if (list == lists.end()) {
     const std::vector<ParameterGroup> sections = section_groups();
-    return reference_table(*std::ranges::find(sections, name, &ParameterGroup::name));
+    return reference_table(*std::ranges::find(sections, name, &ParameterGroup::name), "");
   }
   std::string tables;
-  for (const ParameterGroup& group : name == "fields" ? field_groups() : perturbation_groups()) {
-    tables += (tables.empty() ? "" : "\n") + reference_table(group);
+  for (const ParameterGroup& group : list->second) {
+    tables += (tables.empty() ? "" : "\n") + reference_table(group, name == "rerank" ? "method" : "type");
   }
   return tables;
 }
@@ -115,19 +162,31 @@ std::vector<ParameterGroup> field_groups() { return groups_of(field_types()); }
 
 std::vector<ParameterGroup> perturbation_groups() { return groups_of(perturbation_types()); }
 
+std::vector<ParameterGroup> descriptor_groups() {
+  std::vector<ParameterGroup> groups = groups_of(descriptors());
+  for (std::size_t i = 0; i < groups.size(); ++i) groups[i].axis_parameters = descriptors()[i].axis_parameters;
+  return groups;
+}
+
+std::vector<ParameterGroup> rerank_groups() { return groups_of(rerank_methods()); }
+
 std::vector<ParameterGroup> section_groups() {
   return {{.name = "experiment", .description = {}, .parameters = experiment_parameters()},
           {.name = "generate", .description = {}, .parameters = generator_parameters()},
           {.name = "generated_shape", .description = {}, .parameters = generated_model_parameters()},
           {.name = "preparation", .description = {}, .parameters = preparation_parameters()},
           {.name = "histogram", .description = {}, .parameters = histogram_parameters()},
+          {.name = "bilateral", .description = {}, .parameters = bilateral_parameters()},
+          {.name = "signature", .description = {}, .parameters = derived_parameters()},
+          {.name = "sum_term", .description = {}, .parameters = sum_term_parameters()},
           {.name = "evaluation", .description = {}, .parameters = evaluation_parameters()},
           {.name = "segmentation_experiment", .description = {}, .parameters = segmentation_experiment_parameters()},
           {.name = "segmentation_method", .description = {}, .parameters = segmentation_method_parameters()}};
 }
 
 const Parameter& registered_parameter(std::string_view group, std::string_view name) {
-  for (const auto& groups : {field_groups(), perturbation_groups(), section_groups()}) {
+  for (const auto& groups :
+       {field_groups(), perturbation_groups(), descriptor_groups(), rerank_groups(), section_groups()}) {
     const auto found = std::ranges::find(groups, group, &ParameterGroup::name);
     if (found == groups.end()) continue;
     const auto parameter = std::ranges::find(found->parameters, name, &Parameter::name);
@@ -137,8 +196,8 @@ const Parameter& registered_parameter(std::string_view group, std::string_view n
 }
 
 std::string experiment_schema() {
-  Json schema = Json::parse(base_schema());
-  Json& definitions = schema["definitions"];
+  OrderedJson schema = OrderedJson::parse(base_schema());
+  OrderedJson& definitions = schema["definitions"];
   for (const ParameterGroup& section : section_groups()) {
     if (section.name != "experiment") add_parameters(section.parameters, definitions[std::string(section.name)]);
   }
@@ -147,6 +206,8 @@ std::string experiment_schema() {
   }
   add_fields(definitions["field"]);
   add_perturbations(definitions["perturbation"]);
+  add_descriptors(definitions["descriptor"]);
+  add_rerank_methods(definitions["rerank"]);
   definitions["layout"]["enum"] = names_of(dataset_layouts());
   definitions["protocol"]["enum"] = protocol_names();
   definitions["distance"]["enum"] = distance_names();

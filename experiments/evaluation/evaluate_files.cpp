@@ -228,14 +228,6 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
   }
 }
 
-std::vector<std::string> warnings_of(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
-  std::vector<std::string> warnings;
-  warn_of_entries(found, negated, warnings);
-  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
-  warn_of_rows(found, ids, warnings);
-  return warnings;
-}
-
 // Evaluates the distances by rows, each of which the checks see on the way.
 Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& options, MatrixChecks& checks,
                          const RowProgress& progress) {
@@ -260,6 +252,14 @@ Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& op
 
 }  // namespace
 
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
+  std::vector<std::string> warnings;
+  warn_of_entries(found, negated, warnings);
+  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
+  warn_of_rows(found, ids, warnings);
+  return warnings;
+}
+
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {
   if (files.labels.empty() == files.qrels.empty()) {
     throw InputError("give either --labels (classes of the models) or --qrels (judgements), and one of them only");
@@ -278,7 +278,7 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
     throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }
   result.warnings = task.warnings;
-  const std::vector<std::string> odd = warnings_of(checks.findings(), task.query_ids, files.similarity);
+  const std::vector<std::string> odd = matrix_warnings(checks.findings(), task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
   if (result.evaluation.models_left_out > 0) {
     result.warnings.push_back(

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/matrix_checks.h"
 
 namespace shapegauge {
 
@@ -33,6 +35,9 @@ struct EvaluationData {
   std::string name{};      ///< that a TREC run gives itself; may be empty
   EvaluationTask task;
 };
+
+/// What a user should know of a matrix, a sentence each. `ids` name its rows; `negated`: it was of similarities.
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
 
 /// Reads the files and fits them together. Distances between features, and those of large binary files, are not
 /// computed or read yet. Throws InputError where a file cannot be read or they do not fit: a matrix of another size

@@ -49,10 +49,10 @@ Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std:
   return scores;
 }
 
-using Places = std::unordered_map<std::string, std::size_t>;
+using QueryPlaces = std::unordered_map<std::string, std::size_t>;
 
-Places places_of(const MethodScores& method) {
-  Places places;
+QueryPlaces places_of(const MethodScores& method) {
+  QueryPlaces places;
   for (const std::string& query : method.queries) {
     if (places.emplace(canonical_model_id(query), places.size()).second) continue;
     throw InputError(fmt::format("{}: the query {} occurs twice for {}", method.source, quoted_word(query),
@@ -160,7 +160,7 @@ Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
 
 // The row of each query of `first` in `method`; both have the same queries, in the same classes.
 std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& method) {
-  const Places places = places_of(method);
+  const QueryPlaces places = places_of(method);
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
     const auto found = places.find(canonical_model_id(first.queries[i]));
@@ -178,7 +178,7 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
     rows.push_back(found->second);
   }
   if (places.size() == first.queries.size()) return rows;
-  const Places known = places_of(first);
+  const QueryPlaces known = places_of(first);
   const auto more = std::ranges::find_if(
       method.queries, [&](const std::string& query) { return !known.contains(canonical_model_id(query)); });
   throw InputError(

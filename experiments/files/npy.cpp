@@ -223,7 +223,7 @@ struct Half {
   }
 };
 
-NumberFormat format_of(const NpyHeader& header, const std::string& source) {
+NumberFormat number_format_of(const NpyHeader& header, const std::string& source) {
   struct Kind {
     std::string_view name;
     NumberFormat (*format)(std::endian);
@@ -275,7 +275,7 @@ NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_siz
                                 const std::string& source) {
   const NpyHeader header = parse_npy_header(beginning, source);
   check_shape(header, square, source);
-  const NumberFormat numbers = format_of(header, source);
+  const NumberFormat numbers = number_format_of(header, source);
   const std::size_t data_bytes = file_size - header.data_begin;
   const std::uint64_t rows = header.shape[0];
   const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];

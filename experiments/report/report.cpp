@@ -23,13 +23,21 @@ std::string describe(const HistogramConfiguration& histogram) {
   return text + fmt::format(", range {} to {}", histogram.fixed.low, histogram.fixed.high);
 }
 
+/// The settings as "key value", each followed by ", ".
+std::string describe(const nlohmann::json& settings) {
+  std::string text;
+  for (const auto& [key, value] : settings.items()) {
+    text += fmt::format("{} {}, ", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return text;
+}
+
 std::string describe(const SignatureConfiguration& signature, const std::vector<SignatureConfiguration>& all) {
-  if (signature.field) {
-    std::string text;
-    for (const auto& [key, value] : signature.field->settings.items()) {
-      text += fmt::format("{} {}, ", key, value.is_string() ? value.get<std::string>() : value.dump());
-    }
-    return text + describe(signature.histogram);
+  if (signature.field) return describe(signature.field->settings) + describe(signature.histogram);
+  if (signature.descriptor || signature.derived) {
+    std::string text = describe(signature.descriptor ? signature.descriptor->settings : signature.derived->settings);
+    text.resize(text.size() - 2);
+    return text;
   }
   std::string text = "concatenation of";
   for (const std::size_t part : signature.parts)
@@ -61,7 +69,7 @@ ReportMethod method_of(const MethodResults& method, const SignatureConfiguration
           .evaluations = method.evaluations,
           .histograms = {.table = signature.field ? &method.signatures : nullptr,
                          .ranges = method.histogram_ranges,
-                         .parts = signature.parts}};
+                         .parts = signature.derived ? std::vector<std::size_t>() : signature.parts}};
 }
 
 }  // namespace

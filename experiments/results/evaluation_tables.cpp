@@ -18,24 +18,21 @@ Table table_with_measures(std::span<const NamedEvaluation> evaluations, Row word
   return table;
 }
 
-std::string score(double fraction, const ScoreStyle& style) {
-  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
-}
-
 void append_scores(Row& row, const Eigen::VectorXd& fractions, const ScoreStyle& style) {
-  for (const double fraction : fractions) row.push_back(score(fraction, style));
+  for (const double fraction : fractions) row.push_back(score_text(fraction, style));
 }
 
 void add_beside(Row& row, std::size_t first, std::span<const ConfidenceInterval> intervals, const ScoreStyle& style) {
   for (std::size_t i = 0; i < intervals.size(); ++i) {
-    row[first + i] += fmt::format(" [{}, {}]", score(intervals[i].low, style), score(intervals[i].high, style));
+    row[first + i] +=
+        fmt::format(" [{}, {}]", score_text(intervals[i].low, style), score_text(intervals[i].high, style));
   }
 }
 
 void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const ScoreStyle& style) {
   for (const ConfidenceInterval& interval : intervals) {
-    row.push_back(score(interval.low, style));
-    row.push_back(score(interval.high, style));
+    row.push_back(score_text(interval.low, style));
+    row.push_back(score_text(interval.high, style));
   }
 }
 
@@ -44,6 +41,10 @@ bool all_have_intervals(std::span<const NamedEvaluation> evaluations) {
 }
 
 }  // namespace
+
+std::string score_text(double fraction, const ScoreStyle& style) {
+  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+}
 
 EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options) {
   const std::size_t units = options.blocks == Blocks::classes ? evaluation.classes.size() : evaluation.queries.size();
@@ -90,8 +91,8 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations) {
       for (std::size_t i = 0; i < intervals.size(); ++i) {
         const double value = (micro ? evaluation.micro : evaluation.macro)[static_cast<Eigen::Index>(i)];
         table.rows.push_back({named.method, name_of(evaluation.protocol), micro ? "micro" : "macro",
-                              evaluation.measures[i], score(value, csv_style), score(intervals[i].low, csv_style),
-                              score(intervals[i].high, csv_style)});
+                              evaluation.measures[i], score_text(value, csv_style),
+                              score_text(intervals[i].low, csv_style), score_text(intervals[i].high, csv_style)});
       }
     }
   }
@@ -168,18 +169,18 @@ Table precision_recall_table(std::span<const NamedEvaluation> evaluations) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json measures_json(const Evaluation& evaluation, const Eigen::VectorXd& values) {
-  Json json = Json::object();
+OrderedJson measures_json(const Evaluation& evaluation, const Eigen::VectorXd& values) {
+  OrderedJson json = OrderedJson::object();
   for (std::size_t i = 0; i < evaluation.measures.size(); ++i) {
     json[evaluation.measures[i]] = values[static_cast<Eigen::Index>(i)];
   }
   return json;
 }
 
-Json intervals_json(const Evaluation& evaluation, const std::vector<ConfidenceInterval>& intervals) {
-  Json json = Json::object();
+OrderedJson intervals_json(const Evaluation& evaluation, const std::vector<ConfidenceInterval>& intervals) {
+  OrderedJson json = OrderedJson::object();
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     json[evaluation.measures[i]] = {intervals[i].low, intervals[i].high};
   }
@@ -188,8 +189,8 @@ Json intervals_json(const Evaluation& evaluation, const std::vector<ConfidenceIn
 
 }  // namespace
 
-Json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids) {
-  Json json = Json::object();
+OrderedJson per_query_json(const Evaluation& evaluation, std::span<const std::string> ids) {
+  OrderedJson json = OrderedJson::object();
   for (std::size_t i = 0; i < evaluation.queries.size(); ++i) {
     json[ids[static_cast<std::size_t>(evaluation.queries[i])]] =
         measures_json(evaluation, evaluation.per_query.row(static_cast<Eigen::Index>(i)));
@@ -197,20 +198,20 @@ Json per_query_json(const Evaluation& evaluation, std::span<const std::string> i
   return json;
 }
 
-Json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
-                     const EvaluationIntervals& intervals) {
-  Json per_class = Json::object();
+OrderedJson evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
+                            const EvaluationIntervals& intervals) {
+  OrderedJson per_class = OrderedJson::object();
   for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
     const std::string& name = class_names[static_cast<std::size_t>(evaluation.classes[i])];
     per_class[name] = measures_json(evaluation, evaluation.per_class.row(static_cast<Eigen::Index>(i)));
   }
-  Json json{{"protocol", name_of(evaluation.protocol)},
-            {"ties", name_of(evaluation.ties)},
-            {"queries", evaluation.queries.size()},
-            {"queries_with_ties", evaluation.queries_with_ties},
-            {"models_never_queries", evaluation.models_left_out},
-            {"micro", measures_json(evaluation, evaluation.micro)},
-            {"macro", measures_json(evaluation, evaluation.macro)}};
+  OrderedJson json{{"protocol", name_of(evaluation.protocol)},
+                   {"ties", name_of(evaluation.ties)},
+                   {"queries", evaluation.queries.size()},
+                   {"queries_with_ties", evaluation.queries_with_ties},
+                   {"models_never_queries", evaluation.models_left_out},
+                   {"micro", measures_json(evaluation, evaluation.micro)},
+                   {"macro", measures_json(evaluation, evaluation.macro)}};
   if (!intervals.micro.empty()) {
     json["intervals"] = {{"micro", intervals_json(evaluation, intervals.micro)},
                          {"macro", intervals_json(evaluation, intervals.macro)}};

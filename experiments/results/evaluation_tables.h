@@ -17,6 +17,9 @@ struct ScoreStyle {
   int decimals = 2;
 };
 
+/// The score in that style.
+std::string score_text(double fraction, const ScoreStyle& style);
+
 /// Of tables in files: percent, to a hundredth of what a query of 10,000 is worth.
 inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
 

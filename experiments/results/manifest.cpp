@@ -12,40 +12,40 @@
 
 namespace shapegauge {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json program_json() {
+OrderedJson program_json() {
   return {{"shapegauge", version()},
           {"commit", commit()},
           {"compiler", compiler()},
           {"build_type", build_type()},
-          {"libraries", Json::parse(library_versions())},
+          {"libraries", OrderedJson::parse(library_versions())},
           {"processor", processor()}};
 }
 
-Json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files) {
-  Json hashes = Json::object();
+OrderedJson outputs_json(const std::filesystem::path& folder, std::span<const std::string> files) {
+  OrderedJson hashes = OrderedJson::object();
   for (const std::string& file : files) {
     if (!holds_timings(file)) hashes[file] = sha256_of_file(folder / file);
   }
   return {{"algorithm", "SHA-256"}, {"files", std::move(hashes)}};
 }
 
-Json fields_json(std::span<const FieldReport> fields) {
-  Json list = Json::array();
+OrderedJson fields_json(std::span<const FieldReport> fields) {
+  OrderedJson list = OrderedJson::array();
   for (const FieldReport& field : fields) {
-    Json entry{{"field", field.settings}, {"samples", field.outcomes}};
+    OrderedJson entry{{"field", field.settings}, {"samples", field.outcomes}};
     if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
     list.push_back(std::move(entry));
   }
   return list;
 }
 
-Json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
-                    std::span<const FieldReport> fields) {
-  Json seconds = Json::object();
+OrderedJson execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
+                           std::span<const FieldReport> fields) {
+  OrderedJson seconds = OrderedJson::object();
   for (const auto& [stage, time] : timings) seconds[stage] = time;
-  Json by_field = Json::array();
+  OrderedJson by_field = OrderedJson::array();
   for (const FieldReport& field : fields) {
     by_field.push_back({{"field", field.settings}, {"seconds", field.seconds}});
   }
@@ -64,20 +64,20 @@ std::string readable_hash(const std::filesystem::path& file) {
 }
 
 /// The inputs by the models' hashes, of which an empty one is left out.
-Json inputs_json(const Configuration& configuration, const std::vector<Model>& models,
-                 const std::vector<std::string>& hashes) {
-  Json by_model = Json::object();
+OrderedJson inputs_json(const Configuration& configuration, const std::vector<Model>& models,
+                        const std::vector<std::string>& hashes) {
+  OrderedJson by_model = OrderedJson::object();
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!hashes[i].empty()) by_model[models[i].id] = hashes[i];
   }
-  Json json{{"algorithm", "SHA-256"}, {"models", std::move(by_model)}};
+  OrderedJson json{{"algorithm", "SHA-256"}, {"models", std::move(by_model)}};
   const auto& location = configuration.location;
   if (location && !location->classification.empty()) json["classification"] = sha256_of_file(location->classification);
   return json;
 }
 
 /// Of the models used and of those that failed.
-Json inputs(const ExperimentResults& results) {
+OrderedJson inputs(const ExperimentResults& results) {
   std::vector<Model> models = results.models;
   std::vector<std::string> hashes;
   for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
@@ -89,9 +89,9 @@ Json inputs(const ExperimentResults& results) {
 }
 
 /// Of how many results of each kind the run took from the cache.
-Json cache_json(const CacheReport& cache) {
+OrderedJson cache_json(const CacheReport& cache) {
   if (cache.folder.empty()) return nullptr;
-  Json json = Json::object();
+  OrderedJson json = OrderedJson::object();
   for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
     const CacheUse& use = cache.uses.at(kind);
     if (use.hits + use.computed == 0) continue;
@@ -100,32 +100,32 @@ Json cache_json(const CacheReport& cache) {
   return json;
 }
 
-Json failures(const ExperimentResults& results) {
-  Json list = Json::array();
+OrderedJson failures(const ExperimentResults& results) {
+  OrderedJson list = OrderedJson::array();
   for (const FailedModel& failure : results.failures) {
     list.push_back({{"model", failure.model.id}, {"error", failure.message}});
   }
   return list;
 }
 
-Json left_out(const ExperimentResults& results) {
+OrderedJson left_out(const ExperimentResults& results) {
   const bool none = results.methods.empty() || results.methods.front().evaluations.empty();
-  return none ? Json(0) : Json(results.methods.front().evaluations.front().models_left_out);
+  return none ? OrderedJson(0) : OrderedJson(results.methods.front().evaluations.front().models_left_out);
 }
 
 }  // namespace
 
-Json dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
+OrderedJson dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
   std::vector<std::string> hashes(models.size());
   tbb::parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
   return inputs_json(configuration, models, hashes);
 }
 
-Json manifest(const ExperimentResults& results, const std::vector<std::string>& files,
-              const std::filesystem::path& folder) {
-  Json execution = execution_json(results.threads, results.timings, results.fields);
+OrderedJson manifest(const ExperimentResults& results, const std::vector<std::string>& files,
+                     const std::filesystem::path& folder) {
+  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
   execution["cache"] = cache_json(results.cache);
-  Json json = program_json();
+  OrderedJson json = program_json();
   json.update({{"configuration", to_json(results.configuration)},
                {"seed", results.configuration.seed},
                {"inputs", inputs(results)},

@@ -8,16 +8,12 @@ namespace shapegauge {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t letters = 26;
 
 std::string mark_of(std::size_t method, std::size_t methods) {
   return methods <= letters ? std::string(1, static_cast<char>('a' + method)) : fmt::format("{}", method + 1);
-}
-
-std::string score(double fraction, const ScoreStyle& style) {
-  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
 }
 
 std::string signed_score(double fraction, const ScoreStyle& style) {
@@ -48,9 +44,9 @@ std::string marks_behind(std::size_t method, const MethodComparison& comparison,
   return marks;
 }
 
-Json json_number(double number) { return std::isfinite(number) ? Json(number) : Json(nullptr); }
+OrderedJson json_number(double number) { return std::isfinite(number) ? OrderedJson(number) : OrderedJson(nullptr); }
 
-Json pair_json(const PairDifference& pair, const AlignedMethods& methods) {
+OrderedJson pair_json(const PairDifference& pair, const AlignedMethods& methods) {
   return {{"first", methods.methods[pair.first]},
           {"second", methods.methods[pair.second]},
           {"difference", pair.difference},
@@ -75,9 +71,9 @@ Table comparison_summary(const AlignedMethods& methods, std::span<const MethodCo
     table.rows.push_back({mark_of(method, methods.methods.size()), methods.methods[method]});
     for (std::size_t k = 0; k < comparisons.size(); ++k) {
       const ConfidenceInterval& interval = comparisons[k].intervals[method];
-      table.rows.back().push_back(fmt::format("{} [{}, {}]",
-                                              score(comparisons[k].averages[static_cast<Eigen::Index>(method)], style),
-                                              score(interval.low, style), score(interval.high, style)));
+      table.rows.back().push_back(
+          fmt::format("{} [{}, {}]", score_text(comparisons[k].averages[static_cast<Eigen::Index>(method)], style),
+                      score_text(interval.low, style), score_text(interval.high, style)));
       const std::string marks = marks_behind(method, comparisons[k], alpha);
       if (!marks.empty()) table.emphases.push_back({.row = method, .column = 2 + k, .bold = false, .mark = marks});
     }
@@ -105,18 +101,18 @@ Table pairs_table(const AlignedMethods& methods, std::span<const MethodCompariso
   return table;
 }
 
-Json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
-                     const ComparisonOptions& options) {
-  Json measures = Json::object();
+OrderedJson comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
+                            const ComparisonOptions& options) {
+  OrderedJson measures = OrderedJson::object();
   for (std::size_t k = 0; k < comparisons.size(); ++k) {
-    Json averages = Json::array();
+    OrderedJson averages = OrderedJson::array();
     for (std::size_t method = 0; method < methods.methods.size(); ++method) {
       const ConfidenceInterval& interval = comparisons[k].intervals[method];
       averages.push_back({{"method", methods.methods[method]},
                           {"average", comparisons[k].averages[static_cast<Eigen::Index>(method)]},
                           {"interval", {interval.low, interval.high}}});
     }
-    Json pairs = Json::array();
+    OrderedJson pairs = OrderedJson::array();
     for (const PairDifference& pair : comparisons[k].pairs) pairs.push_back(pair_json(pair, methods));
     measures[methods.measures[k]] = {{"methods", std::move(averages)}, {"pairs", std::move(pairs)}};
   }

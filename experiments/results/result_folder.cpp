@@ -38,14 +38,14 @@ bool is_file_of(int descriptor, const fs::path& path) {
 }
 
 /// What runs write, retrieval experiments first; comparisons after them.
-constexpr std::array<std::string_view, 17> result_names{
-    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv", "per_class.csv",
-    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",     "shape_seconds.csv",
-    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv"};
+constexpr std::array<std::string_view, 18> result_names{
+    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv",  "per_class.csv",
+    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",      "shape_seconds.csv",
+    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv", "features"};
 
 /// Whether runs write files of that name, relative to the folder.
 bool is_result(const fs::path& file) {
-  if (file.parent_path() == "distances") return file.extension() == ".npy";
+  if (file.parent_path() == "distances" || file.parent_path() == "features") return file.extension() == ".npy";
   return std::ranges::find(result_names, file.string()) != result_names.end();
 }
 

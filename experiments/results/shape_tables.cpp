@@ -103,10 +103,14 @@ Table shapes_table(const ExperimentResults& results) {
 Table shape_seconds_table(const ExperimentResults& results) {
   Table table{.header = {"id"}, .rows = {}, .text_columns = 1};
   for (const FieldReport& field : results.fields) table.header.push_back(name_of(field));
+  for (const SignatureConfiguration& signature : results.configuration.signatures) {
+    if (signature.descriptor) table.header.push_back(signature.name);
+  }
   for (std::size_t i = 0; i < results.models.size(); ++i) {
     auto& row = table.rows.emplace_back();
     row.push_back(results.models[i].id);
     for (const double seconds : results.shapes[i].seconds) row.push_back(fmt::format("{:.6f}", seconds));
+    for (const double seconds : results.shapes[i].descriptor_seconds) row.push_back(fmt::format("{:.6f}", seconds));
   }
   return table;
 }

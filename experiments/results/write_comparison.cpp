@@ -17,7 +17,7 @@ namespace shapegauge {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Row = std::vector<std::string>;
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
@@ -157,7 +157,7 @@ std::string summary_markdown(const ComparisonResults& results) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> text_files(const ComparisonResults& results) {
+std::vector<std::pair<std::string, std::string>> comparison_files(const ComparisonResults& results) {
   std::vector<std::pair<std::string, std::string>> files{{"summary.md", summary_markdown(results)},
                                                          {"histograms.csv", to_csv(histograms_table(results))},
                                                          {"timings.csv", to_csv(timings_table(results))},
@@ -170,8 +170,8 @@ std::vector<std::pair<std::string, std::string>> text_files(const ComparisonResu
   return files;
 }
 
-Json inputs(const ComparisonResults& results) {
-  Json shapes = Json::object();
+OrderedJson read_files(const ComparisonResults& results) {
+  OrderedJson shapes = OrderedJson::object();
   for (const ShapeMeasurement& measured : results.shapes) {
     for (const ComparedShape& shape : results.comparison.shapes) {
       if (shape.name == measured.name && !shape.generated) shapes[shape.name] = sha256_of_file(shape.file);
@@ -180,16 +180,16 @@ Json inputs(const ComparisonResults& results) {
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};
 }
 
-Json manifest(const ComparisonResults& results, const std::vector<std::string>& files,
-              const std::filesystem::path& folder) {
-  Json failures = Json::array();
+OrderedJson manifest(const ComparisonResults& results, const std::vector<std::string>& files,
+                     const std::filesystem::path& folder) {
+  OrderedJson failures = OrderedJson::array();
   for (const FailedShape& failure : results.failures) {
     failures.push_back({{"shape", failure.name}, {"error", failure.message}});
   }
-  Json json = program_json();
+  OrderedJson json = program_json();
   json.update({{"configuration", to_json(results.comparison)},
                {"seed", results.comparison.seed},
-               {"inputs", inputs(results)},
+               {"inputs", read_files(results)},
                {"shapes", results.shapes.size()},
                {"failed_shapes", std::move(failures)},
                {"fields", fields_json(results.fields)},
@@ -205,7 +205,7 @@ void write_comparison(const std::filesystem::path& destination, const Comparison
   StagedResults staged(destination);
   const std::filesystem::path& folder = staged.folder();
   std::vector<std::string> files;
-  for (const auto& [name, text] : text_files(results)) {
+  for (const auto& [name, text] : comparison_files(results)) {
     write_file_atomically(folder / name, text);
     files.push_back(name);
   }

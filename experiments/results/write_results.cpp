@@ -75,11 +75,27 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
           {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
 }
 
-std::vector<std::string> matrix_files(const ExperimentResults& results) {
+/// A name for the files of each method.
+std::vector<std::string> method_files(const ExperimentResults& results) {
   std::vector<std::string> names;
   for (const MethodResults& method : results.methods) names.push_back(method.name);
-  std::vector<std::string> files = file_safe_names(names);
-  for (std::string& file : files) file = fmt::format("distances/{}.npy", file);
+  return file_safe_names(names);
+}
+
+/// Writes the distances of all methods, and the features of those that are descriptors. Returns the files' names.
+std::vector<std::string> write_matrices(const fs::path& folder, const ExperimentResults& results) {
+  const std::vector<std::string> names = method_files(results);
+  std::vector<std::string> files;
+  const auto write = [&](const char* kind, const std::string& name, const DistanceMatrix& matrix) {
+    make_folder(folder / kind);
+    files.push_back(fmt::format("{}/{}.npy", kind, name));
+    write_npy(folder / files.back(), matrix);
+  };
+  for (std::size_t i = 0; i < names.size(); ++i) write("distances", names[i], results.methods[i].distances);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!results.configuration.signatures[i].descriptor) continue;
+    write("features", names[i], results.methods[i].signatures.cast<double>());
+  }
   return files;
 }
 
@@ -88,17 +104,13 @@ std::vector<std::string> matrix_files(const ExperimentResults& results) {
 void write_results(const fs::path& destination, const ExperimentResults& results) {
   StagedResults staged(destination);
   const fs::path& folder = staged.folder();
-  make_folder(folder / "distances");
-  const std::vector<std::string> matrices = matrix_files(results);
   std::vector<std::string> files;
   for (const auto& [name, text] : text_files(results)) {
     write_file_atomically(folder / name, text);
     files.push_back(name);
   }
-  for (std::size_t i = 0; i < matrices.size(); ++i) {
-    write_npy(folder / matrices[i], results.methods[i].distances);
-    files.push_back(matrices[i]);
-  }
+  const std::vector<std::string> matrices = write_matrices(folder, results);
+  files.insert(files.end(), matrices.begin(), matrices.end());
   if (results.configuration.report.wanted) {
     write_file_atomically(folder / report_name, report_page(report_of(results)));
     files.emplace_back(report_name);

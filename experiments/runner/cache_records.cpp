@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -140,6 +141,24 @@ std::string histogram_key(const std::string& field, const HistogramConfiguration
                 {{"field", field}, {"settings", to_json(histogram)}, {"version", histogram_version}});
 }
 
+std::string features_key(const std::string& shape, const DescriptorChoice& choice,
+                         const std::vector<std::string>& fields, const std::string& learnt) {
+  return key_of(EntryKind::features, {{"shape", shape},
+                                      {"fields", fields},
+                                      {"learnt", learnt},
+                                      {"settings", choice.settings},
+                                      {"versions", {choice.descriptor.version, samples_version}}});
+}
+
+std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields) {
+  return key_of(EntryKind::learnt,
+                {{"fields", fields}, {"settings", choice.settings}, {"version", choice.descriptor.version}});
+}
+
+std::string distance_of(const Descriptor& descriptor) {
+  return fmt::format("descriptor {} {}", descriptor.name, descriptor.version);
+}
+
 std::string picture_key(const std::string& field, const PictureOptions& options) {
   return key_of(EntryKind::picture, {{"field", field},
                                      {"range", {options.range.low, options.range.high}},
@@ -198,6 +217,25 @@ Json histogram_record(const CachedHistogram& histogram) {
 
 CachedHistogram read_histogram_record(const Json& record) {
   return {.facts = read_facts(record.at("facts")), .bins = read_binary<Eigen::VectorXf>(record.at("bins"))};
+}
+
+Json features_record(const FeatureDescription& features) {
+  return {{"features", binary(features.features.data(), features.features.size())}, {"seconds", features.seconds}};
+}
+
+FeatureDescription read_features(const Json& record) {
+  return {.features = read_binary<Eigen::VectorXf>(record.at("features")), .seconds = record.at("seconds")};
+}
+
+Json learnt_record(const LearntFeatures& learnt) {
+  return {{"rows", learnt.rows()}, {"numbers", binary(learnt.data(), learnt.size())}};
+}
+
+LearntFeatures read_learnt(const Json& record) {
+  const auto numbers = read_binary<Eigen::VectorXf>(record.at("numbers"));
+  const auto rows = record.at("rows").get<Eigen::Index>();
+  if (rows < 1 || numbers.size() % rows != 0) return {};
+  return Eigen::Map<const LearntFeatures>(numbers.data(), rows, numbers.size() / rows);
 }
 
 Json picture_record(std::string_view png) { return Json::binary({png.begin(), png.end()}); }

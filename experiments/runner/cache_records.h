@@ -48,11 +48,22 @@ std::string field_key(const std::string& shape, const Field& field);
 /// Of a histogram of that field over a range that depends on no other shape.
 std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram);
 
+/// Of the features of a descriptor on that shape. `fields`: the keys of its fields there; `learnt`: that of what it has
+/// learnt, empty where it has not.
+std::string features_key(const std::string& shape, const DescriptorChoice& choice,
+                         const std::vector<std::string>& fields, const std::string& learnt);
+
+/// Of what a descriptor learns from all shapes of a data set. `fields`: the keys of its fields on each of them.
+std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields);
+
 /// Of the picture of a shape that is coloured by that field.
 std::string picture_key(const std::string& field, const PictureOptions& options);
 
-/// Of the distance matrix of the signatures.
+/// Of the distance matrix of the signatures. `distance`: its name.
 std::string distances_key(const Signatures& signatures, const std::string& distance);
+
+/// The name, with its version, by which distances_key() knows a descriptor's own distance.
+std::string distance_of(const Descriptor& descriptor);
 
 /// Of the parts of a shape by a method; `version` is that of the method's algorithm.
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version);
@@ -80,6 +91,14 @@ struct CachedHistogram {
 };
 nlohmann::json histogram_record(const CachedHistogram& histogram);
 CachedHistogram read_histogram_record(const nlohmann::json& record);
+
+/// The features of a descriptor.
+nlohmann::json features_record(const FeatureDescription& features);
+FeatureDescription read_features(const nlohmann::json& record);
+
+/// What a descriptor has learnt.
+nlohmann::json learnt_record(const LearntFeatures& learnt);
+LearntFeatures read_learnt(const nlohmann::json& record);
 
 /// A picture: the bytes of its file.
 nlohmann::json picture_record(std::string_view png);

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
+#include <stdexcept>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/runner/describe_learnt.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/describe_through_cache.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -72,10 +74,33 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
       for_each_model(remaining, "signatures", configuration.on_error == OnError::stop, control, [&](std::size_t model) {
         described.models[model] = describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
       });
-  described.failures.insert(described.failures.end(), failures.begin(), failures.end());
-  std::ranges::sort(described.failures, {}, &ModelFailure::model);
-  stop_if_told(dataset, described.failures, configuration.on_error);
-  return described;
+  const auto add = [&](const std::vector<ModelFailure>& more) {
+    described.failures.insert(described.failures.end(), more.begin(), more.end());
+    std::ranges::sort(described.failures, {}, &ModelFailure::model);
+    stop_if_told(dataset, described.failures, configuration.on_error);
+  };
+  add(failures);
+  for (;;) {
+    const std::vector<ModelFailure> more = describe_learnt(described.models, configuration, plan, control, cache);
+    if (more.empty()) return described;
+    for (const ModelFailure& failure : more) described.models[failure.model].reset();
+    add(more);
+  }
+}
+
+/// The features of one descriptor of all models.
+Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
+  const Eigen::Index length = models.front()->features[descriptor].features.size();
+  Signatures table(std::ssize(models), length);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Eigen::VectorXf& features = models[i]->features[descriptor].features;
+    if (features.size() != length) {
+      throw std::invalid_argument(
+          fmt::format("a descriptor gives {} features of one model, {} of another", length, features.size()));
+    }
+    table.row(static_cast<Eigen::Index>(i)) = features.transpose();
+  }
+  return table;
 }
 
 }  // namespace
@@ -89,8 +114,10 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
       tables[i] = histograms_of(models, signatures[i].histogram, i, field);
     }
   }
+  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
+  for (std::size_t d = 0; d < descriptors.size(); ++d) tables[descriptors[d].signature] = features_of(models, d);
   for (const std::size_t i : computation_order(signatures)) {
-    if (signatures[i].field) continue;
+    if (signatures[i].field || signatures[i].descriptor || signatures[i].derived) continue;
     std::vector<Signatures> parts;
     for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part]);
     tables[i] = concatenate(parts);
@@ -134,12 +161,14 @@ ShapeReport report_shape(const ModelDescription& model) {
                      .pass_band = model.pass_band,
                      .outcomes = {},
                      .offsets = {},
-                     .seconds = {}};
+                     .seconds = {},
+                     .descriptor_seconds = {}};
   for (const FieldDescription& field : model.fields) {
     report.outcomes.push_back(field.outcomes);
     report.offsets.push_back(field.offset);
     report.seconds.push_back(field.seconds);
   }
+  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
   return report;
 }
 

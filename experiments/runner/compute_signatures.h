@@ -29,9 +29,12 @@ struct ShapeReport {
   std::vector<FieldOutcomes> outcomes;         ///< by field
   std::vector<std::optional<double>> offsets;  ///< by field, where it chose one
   std::vector<double> seconds;                 ///< by field
+  std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
 };
 
-/// The signatures, in the configuration's order, of all models: row i is of models[i]. Runs in the calling TBB arena.
+/// The signatures, in the configuration's order, of all models: row i is of models[i]. Those that are derived from
+/// distances are empty. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features
+/// of different lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,
                                             const std::vector<SignatureConfiguration>& signatures);
@@ -50,7 +53,7 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
 /// The signatures of the models of a data set.
 struct ComputedSignatures {
   std::vector<std::size_t> models;                      ///< those that have signatures, by index in the data set
-  std::vector<Signatures> signatures;                   ///< by signature of the configuration; row i is of models[i]
+  std::vector<Signatures> signatures;                   ///< as assemble_signatures() gives them
   std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each row; empty where it has no field
   std::vector<std::string> pictures;  ///< of the models, where the configuration wants them; else none
   std::vector<FieldReport> fields;

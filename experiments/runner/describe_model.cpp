@@ -11,24 +11,60 @@
 
 namespace shapegauge {
 
+namespace {
+
+/// The place in the plan of the field of such settings; the plan's size where it is not there.
+std::size_t place_in(std::span<const PlannedField> plan, const Field& field) {
+  const auto same = [&](const PlannedField& known) { return known.field.settings == field.settings; };
+  return static_cast<std::size_t>(std::ranges::find_if(plan, same) - plan.begin());
+}
+
+/// The plan's entry for the field, which is added where it is new.
+PlannedField& planned(std::vector<PlannedField>& plan, const Field& field) {
+  const std::size_t place = place_in(plan, field);
+  if (place == plan.size()) plan.push_back({.field = field, .signatures = {}});
+  return plan[place];
+}
+
+}  // namespace
+
 std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<PlannedField> plan;
   for (std::size_t i = 0; i < signatures.size(); ++i) {
     const SignatureConfiguration& signature = signatures[i];
-    if (!signature.field) continue;
-    auto planned = std::ranges::find_if(
-        plan, [&](const PlannedField& known) { return known.field.settings == signature.field->settings; });
-    if (planned == plan.end())
-      planned = plan.insert(plan.end(), PlannedField{.field = *signature.field, .signatures = {}});
-    planned->signatures.push_back(i);
-    if (signature.histogram.range == HistogramRange::dataset) planned->keep_values = true;
+    if (signature.field) {
+      PlannedField& field = planned(plan, *signature.field);
+      field.signatures.push_back(i);
+      if (signature.histogram.range == HistogramRange::dataset) field.keep_values = true;
+    } else if (signature.descriptor) {
+      const DescriptorChoice& choice = *signature.descriptor;
+      for (const Field& of_descriptor : choice.fields) {
+        PlannedField& field = planned(plan, of_descriptor);
+        if (learns(choice.descriptor, choice.values)) field.keep_values = true;
+      }
+    }
   }
   return plan;
 }
 
-bool is_pictured(const PlannedField& planned, const ReportConfiguration& report) {
-  return report.wanted && report.pictures &&
-         std::ranges::find(planned.signatures, report.pictured_signature) != planned.signatures.end();
+std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfiguration>& signatures,
+                                                std::span<const PlannedField> plan) {
+  std::vector<PlannedDescriptor> descriptors;
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (!signatures[i].descriptor) continue;
+    const DescriptorChoice& choice = *signatures[i].descriptor;
+    PlannedDescriptor& added = descriptors.emplace_back();
+    added.signature = i;
+    added.learns = learns(choice.descriptor, choice.values);
+    for (const Field& field : choice.fields) added.fields.push_back(place_in(plan, field));
+  }
+  return descriptors;
+}
+
+bool is_pictured(const PlannedField& planned, const Configuration& configuration) {
+  const ReportConfiguration& report = configuration.report;
+  if (!report.wanted || !report.pictures) return false;
+  return planned.field.settings == pictured_field(configuration.signatures[report.pictured_signature])->settings;
 }
 
 namespace {
@@ -75,17 +111,22 @@ void describe_field(const ScalarField& field, const PlannedField& planned,
   }
 }
 
-ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
-                                const std::vector<SignatureConfiguration>& signatures,
-                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
+PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation) {
   ModelDescription description;
   description.diagnostics = diagnose(perturbed.shape);
   description.chosen = std::move(perturbed.chosen);
-  description.histograms.resize(signatures.size());
-  const PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
+  PreparedShape prepared = prepare_shape(std::move(perturbed.shape), preparation);
   description.area = prepared.area;
   description.noise = prepared.noise.relative();
   description.pass_band = prepared.pass_band;
+  return {.prepared = std::move(prepared), .description = std::move(description)};
+}
+
+void describe_fields(PreparedModel& model, const std::vector<SignatureConfiguration>& signatures,
+                     std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
+  const PreparedShape& prepared = model.prepared;
+  ModelDescription& description = model.description;
+  description.histograms.resize(signatures.size());
   SamplesByPlan samples(prepared.shape);
   FieldSource source(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -102,11 +143,33 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
     const ScalarField field{.values = std::move(computed.values), .weights = sites.weights};
     describe_field(field, plan[i], signatures, kept, description.histograms);
   }
-  return description;
+}
+
+ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
+                                const std::vector<SignatureConfiguration>& signatures,
+                                std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
+  PreparedModel model = prepare_model(std::move(perturbed), preparation);
+  describe_fields(model, signatures, plan, parallel, observe);
+  return std::move(model.description);
+}
+
+FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
+                                     const LearntFeatures& learnt) {
+  const auto start = std::chrono::steady_clock::now();
+  Eigen::VectorXf features = choice.descriptor.describe(input, learnt, choice.values);
+  if (features.size() == 0 || !features.allFinite()) {
+    throw InputError(fmt::format("the features of the descriptor {} are not finite numbers", choice.descriptor.name));
+  }
+  const auto end = std::chrono::steady_clock::now();
+  return {.features = std::move(features), .seconds = std::chrono::duration<double>(end - start).count()};
+}
+
+ScalarField kept_field(const FieldDescription& field) {
+  return {.values = field.values.cast<double>(), .weights = field.weights.cast<double>()};
 }
 
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options) {
-  return histogram({.values = field.values.cast<double>(), .weights = field.weights.cast<double>()}, range, options);
+  return histogram(kept_field(field), range, options);
 }
 
 }  // namespace shapegauge

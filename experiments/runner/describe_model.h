@@ -21,14 +21,25 @@ namespace shapegauge {
 struct PlannedField {
   Field field;
   std::vector<std::size_t> signatures;  ///< indices of the signatures that are histograms of it
-  bool keep_values = false;             ///< a histogram over the whole data set's range has to wait for all shapes
+  bool keep_values = false;             ///< what depends on the whole data set has to wait for all shapes
+};
+
+/// A descriptor to compute on every shape, and its fields in the plan.
+struct PlannedDescriptor {
+  std::size_t signature = 0;        ///< index of the signature that it is
+  std::vector<std::size_t> fields;  ///< indices in the plan of fields
+  bool learns = false;              ///< it must see all shapes first
 };
 
 /// The distinct fields of the signatures, in order of first use: fields of equal settings are computed once.
 std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures);
 
+/// The signatures that are descriptors, in order, with their fields in plan_fields().
+std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfiguration>& signatures,
+                                                std::span<const PlannedField> plan);
+
 /// Whether it is the field that colours the models in the report.
-bool is_pictured(const PlannedField& planned, const ReportConfiguration& report);
+bool is_pictured(const PlannedField& planned, const Configuration& configuration);
 
 /// What one shape gave for one field.
 struct FieldDescription {
@@ -40,25 +51,47 @@ struct FieldDescription {
   double seconds = 0;
 };
 
+/// What one shape gave for one descriptor.
+struct FeatureDescription {
+  Eigen::VectorXf features;
+  double seconds = 0;  ///< without its fields
+};
+
 /// What is kept of one shape; its mesh is not.
 struct ModelDescription {
-  std::string sha256;                       ///< of the file; empty where a shape has none
-  ShapeDiagnostics diagnostics;             ///< after the perturbations, in the file's units
-  std::vector<FieldDescription> fields;     ///< as in the plan
-  std::vector<Eigen::VectorXf> histograms;  ///< by signature; empty where it cannot be computed from one shape alone
-  std::vector<std::size_t> chosen;          ///< what perturbations that choose have chosen
-  double area = 0;                          ///< that was scaled to 1, in the file's units, squared
-  double noise = 0;                         ///< NoiseLevel::relative(), where the preparation looks for noise
-  double pass_band = 0;                     ///< of the preparation's smoothing; 0: none
-  std::string picture;                      ///< model_picture(), where the configuration wants one
+  std::string sha256;                        ///< of the file; empty where a shape has none
+  ShapeDiagnostics diagnostics;              ///< after the perturbations, in the file's units
+  std::vector<FieldDescription> fields;      ///< as in the plan
+  std::vector<Eigen::VectorXf> histograms;   ///< by signature; empty where it cannot be computed from one shape alone
+  std::vector<FeatureDescription> features;  ///< by planned descriptor; of those that learn empty until they have
+  std::string shape_key;                     ///< shape_key() in the cache; empty where there is none
+  std::vector<std::size_t> chosen;           ///< what perturbations that choose have chosen
+  double area = 0;                           ///< that was scaled to 1, in the file's units, squared
+  double noise = 0;                          ///< NoiseLevel::relative(), where the preparation looks for noise
+  double pass_band = 0;                      ///< of the preparation's smoothing; 0: none
+  std::string picture;                       ///< model_picture(), where the configuration wants one
 };
 
 /// Called for each field of a plan once it is computed, with its index, the prepared shape, the samples and the values.
 using FieldObserver =
     std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
 
-/// Prepares a shape and computes the planned fields and their histograms. parallel: spread the samples over threads.
-/// Throws InputError or std::invalid_argument where the shape is of no use, and what the observer throws.
+/// A shape that is ready to be measured, and what is known of it so far.
+struct PreparedModel {
+  PreparedShape prepared;
+  ModelDescription description;  ///< without fields and histograms
+};
+
+/// Prepares a shape. Throws InputError where it is of no use.
+PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
+
+/// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. parallel:
+/// spread the samples over threads. Throws InputError or std::invalid_argument where the shape is of no use, and what
+/// the observer throws.
+void describe_fields(PreparedModel& model, const std::vector<SignatureConfiguration>& signatures,
+                     std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
+
+/// Prepares a shape and computes the planned fields and their histograms: the two functions above.
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
@@ -68,6 +101,13 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms);
+
+/// The features of a descriptor.
+FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
+                                     const LearntFeatures& learnt);
+
+/// The values that a description keeps.
+ScalarField kept_field(const FieldDescription& field);
 
 /// The histogram, over a range, of the values that a description keeps.
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/runner/describe_through_cache.h"
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -27,9 +28,18 @@ class DescribedModel {
     histograms_.resize(configuration.signatures.size());
     for (const PlannedField& field : plan) {
       fields_.push_back({.rest = field, .key = field_key(shape_key_, field.field), .found = {}});
-      if (!is_pictured(field, configuration.report)) continue;
+      if (!is_pictured(field, configuration)) continue;
       pictured_ = fields_.size() - 1;
       picture_key_ = picture_key(fields_.back().key, configuration.report.picture_options);
+    }
+    for (PlannedDescriptor& descriptor : plan_descriptors(configuration.signatures, plan)) {
+      std::vector<std::string> keys;
+      for (const std::size_t field : descriptor.fields) keys.push_back(fields_[field].key);
+      const DescriptorChoice& choice = *configuration.signatures[descriptor.signature].descriptor;
+      descriptors_.push_back({.plan = std::move(descriptor),
+                              .choice = &choice,
+                              .key = features_key(shape_key_, choice, keys, ""),
+                              .found = {}});
     }
   }
 
@@ -40,6 +50,16 @@ class DescribedModel {
     if (pictured_) {
       picture_ = cache_->lookup(EntryKind::picture, picture_key_, read_picture);
       cache_->count(EntryKind::picture, picture_.has_value());
+    }
+    for (PartlyKnownFeatures& descriptor : descriptors_) {
+      if (descriptor.plan.learns) {
+        descriptor.found = FeatureDescription{};  // whoever has all shapes completes it
+        continue;
+      }
+      descriptor.found = cache_->lookup(EntryKind::features, descriptor.key, read_features);
+      cache_->count(EntryKind::features, descriptor.found.has_value());
+      if (descriptor.found) continue;
+      for (const std::size_t field : descriptor.plan.fields) fields_[field].described = true;
     }
     for (PartlyKnownField& field : fields_) lookup_field(field);
   }
@@ -53,23 +73,28 @@ class DescribedModel {
     return missing;
   }
 
-  [[nodiscard]] bool is_complete() const { return shape_ && missing().empty(); }
+  [[nodiscard]] bool is_complete() const {
+    return shape_ && missing().empty() &&
+           std::ranges::all_of(descriptors_, [](const PartlyKnownFeatures& one) { return one.found.has_value(); });
+  }
 
-  /// Stores the values of the missing field of that index.
-  void store_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
-    const std::optional<Interval> range = value_range({.values = computed.values, .weights = samples.weights});
-    if (cache_->folder().empty() || !range) return;  // without a value the model is a failure: nothing to store
-    const PartlyKnownField& field = *missing_fields().at(index);
-    FieldDescription facts;
-    facts.range = *range;
-    facts.outcomes = computed.outcomes;
-    facts.offset = computed.offset;
-    facts.seconds = computed.build_seconds + computed.query_seconds;
-    const std::string weights = samples_key(shape_key_, field.rest.field.samples);
-    if (weights_stored_.insert(weights).second) {
-      cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
+  /// Takes notice of the values of the missing field of that index: stores them, and keeps what is still to be
+  /// described by them.
+  void take_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
+    PartlyKnownField& field = *missing_fields().at(index);
+    if (field.described) field.values = {.values = computed.values, .weights = samples.weights};
+    store_values(index, samples, computed);
+  }
+
+  /// Computes the features that are missing; once all fields are there.
+  void describe(const Shape& shape) {
+    for (PartlyKnownFeatures& descriptor : descriptors_) {
+      if (descriptor.found) continue;
+      std::vector<ScalarField> fields;
+      for (const std::size_t field : descriptor.plan.fields) fields.push_back(fields_[field].values);
+      descriptor.found = describe_features(*descriptor.choice, {.shape = shape, .fields = fields}, {});
+      cache_->store(EntryKind::features, descriptor.key, features_record(*descriptor.found));
     }
-    cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
   }
 
   /// Draws the picture where it is missing and the missing field of that index colours it.
@@ -103,6 +128,11 @@ class DescribedModel {
     description.histograms = std::move(histograms_);
     description.fields.clear();
     for (PartlyKnownField& field : fields_) description.fields.push_back(std::move(field.found.value()));
+    description.features.clear();
+    for (PartlyKnownFeatures& descriptor : descriptors_) {
+      description.features.push_back(std::move(descriptor.found.value()));
+    }
+    description.shape_key = shape_key_;
     description.picture = std::move(picture_).value_or("");
     return description;
   }
@@ -112,7 +142,33 @@ class DescribedModel {
     PlannedField rest;  ///< with the signatures that are still to be computed
     std::string key;
     std::optional<FieldDescription> found;
+    bool described = false;   ///< by descriptors whose features are missing
+    ScalarField values = {};  ///< where it is
   };
+
+  struct PartlyKnownFeatures {
+    PlannedDescriptor plan;
+    const DescriptorChoice* choice;
+    std::string key;
+    std::optional<FeatureDescription> found;
+  };
+
+  /// Stores the values of the missing field of that index.
+  void store_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
+    const std::optional<Interval> range = value_range({.values = computed.values, .weights = samples.weights});
+    if (cache_->folder().empty() || !range) return;  // without a value the model is a failure: nothing to store
+    const PartlyKnownField& field = *missing_fields().at(index);
+    FieldDescription facts;
+    facts.range = *range;
+    facts.outcomes = computed.outcomes;
+    facts.offset = computed.offset;
+    facts.seconds = computed.build_seconds + computed.query_seconds;
+    const std::string weights = samples_key(shape_key_, field.rest.field.samples);
+    if (weights_stored_.insert(weights).second) {
+      cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
+    }
+    cache_->store(EntryKind::field, field.key, field_record({.facts = std::move(facts), .values = computed.values}));
+  }
 
   [[nodiscard]] const HistogramConfiguration& wanted(std::size_t signature) const {
     return configuration_->signatures[signature].histogram;
@@ -147,7 +203,8 @@ class DescribedModel {
       facts = std::move(histogram->facts);
       return true;
     });
-    const bool values_wanted = field.rest.keep_values || !field.rest.signatures.empty() || draws(field);
+    const bool values_wanted =
+        field.rest.keep_values || field.described || !field.rest.signatures.empty() || draws(field) || !facts;
     field.found = values_wanted ? lookup_values(field) : std::move(facts);
     if (field.found) cache_->count(EntryKind::field, true);
   }
@@ -160,6 +217,7 @@ class DescribedModel {
     auto cached = cache_->lookup(EntryKind::field, field.key, read_field_record);
     if (!cached || cached->values.size() != weights->size()) return std::nullopt;
     if (draws(field)) values_to_draw_ = cached->values;
+    if (field.described) field.values = {.values = cached->values, .weights = *weights};
     std::vector<Eigen::VectorXf> histograms(histograms_.size());
     try {
       describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
@@ -193,6 +251,7 @@ class DescribedModel {
   Cache* cache_;
   std::optional<ModelDescription> shape_;  ///< without fields and histograms
   std::vector<PartlyKnownField> fields_;
+  std::vector<PartlyKnownFeatures> descriptors_;
   std::vector<Eigen::VectorXf> histograms_;  ///< by signature
   std::set<std::string> weights_stored_;     ///< by key
   std::optional<std::size_t> pictured_;      ///< the field that colours the picture, where one is wanted
@@ -216,12 +275,15 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
                          model);
   };
   if (!described.is_complete()) {
-    described.complete(describe_shape(
-        perturbed(), configuration.preparation, configuration.signatures, described.missing(), parallel,
-        [&](std::size_t field, const PreparedShape& prepared, const Samples& samples, const FieldValues& computed) {
-          described.store_values(field, samples, computed);
-          described.draw_computed(field, prepared.shape, samples, computed.values);
-        }));
+    PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
+    describe_fields(
+        prepared, configuration.signatures, described.missing(), parallel,
+        [&](std::size_t field, const PreparedShape& shape, const Samples& samples, const FieldValues& computed) {
+          described.take_values(field, samples, computed);
+          described.draw_computed(field, shape.shape, samples, computed.values);
+        });
+    described.complete(std::move(prepared.description));
+    described.describe(prepared.prepared.shape);
   }
   if (described.is_picture_missing()) {
     described.draw_cached(prepare_shape(perturbed().shape, configuration.preparation).shape);

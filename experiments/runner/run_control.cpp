@@ -33,7 +33,6 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   // that Embree is building, and give them wrong values.
   std::atomic<bool> stopped = false;
   const auto attempt = [&](std::size_t model) {
-    if (stopped || control.interrupted()) return;
     try {
       // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
       tbb::this_task_arena::isolate([&] { job(model); });
@@ -46,14 +45,20 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
     control.progress(stage, ++done, models.size());
   };
   control.progress(stage, 0, models.size());
+  // Models begin in their order, so that those before the first failure have all been tried when it stops the rest: the
+  // same one is the first on any number of threads.
+  std::atomic<std::size_t> next = 0;
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, models.size(), 1),
       [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) attempt(models[i]);
+        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+          if (!stopped && !control.interrupted()) attempt(models[next++]);
+        }
       },
       tbb::simple_partitioner());
   if (control.interrupted()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
+  if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;
 }
 

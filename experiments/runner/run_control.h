@@ -35,8 +35,8 @@ int available_threads();
 void with_threads(int threads, const std::function<void()>& work);
 
 /// Runs a job for each model, in parallel, in the calling TBB arena. A job that throws makes its model a failure; with
-/// stop_at_failure, jobs that have not begun by then are skipped. Returns the failures in order of the models. Throws
-/// Interrupted.
+/// stop_at_failure, jobs that have not begun by then are skipped, and only the first failure counts. Models begin in
+/// their order. Returns the failures in that order. Throws Interrupted.
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job);

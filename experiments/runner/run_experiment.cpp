@@ -1,6 +1,8 @@
 #include "shapegauge/experiments/runner/run_experiment.h"
 
 #include <chrono>
+#include <fmt/format.h>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -85,6 +87,37 @@ std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::v
   return evaluations;
 }
 
+DistanceMatrix derived_distances(const SignatureConfiguration& signature,
+                                 const std::vector<DistanceMatrix>& distances) {
+  std::vector<DistanceMatrix> parts;
+  for (const std::size_t part : signature.parts) parts.push_back(distances[part]);
+  try {
+    return signature.derived->compute(parts);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
+  }
+}
+
+/// The distance matrices of the signatures of these features.
+std::vector<DistanceMatrix> all_distances(const Configuration& configuration, const std::vector<Signatures>& features,
+                                          const RunControl& control, Cache& cache) {
+  std::vector<DistanceMatrix> distances(configuration.signatures.size());
+  std::size_t done = 0;
+  for (const std::size_t i : computation_order(configuration.signatures)) {
+    if (control.interrupted()) throw Interrupted();
+    control.progress("distances", done++, distances.size());
+    const SignatureConfiguration& signature = configuration.signatures[i];
+    if (signature.derived) {
+      distances[i] = derived_distances(signature, distances);
+    } else if (signature.descriptor) {
+      distances[i] = distances_through_cache(features[i], signature.descriptor->descriptor, cache);
+    } else {
+      distances[i] = distances_through_cache(features[i], configuration.distance, cache);
+    }
+  }
+  return distances;
+}
+
 void run_stages(const Configuration& configuration, const std::filesystem::path& generated_folder,
                 const RunControl& control, Cache& cache, ExperimentResults& results) {
   Stopwatch stopwatch;
@@ -102,15 +135,13 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   results.pictures = std::move(computed.pictures);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
+  std::vector<DistanceMatrix> distances = all_distances(configuration, computed.signatures, control, cache);
   for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
-    if (control.interrupted()) throw Interrupted();
-    control.progress("distances", i, configuration.signatures.size());
-    results.methods.push_back(
-        {.name = configuration.signatures[i].name,
-         .distances = distances_through_cache(computed.signatures[i], configuration.distance, cache),
-         .evaluations = {},
-         .signatures = std::move(computed.signatures[i]),
-         .histogram_ranges = std::move(computed.histogram_ranges[i])});
+    results.methods.push_back({.name = configuration.signatures[i].name,
+                               .distances = std::move(distances[i]),
+                               .evaluations = {},
+                               .signatures = std::move(computed.signatures[i]),
+                               .histogram_ranges = std::move(computed.histogram_ranges[i])});
   }
   results.timings.emplace_back("distances", stopwatch.lap());
 
@@ -130,7 +161,11 @@ Dataset prepare_dataset(const Configuration& configuration, const fs::path& gene
   return find_dataset({.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
 }
 
-DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
+namespace {
+
+/// The distances of the signatures by the distance of that name, which `compute` computes where the cache has none.
+DistanceMatrix cached_distances(const Signatures& signatures, const std::string& distance, Cache& cache,
+                                const std::function<DistanceMatrix()>& compute) {
   const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
   const std::string key = kept ? distances_key(signatures, distance) : "";
   if (kept) {
@@ -139,10 +174,21 @@ DistanceMatrix distances_through_cache(const Signatures& signatures, const std::
       return std::move(*distances);
     }
   }
-  DistanceMatrix distances = distance_matrix(signatures, distance);
+  DistanceMatrix distances = compute();
   cache.count(EntryKind::distances, false);
   if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
   return distances;
+}
+
+}  // namespace
+
+DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
+  return cached_distances(signatures, distance, cache, [&] { return distance_matrix(signatures, distance); });
+}
+
+DistanceMatrix distances_through_cache(const Signatures& features, const Descriptor& descriptor, Cache& cache) {
+  return cached_distances(features, distance_of(descriptor), cache,
+                          [&] { return descriptor_distances(descriptor, features); });
 }
 
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,

@@ -27,7 +27,7 @@ struct MethodResults {
   std::string name;
   DistanceMatrix distances;                ///< rows and columns are ExperimentResults::models
   std::vector<Evaluation> evaluations;     ///< by protocol of the configuration
-  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]
+  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]; empty for derived distances
   std::vector<Interval> histogram_ranges;  ///< of each row, where the signature is one histogram; else empty
 };
 
@@ -55,6 +55,9 @@ Dataset prepare_dataset(const Configuration& configuration, const std::filesyste
 /// distance_matrix(), taken from the cache where it is there, and else kept there. A matrix of more than 64 MB (2,900
 /// shapes) is not kept: it is computed as fast as it is read. Throws as distance_matrix() does.
 DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache);
+
+/// descriptor_distances(), in the same way.
+DistanceMatrix distances_through_cache(const Signatures& features, const Descriptor& descriptor, Cache& cache);
 
 /// Runs a whole experiment: data set, signatures, distances, evaluation. Writes nothing but a data set that the
 /// configuration asks to generate, which goes to (or is found in) the folder. Throws InputError for a model that fails

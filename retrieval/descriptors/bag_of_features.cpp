@@ -10,6 +10,8 @@
 #include <string>
 #include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -18,16 +20,18 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&BagOfFeaturesOptions::words>("words", 1, 10'000, "words of the codebook"),
-    option_of<&BagOfFeaturesOptions::soft>("soft", 0, 1, "count a sample for all words by Gaussian weights"),
+    option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Words of the codebook."),
+    option_of<&BagOfFeaturesOptions::soft>("soft", "Count a sample for all words by Gaussian weights."),
     option_of<&BagOfFeaturesOptions::softness>(
-        "softness", 0.01, 100, "width of the Gaussian, in mean distances of a word from the nearest other"),
-    option_of<&BagOfFeaturesOptions::standardise>("standardise", 0, 1,
-                                                  "divide each field by its standard deviation over the data set"),
-    option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", 1, 100'000,
-                                                        "samples of each shape from which the codebook is learnt"),
-    option_of<&BagOfFeaturesOptions::iterations>("iterations", 1, 10'000, "iterations of k-means at most"),
-    option_of<&BagOfFeaturesOptions::seed>("seed", 0, 2'147'483'647, "seed of the random numbers"),
+        "softness", {.low = 0.01, .high = 100},
+        "Width of the Gaussian, in mean distances of a word from the nearest other."),
+    option_of<&BagOfFeaturesOptions::standardise>("standardise",
+                                                  "Divide each field by its standard deviation over the data set."),
+    option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", {.low = 1, .high = 100'000},
+                                                        "Samples of each shape from which the codebook is learnt."),
+    option_of<&BagOfFeaturesOptions::iterations>("iterations", {.low = 1, .high = 10'000},
+                                                 "Iterations of k-means at most."),
+    option_of<&BagOfFeaturesOptions::seed>("seed", {.low = 0, .high = 2'147'483'647}, "Seed of the random numbers."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -222,21 +226,22 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
 Descriptor bag_of_features_descriptor() {
   constexpr std::size_t most_fields = 1000;
   return {.name = "bag_of_features",
-          .meaning = "shares of the surface by words of a codebook over several fields' values",
+          .description =
+              "Shares of the surface by words of a codebook over several fields' values (Sivic and Zisserman 2003).",
           .parameters = parameters,
           .fewest_fields = 1,
           .most_fields = most_fields,
+          .version = bag_of_features_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& learnt, const DescriptorSettings& settings) {
-                return bag_of_features(input.fields, as_codebook(learnt),
-                                       options_from("bag_of_features", table, settings));
+                return bag_of_features(input.fields, as_codebook(learnt), options_from(table, settings.values));
               },
           .distance = l1_distance,
           .learn =
               [](std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
                 std::vector<ShapeFields> fields;
                 for (const DescriptorInput& shape : shapes) fields.push_back(shape.fields);
-                return as_matrix(codebook(fields, options_from("bag_of_features", table, settings)));
+                return as_matrix(codebook(fields, options_from(table, settings.values)));
               }};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -11,9 +12,10 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&D2Options::points>("points", 2, 10'000, "places on the surface, all pairs of which count"),
-    option_of<&D2Options::bins>("bins", 1, 10'000, "bins of the histogram of distances"),
-    option_of<&D2Options::longest>("longest", 0.1, 100, "the end of the last bin, in mean distances"),
+    option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
+                                  "Places on the surface, all pairs of which count."),
+    option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Bins of the histogram of distances."),
+    option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "The end of the last bin, in mean distances."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -50,11 +52,12 @@ Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
 
 Descriptor d2_descriptor() {
   return {.name = "d2",
-          .meaning = "shape distribution of the distances between places on the surface (Osada et al. 2002)",
+          .description = "Shape distribution of the distances between places on the surface (Osada et al. 2002).",
           .parameters = parameters,
+          .version = d2_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return d2(input.shape, options_from("d2", table, settings));
+                return d2(input.shape, options_from(table, settings.values));
               },
           .distance = l1_distance};
 }

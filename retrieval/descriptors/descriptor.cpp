@@ -1,11 +1,11 @@
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <fmt/format.h>
+#include <stdexcept>
 #include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
@@ -15,12 +15,42 @@
 
 namespace shapegauge {
 
-std::span<const Descriptor> descriptors() {
-  static const std::array registered = {
+namespace {
+
+std::vector<Descriptor>& registry() {
+  static std::vector<Descriptor> registered = {
       joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(), d2_descriptor(),
       spherical_harmonics_descriptor(), shape_dna_descriptor(),
   };
   return registered;
+}
+
+}  // namespace
+
+std::span<const Descriptor> descriptors() { return registry(); }
+
+void register_descriptor(const Descriptor& added) {
+  const auto reserved = [](const Parameter& parameter) {
+    return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
+  };
+  const bool known = std::ranges::find(registry(), added.name, &Descriptor::name) != registry().end();
+  if (added.name.empty() || known || added.describe == nullptr || added.distance == nullptr ||
+      added.most_fields < added.fewest_fields || std::ranges::any_of(added.parameters, reserved)) {
+    throw std::invalid_argument(fmt::format(
+        "a descriptor needs a name of its own, functions, at least as many fields at most as at fewest, and parameters "
+        "that are not called type, fields or axes: \"{}\"",
+        added.name));
+  }
+  registry().push_back(added);
+}
+
+bool learns(const Descriptor& one, const DescriptorSettings& settings) {
+  return one.learn != nullptr && (one.learns == nullptr || one.learns(settings));
+}
+
+DescriptorSettings default_settings(const Descriptor& of, std::size_t fields) {
+  return {.values = ParameterValues(of.parameters),
+          .axes = std::vector<ParameterValues>(fields, ParameterValues(of.axis_parameters))};
 }
 
 const Descriptor& descriptor(std::string_view name) {
@@ -45,13 +75,6 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
     for (Eigen::Index j = i + 1; j < features.rows(); ++j) matrix(i, j) = matrix(j, i) = of.distance(row(i), row(j));
   });
   return matrix;
-}
-
-void require_allowed(std::string_view descriptor, const DescriptorParameter& parameter, double value) {
-  const bool in_bounds = value >= parameter.lowest && value <= parameter.highest;
-  if (in_bounds && (!parameter.whole || value == std::floor(value))) return;
-  throw InputError(fmt::format("the descriptor {}: {} must be {}{} to {}, not {}", descriptor, parameter.name,
-                               parameter.whole ? "a whole number, " : "", parameter.lowest, parameter.highest, value));
 }
 
 }  // namespace shapegauge

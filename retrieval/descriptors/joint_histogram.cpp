@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -19,15 +21,15 @@ namespace shapegauge {
 namespace {
 
 constexpr std::string_view name = "joint_histogram";
-constexpr double largest = 1e300;
 constexpr std::array table = {
-    option_of<&JointAxis::bins>("bins", 1, 1000, "bins of the axis"),
-    option_of<&JointAxis::smoothing_bins>("smoothing_bins", 0, 1000, "standard deviation of a Gaussian, in bins"),
-    option_of<&JointAxis::divide_by_mean>("divide_by_mean", 0, 1, "divide the values by their mean first"),
-    option_of<&JointAxis::low>("low", -largest, largest, "lower end of the range"),
-    option_of<&JointAxis::high>("high", -largest, largest, "upper end of the range"),
-    option_of<&JointAxis::per_shape>("per_shape", 0, 1, "take each shape's own range"),
-    option_of<&JointAxis::over_data_set>("over_data_set", 0, 1, "take the data set's range"),
+    option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Bins of the axis."),
+    option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
+                                          "Standard deviation of a Gaussian that smooths along the axis, in bins."),
+    option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
+    option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
+    option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),
+    option_of<&JointAxis::per_shape>("per_shape", "Take each shape's own range instead."),
+    option_of<&JointAxis::over_data_set>("over_data_set", "Take the data set's range instead."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -159,24 +161,23 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
 
 namespace {
 
-/// The axes that settings called "axes.0.bins" and so on say.
-std::vector<JointAxis> axes_from(const DescriptorSettings& settings, std::size_t fields) {
-  std::vector<DescriptorSettings> by_axis(fields);
-  for (const auto& [key, value] : settings) {
-    std::size_t axis = 0;
-    while (axis < fields && !key.starts_with(fmt::format("axes.{}.", axis))) ++axis;
-    if (axis == fields) throw InputError(fmt::format("the descriptor {} has no setting \"{}\"", name, key));
-    by_axis[axis].emplace(key.substr(fmt::format("axes.{}.", axis).size()), value);
-  }
+std::vector<JointAxis> axes_from(const DescriptorSettings& settings) {
   std::vector<JointAxis> axes;
-  for (const DescriptorSettings& of_axis : by_axis) axes.push_back(options_from(name, table, of_axis));
+  for (const ParameterValues& of_axis : settings.axes) axes.push_back(options_from(table, of_axis));
   return axes;
+}
+
+/// What is wrong with axes whatever the fields are.
+void check_axes(const DescriptorSettings& settings) {
+  for (const JointAxis& axis : axes_from(settings)) {
+    if (!axis.per_shape && !axis.over_data_set) check_axis(axis);
+  }
 }
 
 /// The data set's ranges, a row an axis.
 LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
   if (shapes.empty()) return {};
-  const std::vector<JointAxis> axes = axes_from(settings, shapes.front().fields.size());
+  const std::vector<JointAxis> axes = axes_from(settings);
   LearntFeatures ranges = LearntFeatures::Zero(std::ssize(axes), 2);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     if (!axes[k].over_data_set) continue;
@@ -195,13 +196,15 @@ LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const Descr
 Descriptor joint_histogram_descriptor() {
   constexpr std::size_t most_fields = 6;
   return {.name = name,
-          .meaning = "joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007",
-          .parameters = parameters,
+          .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
+          .parameters = {},
+          .axis_parameters = parameters,
           .fewest_fields = 2,
           .most_fields = most_fields,
+          .version = joint_histogram_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures& ranges, const DescriptorSettings& settings) {
-                std::vector<JointAxis> axes = axes_from(settings, input.fields.size());
+                std::vector<JointAxis> axes = axes_from(settings);
                 for (std::size_t k = 0; k < axes.size(); ++k) {
                   if (!axes[k].over_data_set) continue;
                   if (ranges.rows() != std::ssize(axes)) {
@@ -213,7 +216,12 @@ Descriptor joint_histogram_descriptor() {
                 return joint_histogram(input.fields, axes);
               },
           .distance = l1_distance,
-          .learn = learn_ranges};
+          .learn = learn_ranges,
+          .learns =
+              [](const DescriptorSettings& settings) {
+                return std::ranges::any_of(axes_from(settings), &JointAxis::over_data_set);
+              },
+          .check = check_axes};
 }
 
 }  // namespace shapegauge

@@ -37,7 +37,7 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean);
 /// 1,000,000 bins, and as histogram().
 Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes);
 
-/// Its settings are those of the axes: "axes.0.bins" of the first field's, and so on.
+/// Its settings are those of its axes, one for each field.
 Descriptor joint_histogram_descriptor();
 
 }  // namespace shapegauge

@@ -13,6 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
@@ -22,7 +24,7 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&LightFieldOptions::pixels>("pixels", 16, 1024, "pixels of a silhouette's side"),
+    option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024}, "Pixels of a silhouette's side."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -206,11 +208,12 @@ double light_field_distance(std::span<const float> a, std::span<const float> b) 
 
 Descriptor light_field_descriptor() {
   return {.name = "light_field",
-          .meaning = "silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003)",
+          .description = "Silhouettes from all sides, as Zernike moments and Fourier coefficients (Chen et al. 2003).",
           .parameters = parameters,
+          .version = light_field_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return light_field(input.shape, options_from("light_field", table, settings));
+                return light_field(input.shape, options_from(table, settings.values));
               },
           .distance = light_field_distance};
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <numbers>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -12,8 +13,9 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", 1, 1000, "positive eigenvalues, from the least on"),
-    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", 0, 1, "whether the k-th is divided by k"),
+    option_of<&ShapeDnaOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 1000},
+                                             "Positive eigenvalues, from the least on."),
+    option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Whether the k-th is divided by k."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -33,11 +35,12 @@ Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
 
 Descriptor shape_dna_descriptor() {
   return {.name = "shape_dna",
-          .meaning = "the first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006)",
+          .description = "The first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
           .parameters = parameters,
+          .version = shape_dna_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return shape_dna(input.shape, options_from("shape_dna", table, settings));
+                return shape_dna(input.shape, options_from(table, settings.values));
               },
           .distance = l2_distance};
 }

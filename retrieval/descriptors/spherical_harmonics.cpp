@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 #include "shapegauge/retrieval/distances.h"
@@ -20,12 +22,13 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&SphericalHarmonicsOptions::shells>("shells", 1, 256, "concentric spheres"),
-    option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", 1, 64, "frequencies of each sphere, from 0 on"),
+    option_of<&SphericalHarmonicsOptions::shells>("shells", {.low = 1, .high = 256}, "Concentric spheres."),
+    option_of<&SphericalHarmonicsOptions::bandwidth>("bandwidth", {.low = 1, .high = 64},
+                                                     "Frequencies of each sphere, from 0 on."),
     option_of<&SphericalHarmonicsOptions::width>(
-        "width", 0.001, 10,
-        "width of the Gaussian of the distance to the surface, in mean distances from the centroid"),
-    option_of<&SphericalHarmonicsOptions::voxels>("voxels", 0, 1, "describe the voxelised surface, not the Gaussian"),
+        "width", {.low = 0.001, .high = 10},
+        "Width of the Gaussian of the distance to the surface, in mean distances from the centroid."),
+    option_of<&SphericalHarmonicsOptions::voxels>("voxels", "Describe the voxelised surface, not the Gaussian."),
 };
 constexpr auto parameters = parameters_of(table);
 
@@ -217,11 +220,12 @@ Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonics
 
 Descriptor spherical_harmonics_descriptor() {
   return {.name = "spherical_harmonics",
-          .meaning = "norms of spherical harmonics on concentric shells (Kazhdan et al. 2003)",
+          .description = "Norms of spherical harmonics on concentric shells (Kazhdan et al. 2003).",
           .parameters = parameters,
+          .version = spherical_harmonics_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return spherical_harmonics(input.shape, options_from("spherical_harmonics", table, settings));
+                return spherical_harmonics(input.shape, options_from(table, settings.values));
               },
           .distance = l2_distance};
 }

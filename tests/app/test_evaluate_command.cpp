@@ -49,6 +49,27 @@ class EvaluateCommand : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
+  const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
+  for (const std::string format : {"npy", "matrix", "txt"}) {
+    const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy says itself what it is
+    const Outcome piped = run_executable("evaluate - --labels '" + at("toy.cla") + "' --format json" + told + " < '" +
+                                         at("toy." + format) + "'");
+    ASSERT_EQ(piped.status, 0) << piped.errors;
+    const nlohmann::json json = nlohmann::json::parse(piped.output);
+    EXPECT_EQ(json.at("file"), "-");
+    EXPECT_EQ(json.at("method"), "standard input");
+    for (const char* const key : {"micro", "macro", "per_class", "queries"}) {
+      EXPECT_EQ(json.value(key, nlohmann::json()), of_file.value(key, nlohmann::json())) << key;
+    }
+    EXPECT_TRUE(json.contains("micro"));
+  }
+  expect_error_lines({{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
+                      {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'", "standard input:2: "},
+                      {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy",
+                       "goes with standard input"}});
+}
+
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
   for (const char* matrix : {"toy.npy", "toy.matrix", "toy.txt"}) {
     const Outcome outcome = evaluate_toy("--format json", matrix);
@@ -132,7 +153,7 @@ TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
   const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
-  EXPECT_THAT(outcome.errors, HasSubstr("note: 3 models are never queries"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 3 models are never queries"));
 }
 
 TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
@@ -172,7 +193,8 @@ TEST_F(EvaluateCommand, TiesAreToldAndDecidedAsAsked) {
     EXPECT_EQ(json["queries_with_ties"], 2);
     return json["micro"]["NN"].get<double>();
   };
-  EXPECT_THAT(evaluate_toy("").errors, HasSubstr("note: the answers to 3 of 7 queries have relevant and other models"));
+  EXPECT_THAT(evaluate_toy("").errors,
+              HasSubstr("warning: the answers to 3 of 7 queries have relevant and other models"));
   EXPECT_EQ(nn("index"), 1);
   EXPECT_EQ(nn("pessimistic"), 0);
   EXPECT_EQ(nn("expected"), 0.5);
@@ -184,7 +206,7 @@ TEST_F(EvaluateCommand, WhatIsOddIsTold) {
   const Outcome outcome = run_executable("evaluate '" + at("odd.txt") + "' --labels '" + at("three.csv") + "'");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.errors,
-              testing::AllOf(HasSubstr("note: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
+              testing::AllOf(HasSubstr("warning: 1 distance is negative"), HasSubstr("not symmetric: 1 pair")));
 }
 
 TEST_F(EvaluateCommand, OneModelHasNoQueries) {

@@ -101,11 +101,11 @@ std::vector<Point> points_at_hits(const std::vector<int>& h, int relevant) {
   return points;
 }
 
-constexpr double rounding = 1e-9;  // far below any difference between two recalls, far above their rounding
+constexpr double between_recalls = 1e-9;  // far below any difference between two recalls, far above their rounding
 
 double interpolated(const std::vector<Point>& points, double recall) {
   for (std::size_t i = 0; i < points.size(); ++i) {
-    if (std::abs(points[i].recall - recall) < rounding) return points[i].precision;
+    if (std::abs(points[i].recall - recall) < between_recalls) return points[i].precision;
     if (i == 0 || recall > points[i].recall || recall < points[i - 1].recall) continue;
     const double fraction = (recall - points[i - 1].recall) / (points[i].recall - points[i - 1].recall);
     return (1 - fraction) * points[i - 1].precision + fraction * points[i].precision;
@@ -116,7 +116,7 @@ double interpolated(const std::vector<Point>& points, double recall) {
 double last_reached(const std::vector<Point>& points, double recall) {
   double precision = 1;  // the point (0, 1)
   for (const Point& point : points) {
-    if (point.recall <= recall + rounding) precision = point.precision;
+    if (point.recall <= recall + between_recalls) precision = point.precision;
   }
   return precision;
 }
@@ -124,7 +124,7 @@ double last_reached(const std::vector<Point>& points, double recall) {
 double largest_from(const std::vector<Point>& points, double recall) {
   double precision = 0;
   for (const Point& point : points) {
-    if (point.recall >= recall - rounding) precision = std::max(precision, point.precision);
+    if (point.recall >= recall - between_recalls) precision = std::max(precision, point.precision);
   }
   return precision;
 }

@@ -57,6 +57,31 @@ int class_size(const std::vector<int>& labels, int label) {
   return static_cast<int>(std::ranges::count(labels, label));
 }
 
+TEST(Evaluation, GradesAreThoseOfTheRow) {
+  // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
+  // last.
+  constexpr Eigen::Index queries = 301;  // more than are read at once
+  RetrievalTask task;
+  task.target_classes = {0, 0, 0};
+  for (Eigen::Index i = 0; i < queries; ++i) {
+    task.query_classes.push_back(0);
+    task.own_column.push_back(-1);
+    task.judged.push_back({0, 2});
+    task.grades.push_back(i % 2 == 0 ? std::vector{1, 3} : std::vector{3, 1});
+  }
+  const naive::Matrix distances = Eigen::RowVector3d(1, 2, 3).replicate<queries, 1>();
+  EvaluationOptions options = under(Protocol::trec);
+  options.measures = measures_of(std::vector<std::string>{"nDCG"});
+  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> naive::Matrix {
+    return distances.middleRows(first, count);
+  };
+  const Evaluation evaluation = evaluate(rows, task, options);
+  const double ideal = 3 + 1 / std::log2(3);
+  for (Eigen::Index i = 0; i < queries; ++i) {
+    EXPECT_NEAR(evaluation.per_query(i, 0), (i % 2 == 0 ? 1 + 3.0 / 2 : 3 + 1.0 / 2) / ideal, rounding) << i;
+  }
+}
+
 RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   const EvaluationCase data = *cases_with_ties();
   const Evaluation result = evaluate(data);

@@ -12,7 +12,7 @@
 namespace shapegauge {
 namespace {
 
-EvaluationOptions under(Protocol protocol) {
+EvaluationOptions by_protocol(Protocol protocol) {
   EvaluationOptions options;
   options.protocol = protocol;
   return options;
@@ -38,7 +38,7 @@ void expect_measures(const Eigen::VectorXd& actual, const std::array<double, 5>&
 
 TEST(KnownAnswers, PerfectUnderPsb) {
   const PerfectData data;
-  const Evaluation result = evaluate(data.distances, data.labels, under(Protocol::psb));
+  const Evaluation result = evaluate(data.distances, data.labels, by_protocol(Protocol::psb));
   expect_measures(result.micro, {1, 1, 1, 38.0 / 51.0, 1}, 1e-14);
   EXPECT_NEAR(result.micro[3], 0.7451, 5e-5);
   EXPECT_EQ(result.micro[5], 1);
@@ -49,7 +49,7 @@ TEST(KnownAnswers, PerfectUnderPsb) {
 
 TEST(KnownAnswers, PerfectUnderPaper) {
   const PerfectData data;
-  const Evaluation result = evaluate(data.distances, data.labels, under(Protocol::paper));
+  const Evaluation result = evaluate(data.distances, data.labels, by_protocol(Protocol::paper));
   expect_measures(result.micro, {1, 1, 1, 40.0 / 52.0, 1}, 1e-14);
   EXPECT_NEAR(result.micro[3], 0.7692, 5e-5);
   EXPECT_EQ(result.micro[5], 1);
@@ -65,14 +65,14 @@ TEST(KnownAnswers, Toy) {
       distances(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = std::abs(values[i] - values[j]);
     }
   }
-  const Evaluation result = evaluate(distances, labels, under(Protocol::psb));
+  const Evaluation result = evaluate(distances, labels, by_protocol(Protocol::psb));
   expect_measures(result.micro, {.571429, .428571, .928571, .595238, .718910}, 5e-7);
 }
 
 RC_GTEST_PROP(KnownAnswers, FirstTierConvertsBetweenTheProtocols, ()) {
   const EvaluationCase data = *cases_with_ties();
-  const Evaluation psb = evaluate(data.distances, data.labels, under(Protocol::psb));
-  const Evaluation paper = evaluate(data.distances, data.labels, under(Protocol::paper));
+  const Evaluation psb = evaluate(data.distances, data.labels, by_protocol(Protocol::psb));
+  const Evaluation paper = evaluate(data.distances, data.labels, by_protocol(Protocol::paper));
   RC_ASSERT(psb.queries == paper.queries);
   for (std::size_t i = 0; i < psb.queries.size(); ++i) {
     const int label = data.labels[static_cast<std::size_t>(psb.queries[i])];

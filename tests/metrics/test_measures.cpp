@@ -148,7 +148,7 @@ TEST(AreaUnderCurve, IsThatOfTrapezia) {
 
 TEST(AreaUnderCurve, IsOneForAPerfectList) { EXPECT_EQ(value("AUC-PR", list_of_hits({true, true, false})), 1); }
 
-std::string error_of(const std::string& name) {
+std::string measure_error_of(const std::string& name) {
   try {
     measure_of(name);
   } catch (const std::invalid_argument& error) {
@@ -194,13 +194,14 @@ TEST(MeasureRegistry, NoMeasureIsNamedTwice) {
 }
 
 TEST(MeasureRegistry, OtherNamesAreErrors) {
-  EXPECT_THAT(error_of("PP"), HasSubstr("no measure \"PP\"; known are: NN FT ST"));
-  EXPECT_THAT(error_of("FT@3"), HasSubstr("no measure \"FT@3\""));
+  EXPECT_THAT(measure_error_of("PP"), HasSubstr("no measure \"PP\"; known are: NN FT ST"));
+  EXPECT_THAT(measure_error_of("FT@3"), HasSubstr("no measure \"FT@3\""));
   for (const char* name : {"P@0", "P@", "P@x", "P@-1", "P@1.5", "P@k", "P@99999999999"}) {
-    EXPECT_THAT(error_of(name), HasSubstr("needs a number of ranks from 1 to 1000000000 after the @, as in P@10"));
+    EXPECT_THAT(measure_error_of(name),
+                HasSubstr("needs a number of ranks from 1 to 1000000000 after the @, as in P@10"));
   }
-  EXPECT_THAT(error_of("P"), HasSubstr("no measure"));
-  EXPECT_THAT(error_of(""), HasSubstr("no measure"));
+  EXPECT_THAT(measure_error_of("P"), HasSubstr("no measure"));
+  EXPECT_THAT(measure_error_of(""), HasSubstr("no measure"));
 }
 
 // What a consumer of the library does to have a measure of their own.
@@ -215,7 +216,7 @@ TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
                     }});
   EXPECT_EQ(value("Miss@4", list_of_hits({true, false, false, true, true})), 0.5);
   EXPECT_EQ(measure_definitions().back().name, "Miss@k");
-  EXPECT_THAT(error_of("nowhere"), HasSubstr(" Miss@k"));
+  EXPECT_THAT(measure_error_of("nowhere"), HasSubstr(" Miss@k"));
 }
 
 TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {
@@ -229,7 +230,7 @@ TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {
   EXPECT_THROW(register_measure({.name = "X@k", .value = half}), std::invalid_argument);
   EXPECT_THROW(register_measure({.name = "X", .value = half, .value_at = half_at}), std::invalid_argument);
   EXPECT_THROW(register_measure({.name = "X"}), std::invalid_argument);
-  EXPECT_THAT(error_of("X"), HasSubstr("no measure"));
+  EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));
 }
 
 TEST(MeasureRegistry, ProtocolsThatShareATableShareTheirMeasures) {

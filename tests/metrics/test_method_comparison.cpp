@@ -1,6 +1,9 @@
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <tbb/global_control.h>
+#include <vector>
 
 #include "shapegauge/metrics/method_comparison.h"
 #include "tests/metrics/simulated_methods.h"
@@ -38,6 +41,23 @@ TEST(MethodComparison, AllPairs) {
   EXPECT_LT(constant.effect_size, -1e6);
   EXPECT_GE(constant.p_tukey, constant.p);
   EXPECT_NEAR(result.averages[2] - result.averages[0], 0.05, 1e-12);
+}
+
+TEST(MethodComparison, EachPairHasItsOwnTukeyTest) {
+  const Example data;
+  const MethodComparison result = compare_methods(data.per_query, data.classes);
+  ASSERT_EQ(result.pairs.size(), 3U);
+  for (const PairDifference& pair : result.pairs) {
+    const MethodComparison alone = compare_methods(data.per_query, data.classes, {.reference = pair.first});
+    const auto same = std::ranges::find(alone.pairs, pair.second, &PairDifference::second);
+    EXPECT_EQ(pair.p_tukey, same->p_tukey);
+  }
+  // The further apart two methods are, the less it takes to tell them from each other.
+  std::vector<PairDifference> by_distance = result.pairs;
+  std::ranges::sort(by_distance, std::ranges::greater(),
+                    [](const PairDifference& pair) { return std::abs(pair.difference); });
+  EXPECT_LT(by_distance.front().p_tukey, by_distance.back().p_tukey);
+  EXPECT_LE(by_distance[1].p_tukey, by_distance.back().p_tukey);
 }
 
 TEST(MethodComparison, TheReferenceWithEachOther) {

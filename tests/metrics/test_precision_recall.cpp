@@ -10,7 +10,7 @@ namespace {
 using testing::DoubleNear;
 using testing::ElementsAre;
 
-constexpr double rounding = 1e-15;
+constexpr double last_place = 1e-15;
 
 TEST(RecallLevels, ArePsbTwentyAndPaperTenWithZero) {
   const auto psb = recall_levels(CurveKind::psb);
@@ -31,14 +31,14 @@ RankedList psb_plot_example() {
 TEST(PrecisionAtLevels, PsbMeetsTheHitsAndIsLinearBetweenThem) {
   const Eigen::VectorXd precision = precision_at_levels(psb_plot_example(), CurveKind::psb);
   const auto at_recall = [&](int percent) { return precision[percent / 5 - 1]; };
-  EXPECT_NEAR(at_recall(20), 1, rounding);
-  EXPECT_NEAR(at_recall(40), 0.5, rounding);
-  EXPECT_NEAR(at_recall(60), 0.3, rounding);
-  EXPECT_NEAR(at_recall(80), 4.0 / 41, rounding);
-  EXPECT_NEAR(at_recall(100), 5.0 / 44, rounding);
-  EXPECT_NEAR(at_recall(30), 0.75, rounding);
-  EXPECT_NEAR(at_recall(25), 0.875, rounding);
-  EXPECT_NEAR(at_recall(95), 0.25 * 4 / 41 + 0.75 * 5 / 44, rounding);
+  EXPECT_NEAR(at_recall(20), 1, last_place);
+  EXPECT_NEAR(at_recall(40), 0.5, last_place);
+  EXPECT_NEAR(at_recall(60), 0.3, last_place);
+  EXPECT_NEAR(at_recall(80), 4.0 / 41, last_place);
+  EXPECT_NEAR(at_recall(100), 5.0 / 44, last_place);
+  EXPECT_NEAR(at_recall(30), 0.75, last_place);
+  EXPECT_NEAR(at_recall(25), 0.875, last_place);
+  EXPECT_NEAR(at_recall(95), 0.25 * 4 / 41 + 0.75 * 5 / 44, last_place);
 }
 
 TEST(PrecisionAtLevels, PsbKeepsTheFirstHitsPrecisionBelowIt) {
@@ -56,6 +56,12 @@ TEST(PrecisionAtLevels, PaperKeepsTheLastHitReached) {
   EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 1, 1, 1, 0.75, 0.75, 0.5));
 }
 
+TEST(PrecisionAtLevels, PaperIsOneBeforeAnyHit) {
+  const Eigen::VectorXd precision = precision_at_levels(list_of_hits({false, true, true}), CurveKind::paper);
+  const std::vector<double> values(precision.begin(), precision.end());
+  EXPECT_THAT(values, ElementsAre(1, 1, 1, 1, 1, 0.5, 0.5, 0.5, 0.5, 0.5, 2.0 / 3));
+}
+
 TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
   // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must count at level 0.3 all the
   // same.
@@ -63,7 +69,7 @@ TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
   for (std::size_t hit = 0; hit < 10; ++hit) hits_at[hit * hit] = true;
   const Eigen::VectorXd precision = precision_at_levels(list_of_hits(hits_at, true), CurveKind::paper);
   for (int hits = 1; hits <= 10; ++hits) {
-    EXPECT_THAT(precision[hits], DoubleNear(static_cast<double>(hits) / ((hits - 1) * (hits - 1) + 1), rounding));
+    EXPECT_THAT(precision[hits], DoubleNear(static_cast<double>(hits) / ((hits - 1) * (hits - 1) + 1), last_place));
   }
 }
 
@@ -106,7 +112,7 @@ TEST(AverageCurve, PsbLeavesOutListsWithoutAHitBelowTheLevel) {
   EXPECT_EQ(curve.recall, recall_levels(CurveKind::psb));
   for (std::size_t level = 0; level < 20; ++level) {
     // The second list has its first hit at recall 0.25, the level of index 4.
-    EXPECT_NEAR(curve.precision[level], level < 4 ? 0.2 : 0.4, rounding) << level;
+    EXPECT_NEAR(curve.precision[level], level < 4 ? 0.2 : 0.4, last_place) << level;
   }
 }
 

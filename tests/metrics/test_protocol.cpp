@@ -30,9 +30,9 @@ TEST(Protocol, OtherNamesMeanNothing) {
   EXPECT_FALSE(protocol_of("psb "));
 }
 
-constexpr double rounding = 1e-13;
+constexpr double protocol_rounding = 1e-13;
 
-Evaluation evaluate(const EvaluationCase& data, Ties ties) {
+Evaluation evaluate_case(const EvaluationCase& data, Ties ties) {
   EvaluationOptions options;
   options.protocol = data.protocol;
   options.ties = ties;
@@ -66,9 +66,9 @@ TEST(Ties, HaveTheirNamesBothWays) {
 // Brute force, for data sets of up to six models: the mean over all 720 orders, the best and the worst.
 RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) {
   const EvaluationCase data = *cases_with_ties(6);
-  const Evaluation expected = evaluate(data, Ties::expected);
-  const Evaluation optimistic = evaluate(data, Ties::optimistic);
-  const Evaluation pessimistic = evaluate(data, Ties::pessimistic);
+  const Evaluation expected = evaluate_case(data, Ties::expected);
+  const Evaluation optimistic = evaluate_case(data, Ties::optimistic);
+  const Evaluation pessimistic = evaluate_case(data, Ties::pessimistic);
   Eigen::Index changed = 0;
   for (std::size_t i = 0; i < expected.queries.size(); ++i) {
     const std::vector<Eigen::RowVectorXd> values = all_orders(data, expected.queries[i]);
@@ -82,9 +82,9 @@ RC_GTEST_PROP(Ties, ExpectedIsTheMeanOverAllOrdersAndTheOthersAreItsBounds, ()) 
     }
     const auto row = static_cast<Eigen::Index>(i);
     const auto count = static_cast<double>(values.size());
-    RC_ASSERT((expected.per_query.row(row) - sum / count).cwiseAbs().maxCoeff() <= rounding);
-    RC_ASSERT((optimistic.per_query.row(row) - most).cwiseAbs().maxCoeff() <= rounding);
-    RC_ASSERT((pessimistic.per_query.row(row) - least).cwiseAbs().maxCoeff() <= rounding);
+    RC_ASSERT((expected.per_query.row(row) - sum / count).cwiseAbs().maxCoeff() <= protocol_rounding);
+    RC_ASSERT((optimistic.per_query.row(row) - most).cwiseAbs().maxCoeff() <= protocol_rounding);
+    RC_ASSERT((pessimistic.per_query.row(row) - least).cwiseAbs().maxCoeff() <= protocol_rounding);
     if (least != most) ++changed;
   }
   // DCG or nDCG changes with the place of any hit, but for ranks 1 and 2 under DCG.
@@ -102,28 +102,28 @@ RC_GTEST_PROP(Ties, ThePlaceOfModelsChangesNoAverageUnderExpected, ()) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     permuted.labels[i] = data.labels[static_cast<std::size_t>(order[i])];
   }
-  const Evaluation before = evaluate(data, Ties::expected);
-  const Evaluation after = evaluate(permuted, Ties::expected);
-  RC_ASSERT((before.micro - after.micro).cwiseAbs().maxCoeff() <= rounding);
-  RC_ASSERT((before.macro - after.macro).cwiseAbs().maxCoeff() <= rounding);
+  const Evaluation before = evaluate_case(data, Ties::expected);
+  const Evaluation after = evaluate_case(permuted, Ties::expected);
+  RC_ASSERT((before.micro - after.micro).cwiseAbs().maxCoeff() <= protocol_rounding);
+  RC_ASSERT((before.macro - after.macro).cwiseAbs().maxCoeff() <= protocol_rounding);
   RC_ASSERT(before.queries_with_ties == after.queries_with_ties);
 }
 
 RC_GTEST_PROP(Ties, WithoutTiesAllAgree, ()) {
   const EvaluationCase data = *cases_without_ties();
-  const Evaluation index = evaluate(data, Ties::index);
+  const Evaluation index = evaluate_case(data, Ties::index);
   RC_ASSERT(index.queries_with_ties == 0);
   for (const Ties ties : {Ties::optimistic, Ties::pessimistic, Ties::expected}) {
-    RC_ASSERT(evaluate(data, ties).per_query == index.per_query);
+    RC_ASSERT(evaluate_case(data, ties).per_query == index.per_query);
   }
 }
 
 RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
   const EvaluationCase data = *cases_with_ties();
-  const Eigen::ArrayXXd most = evaluate(data, Ties::optimistic).per_query.array() + rounding;
-  const Eigen::ArrayXXd least = evaluate(data, Ties::pessimistic).per_query.array() - rounding;
+  const Eigen::ArrayXXd most = evaluate_case(data, Ties::optimistic).per_query.array() + protocol_rounding;
+  const Eigen::ArrayXXd least = evaluate_case(data, Ties::pessimistic).per_query.array() - protocol_rounding;
   for (const Ties ties : {Ties::index, Ties::expected}) {
-    const Eigen::ArrayXXd values = evaluate(data, ties).per_query.array();
+    const Eigen::ArrayXXd values = evaluate_case(data, ties).per_query.array();
     RC_ASSERT((values <= most).all() && (values >= least).all());
   }
 }
@@ -133,7 +133,7 @@ RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
 TEST(Ties, AllDistancesEqual) {
   EvaluationCase data{naive::Matrix::Ones(600, 600), {}, Protocol::psb};
   for (int model = 0; model < 600; ++model) data.labels.push_back(model / 20);
-  const Evaluation result = evaluate(data, Ties::expected);
+  const Evaluation result = evaluate_case(data, Ties::expected);
   EXPECT_EQ(result.queries_with_ties, 600);
   EXPECT_NEAR(result.micro[0], 19.0 / 599, 1e-12);
   EXPECT_NEAR(result.micro[1], 19.0 / 599, 1e-12);

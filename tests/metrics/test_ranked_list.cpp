@@ -39,15 +39,15 @@ TEST(RankedModels, BothZerosAreEqual) {
   EXPECT_THAT(ranked_models(every_row({9, 0.0, -0.0, 0.0}), 0), ElementsAre(1, 2, 3));
 }
 
-RankedList ranked(const std::vector<double>& row, const std::vector<int>& labels, Protocol protocol,
+RankedList ranked(const std::vector<double>& row, const std::vector<int>& alternating, Protocol protocol,
                   Ties ties = Ties::index) {
-  return ranked_list(every_row(row), leave_one_out(labels), 2, protocol, ties);
+  return ranked_list(every_row(row), leave_one_out(alternating), 2, protocol, ties);
 }
 
-const std::vector<int> labels = {5, 8, 5, 8, 5};
+const std::vector<int> alternating = {5, 8, 5, 8, 5};
 
 TEST(RankedList, UnderPsbIsWithoutTheQuery) {
-  const RankedList list = ranked({0, 1, 2, 3, 4}, labels, Protocol::psb);
+  const RankedList list = ranked({0, 1, 2, 3, 4}, alternating, Protocol::psb);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.length, 4U);
   EXPECT_EQ(list.relevant, 2U);
@@ -57,7 +57,7 @@ TEST(RankedList, UnderPsbIsWithoutTheQuery) {
 }
 
 TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
-  const RankedList list = ranked({0, 1, infinity, 3, 4}, labels, Protocol::paper);
+  const RankedList list = ranked({0, 1, infinity, 3, 4}, alternating, Protocol::paper);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}, RankRun{1, 1}));
   EXPECT_EQ(list.relevant, 3U);
   EXPECT_TRUE(list.starts_with_query);
@@ -65,24 +65,26 @@ TEST(RankedList, UnderPaperBeginsWithTheQueryWhateverItsDistance) {
 
 TEST(RankedList, TiesAreDecidedAsAsked) {
   const std::vector<double> row = {2, 2, 9, 2, 2};
-  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::index).runs,
+  EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::index).runs,
               ElementsAre(RankRun{1, 1}, RankRun{2, 0}, RankRun{1, 1}));
-  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::optimistic).runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
-  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::pessimistic).runs, ElementsAre(RankRun{2, 0}, RankRun{2, 2}));
-  EXPECT_THAT(ranked(row, labels, Protocol::psb, Ties::expected).runs, ElementsAre(RankRun{4, 2}));
+  EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::optimistic).runs,
+              ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
+  EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::pessimistic).runs,
+              ElementsAre(RankRun{2, 0}, RankRun{2, 2}));
+  EXPECT_THAT(ranked(row, alternating, Protocol::psb, Ties::expected).runs, ElementsAre(RankRun{4, 2}));
   for (const std::string& name : ties_names()) {
-    EXPECT_TRUE(ranked(row, labels, Protocol::psb, ties_of(name).value()).tied) << name;
+    EXPECT_TRUE(ranked(row, alternating, Protocol::psb, ties_of(name).value()).tied) << name;
   }
 }
 
 TEST(RankedList, ModelsOfOneKindAtEqualDistanceChangeNothing) {
-  const RankedList list = ranked({1, 2, 9, 2, 1}, labels, Protocol::psb, Ties::expected);
+  const RankedList list = ranked({1, 2, 9, 2, 1}, alternating, Protocol::psb, Ties::expected);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{2, 2}, RankRun{2, 0}));
   EXPECT_FALSE(list.tied);
 }
 
 TEST(RankedList, TargetsAndQueriesMayDiffer) {
-  RetrievalTask task = leave_one_out(labels);
+  RetrievalTask task = leave_one_out(alternating);
   task.target_classes = {5, no_class, 5, 8, 5};
   task.own_column = {-1, -1, -1, -1, -1};
   const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
@@ -90,14 +92,14 @@ TEST(RankedList, TargetsAndQueriesMayDiffer) {
 }
 
 TEST(RankedList, JudgementsSayWhatIsRelevant) {
-  RetrievalTask task = leave_one_out(labels);
+  RetrievalTask task = leave_one_out(alternating);
   task.judged = {{}, {}, {1, 3}, {}, {}};
   const RankedList list = ranked_list(every_row({0, 1, 2, 3, 4}), task, 2, Protocol::psb, Ties::index);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{1, 0}, RankRun{2, 2}, RankRun{1, 0}));
 }
 
 TEST(RankedList, MayEndEarly) {
-  RetrievalTask task = leave_one_out(labels);
+  RetrievalTask task = leave_one_out(alternating);
   task.lists_may_end_early = true;
   const RankedList list =
       ranked_list(every_row({0, 1, 2, std::nan(""), std::nan("")}), task, 2, Protocol::psb, Ties::index);
@@ -153,7 +155,7 @@ TEST(TiedHits, AgreeWithTheClosedFormOfAveragePrecisionForLargeTies) {
 
 // Columns 0, 1, 3, 4 are judged with grades 1, 3, 2 and irrelevant; the query is column 2.
 RetrievalTask graded_task() {
-  RetrievalTask task = leave_one_out(labels);
+  RetrievalTask task = leave_one_out(alternating);
   task.judged = {{}, {}, {0, 1, 3}, {}, {}};
   task.grades = {{}, {}, {1, 3, 2}, {}, {}};
   task.judged_irrelevant = {{}, {}, {4}, {}, {}};

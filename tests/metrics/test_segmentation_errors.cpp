@@ -18,7 +18,7 @@ using Labels = std::vector<std::int32_t>;
 using Weights = std::vector<double>;
 
 /// Different orders of summation over 60 elements: a few hundred roundings of numbers up to 1.
-constexpr double rounding = 1e-12;
+constexpr double of_sums = 1e-12;
 
 /// The definitions taken literally: over all pairs of elements, and sets of elements. Nothing is shared with the
 /// library.
@@ -91,12 +91,12 @@ struct Naive {
 void expect_as_naive(const Labels& labels, const Labels& truth, const Weights& weights,
                      const SegmentationErrors& errors) {
   const Naive naive{labels, truth, weights};
-  EXPECT_NEAR(errors.rand_index, naive.rand_index(), rounding);
-  EXPECT_NEAR(errors.missing_rate, naive.outside(truth, labels), rounding);
-  EXPECT_NEAR(errors.false_alarm_rate, naive.outside(labels, truth), rounding);
-  EXPECT_NEAR(errors.hamming, (naive.outside(truth, labels) + naive.outside(labels, truth)) / 2, rounding);
-  EXPECT_NEAR(errors.global_consistency, naive.global_consistency(), rounding);
-  EXPECT_NEAR(errors.local_consistency, naive.local_consistency(), rounding);
+  EXPECT_NEAR(errors.rand_index, naive.rand_index(), of_sums);
+  EXPECT_NEAR(errors.missing_rate, naive.outside(truth, labels), of_sums);
+  EXPECT_NEAR(errors.false_alarm_rate, naive.outside(labels, truth), of_sums);
+  EXPECT_NEAR(errors.hamming, (naive.outside(truth, labels) + naive.outside(labels, truth)) / 2, of_sums);
+  EXPECT_NEAR(errors.global_consistency, naive.global_consistency(), of_sums);
+  EXPECT_NEAR(errors.local_consistency, naive.local_consistency(), of_sums);
 }
 
 Labels arbitrary_labels(std::size_t count) {
@@ -125,9 +125,9 @@ RC_GTEST_PROP(SegmentationErrors, DoNotDependOnNamesOfSegmentsNorOnOrder, ()) {
   std::ranges::reverse(truth);
   const SegmentationErrors after = segmentation_errors(labels, truth);
   RC_ASSERT(after.rand_index == before.rand_index);
-  RC_ASSERT(std::abs(after.hamming - before.hamming) < rounding);
-  RC_ASSERT(std::abs(after.global_consistency - before.global_consistency) < rounding);
-  RC_ASSERT(std::abs(after.local_consistency - before.local_consistency) < rounding);
+  RC_ASSERT(std::abs(after.hamming - before.hamming) < of_sums);
+  RC_ASSERT(std::abs(after.global_consistency - before.global_consistency) < of_sums);
+  RC_ASSERT(std::abs(after.local_consistency - before.local_consistency) < of_sums);
 }
 
 TEST(SegmentationErrors, AreZeroForTheSamePartition) {
@@ -141,16 +141,16 @@ TEST(SegmentationErrors, AreZeroForTheSamePartition) {
 TEST(SegmentationErrors, OfSixElementsByHand) {
   // Found {0 1 2 3} {4 5}, true {0 1} {2 3 4 5}.
   const SegmentationErrors errors = segmentation_errors(Labels{0, 0, 0, 0, 1, 1}, Labels{0, 0, 1, 1, 1, 1});
-  EXPECT_NEAR(errors.rand_index, 8.0 / 15, rounding);  // {0 1} x {2 3} and {2 3} x {4 5} of 15 pairs
-  EXPECT_NEAR(errors.missing_rate, 2.0 / 6, rounding);
-  EXPECT_NEAR(errors.false_alarm_rate, 2.0 / 6, rounding);
-  EXPECT_NEAR(errors.global_consistency, 2.0 / 6, rounding);  // 4 elements, half of their segment outside, over 6
-  EXPECT_NEAR(errors.local_consistency, 1.0 / 6, rounding);   // only 2 and 3 lie in halves both ways
+  EXPECT_NEAR(errors.rand_index, 8.0 / 15, of_sums);  // {0 1} x {2 3} and {2 3} x {4 5} of 15 pairs
+  EXPECT_NEAR(errors.missing_rate, 2.0 / 6, of_sums);
+  EXPECT_NEAR(errors.false_alarm_rate, 2.0 / 6, of_sums);
+  EXPECT_NEAR(errors.global_consistency, 2.0 / 6, of_sums);  // 4 elements, half of their segment outside, over 6
+  EXPECT_NEAR(errors.local_consistency, 1.0 / 6, of_sums);   // only 2 and 3 lie in halves both ways
 }
 
 TEST(SegmentationErrors, OfARefinementAreMissingButConsistent) {
   const SegmentationErrors errors = segmentation_errors(Labels{0, 1, 2, 3}, Labels{0, 0, 1, 1});
-  EXPECT_NEAR(errors.missing_rate, 0.5, rounding);
+  EXPECT_NEAR(errors.missing_rate, 0.5, of_sums);
   EXPECT_EQ(errors.false_alarm_rate, 0);
   EXPECT_EQ(errors.global_consistency, 0);
   EXPECT_EQ(errors.local_consistency, 0);
@@ -191,7 +191,7 @@ std::vector<MeshEdge> ladder(std::int32_t squares) {
 TEST(CutDiscrepancy, OfOneCutThatMovesIsTwiceTheWay) {
   const std::vector<MeshEdge> edges = ladder(6);
   EXPECT_NEAR(cut_discrepancy(Labels{0, 1, 1, 1, 1, 1}, Labels{0, 0, 0, 0, 1, 1}, edges, 14, 2.0), 2 * 3 / 2.0,
-              rounding);
+              of_sums);
 }
 
 TEST(CutDiscrepancy, WeighsCutsByLengthAndIsSymmetric) {
@@ -199,8 +199,8 @@ TEST(CutDiscrepancy, WeighsCutsByLengthAndIsSymmetric) {
   const Labels two_cuts = {0, 1, 1, 1, 1, 2};  // after squares 0 and 4
   const Labels one_cut = {0, 0, 1, 1, 1, 1};   // after square 1
   // From two cuts: ways 1 and 3, mean 2. From the one cut to the nearer: 1.
-  EXPECT_NEAR(cut_discrepancy(two_cuts, one_cut, edges, 14, 1.0), 3, rounding);
-  EXPECT_NEAR(cut_discrepancy(one_cut, two_cuts, edges, 14, 1.0), 3, rounding);
+  EXPECT_NEAR(cut_discrepancy(two_cuts, one_cut, edges, 14, 1.0), 3, of_sums);
+  EXPECT_NEAR(cut_discrepancy(one_cut, two_cuts, edges, 14, 1.0), 3, of_sums);
 }
 
 TEST(CutDiscrepancy, IsUndefinedAgainstNoCuts) {

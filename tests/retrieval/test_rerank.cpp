@@ -9,6 +9,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -241,12 +242,12 @@ TEST(QueryExpansion, IsTheWeightedMeanOfRows) {
 
 TEST(Rerank, RefusesOptionsOutOfRange) {
   const DistanceMatrix distances = distances_of(arcs(5, 2, 1));
-  EXPECT_THROW(diffused(distances, {.neighbours = 0}), std::invalid_argument);
-  EXPECT_THROW(diffused(distances, {.damping = 1}), std::invalid_argument);
-  EXPECT_THROW(diffused(distances, {.tie = -1}), std::invalid_argument);
-  EXPECT_THROW(k_reciprocal(distances, {.neighbours = 4, .expansion_neighbours = 5}), std::invalid_argument);
-  EXPECT_THROW(k_reciprocal(distances, {.original = 2}), std::invalid_argument);
-  EXPECT_THROW(query_expansion(distances, {.neighbours = 0}), std::invalid_argument);
+  EXPECT_THROW(diffused(distances, {.neighbours = 0}), InputError);
+  EXPECT_THROW(diffused(distances, {.damping = 1}), InputError);
+  EXPECT_THROW(diffused(distances, {.tie = -1}), InputError);
+  EXPECT_THROW(k_reciprocal(distances, {.neighbours = 4, .expansion_neighbours = 5}), InputError);
+  EXPECT_THROW(k_reciprocal(distances, {.original = 2}), InputError);
+  EXPECT_THROW(query_expansion(distances, {.neighbours = 0}), InputError);
   EXPECT_THROW(diffused(distances.leftCols(4)), std::invalid_argument);
 }
 

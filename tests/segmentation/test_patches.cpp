@@ -11,16 +11,16 @@
 namespace shapegauge {
 namespace {
 
-std::int32_t count_of(const std::vector<std::int32_t>& labels) {
+std::int32_t number_of_patches(const std::vector<std::int32_t>& labels) {
   return static_cast<std::int32_t>(std::set(labels.begin(), labels.end()).size());
 }
 
 TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 4));
   const std::vector<std::int32_t> patch = patches(graph, {.count = 40});
-  EXPECT_EQ(count_of(patch), 40);
+  EXPECT_EQ(number_of_patches(patch), 40);
   EXPECT_EQ(*std::ranges::max_element(patch), 39);
-  EXPECT_EQ(count_of(connected_parts(graph, patch)), 40);
+  EXPECT_EQ(number_of_patches(connected_parts(graph, patch)), 40);
   for (std::int32_t p = 0; p < 40; ++p) {
     const auto size = static_cast<double>(std::ranges::count(patch, p)) / static_cast<double>(patch.size());
     EXPECT_GT(size, 0.4 / 40);
@@ -45,13 +45,13 @@ TEST(Patches, EveryComponentHasOne) {
   const Shape balls = test::joined(
       {test::sphere(1, 1), test::transformed(test::sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
   const std::vector<std::int32_t> patch = patches(surface_graph(balls), {.count = 1});
-  EXPECT_EQ(count_of(patch), 2);
+  EXPECT_EQ(number_of_patches(patch), 2);
   EXPECT_NE(patch.front(), patch.back());
 }
 
 TEST(Patches, AreNoMoreThanTriangles) {
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 1));
-  EXPECT_EQ(count_of(patches(graph, {.count = 1000})), 12);
+  EXPECT_EQ(number_of_patches(patches(graph, {.count = 1000})), 12);
 }
 
 TEST(Patches, DependOnTheSeedOnly) {

@@ -10,7 +10,6 @@ namespace shapegauge {
 namespace {
 
 using test::sphere;
-constexpr double pi = std::numbers::pi;
 
 Eigen::VectorXd at_vertices(const Shape& shape, const CentricityOptions& options = {}) {
   return centricity(shape, sample_shape(shape, SampleSite::vertices), options);
@@ -25,7 +24,7 @@ Shape disc(int rings) {
   const auto vertex = [around](int ring, int i) { return 1 + (ring - 1) * around + i % around; };
   for (int ring = 1; ring <= rings; ++ring) {
     for (int i = 0; i < around; ++i) {
-      const double angle = 2 * pi * i / around;
+      const double angle = 2 * std::numbers::pi * i / around;
       shape.vertices.row(vertex(ring, i)) << std::cos(angle) * ring / rings, std::sin(angle) * ring / rings, 0;
       if (ring == 1) {
         triangles.emplace_back(0, vertex(1, i), vertex(1, i + 1));
@@ -47,24 +46,24 @@ INSTANTIATE_TEST_SUITE_P(All, CentricityMethods,
 TEST_P(CentricityMethods, OfASphereIsAQuarterOfItsCircumferenceEverywhere) {
   const Eigen::VectorXd values = at_vertices(sphere(2, 3), {.geodesics = {.method = GetParam()}});
   // Paths of the graph are up to 6 % too long; the sources stand for cells of some 25 degrees across.
-  EXPECT_NEAR(values.mean(), pi, 0.05 * pi);
-  EXPECT_NEAR(values.minCoeff(), pi, 0.1 * pi);
-  EXPECT_NEAR(values.maxCoeff(), pi, 0.1 * pi);
+  EXPECT_NEAR(values.mean(), std::numbers::pi, 0.05 * std::numbers::pi);
+  EXPECT_NEAR(values.minCoeff(), std::numbers::pi, 0.1 * std::numbers::pi);
+  EXPECT_NEAR(values.maxCoeff(), std::numbers::pi, 0.1 * std::numbers::pi);
 }
 
 TEST_P(CentricityMethods, EccentricityOfASphereIsHalfItsCircumference) {
   const Eigen::VectorXd values =
       at_vertices(sphere(2, 3), {.measure = Centricity::eccentricity, .geodesics = {.method = GetParam()}});
-  EXPECT_NEAR(values.maxCoeff(), 2 * pi, 0.1 * pi);
+  EXPECT_NEAR(values.maxCoeff(), 2 * std::numbers::pi, 0.1 * std::numbers::pi);
   // The place opposite is missed by half a cell at most.
-  EXPECT_GT(values.minCoeff(), 2 * pi * 0.85);
+  EXPECT_GT(values.minCoeff(), 2 * std::numbers::pi * 0.85);
 }
 
 TEST(CentricityOfDisc, IsTwoThirdsOfTheRadiusInTheMiddle) {
   const Eigen::VectorXd values = at_vertices(disc(12), {.sources = 200});
   EXPECT_NEAR(values[0], 2.0 / 3, 0.03);
   // From a point of the rim the mean distance is 32 / (9 pi).
-  EXPECT_NEAR(values[values.size() - 1], 32 / (9 * pi), 0.06);
+  EXPECT_NEAR(values[values.size() - 1], 32 / (9 * std::numbers::pi), 0.06);
   EXPECT_NEAR(at_vertices(disc(12), {.measure = Centricity::eccentricity})[0], 1, 0.03);
 }
 
@@ -123,7 +122,7 @@ TEST(Centricity, InterpolationIsExactForWhatIsLinear) {
 
 TEST(Centricity, CloudsAndSeveralComponentsHaveFiniteValues) {
   const Shape ball = sphere(1, 3);
-  EXPECT_NEAR(at_vertices(Shape{ball.vertices, {}}).mean(), pi / 2, 0.1 * pi / 2);
+  EXPECT_NEAR(at_vertices(Shape{ball.vertices, {}}).mean(), std::numbers::pi / 2, 0.1 * std::numbers::pi / 2);
   const Shape pair = test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {10, 0, 0})});
   EXPECT_TRUE(at_vertices(pair).allFinite());
 }

@@ -17,8 +17,6 @@ using test::soup;
 using test::sphere;
 using test::transformed;
 
-constexpr double pi = std::numbers::pi;
-
 GeodesicOptions by(GeodesicMethod method) { return {.method = method}; }
 
 Shape cloud_of(const Shape& shape) { return {shape.vertices, {}}; }
@@ -105,7 +103,7 @@ TEST(Geodesics, FollowTheOrderAndTheScale) {
 TEST(Geodesics, ACloudsNeighboursStandForItsSurface) {
   const Shape shape = sphere(1, 4);
   const Eigen::VectorXd found = geodesic_distances(cloud_of(shape))(0);
-  EXPECT_LT((found - great_circles(shape, 0)).cwiseAbs().maxCoeff(), 0.06 * pi);
+  EXPECT_LT((found - great_circles(shape, 0)).cwiseAbs().maxCoeff(), 0.06 * std::numbers::pi);
 }
 
 TEST(Geodesics, ComponentsAreJoinedWhereTheyAreNearest) {
@@ -118,7 +116,7 @@ TEST(Geodesics, ComponentsAreJoinedWhereTheyAreNearest) {
   pair.vertices.col(0).maxCoeff(&rightmost);
   const double distance = geodesic_distances(pair)(static_cast<std::int32_t>(leftmost))[rightmost];
   // Half a circle, the gap of 8, and half a circle; the bridge joins two of 64 probes of each, 0.4 from each other.
-  EXPECT_NEAR(distance, 2 * pi + 8, 0.8);
+  EXPECT_NEAR(distance, 2 * std::numbers::pi + 8, 0.8);
 }
 
 TEST(Geodesics, AThousandPiecesHaveFiniteDistances) {

@@ -10,7 +10,6 @@ namespace shapegauge {
 namespace {
 
 using test::sphere;
-constexpr double pi = std::numbers::pi;
 
 /// A flat rectangle of 2 n x n cells with sides 2 and 1.
 Shape rectangle(int n) {
@@ -69,7 +68,7 @@ TEST(Laplacian, NoCopyOfAMultipleEigenvalueIsLeftOut) {
 
 TEST(Laplacian, EigenvaluesOfARectangleAreThoseOfCosines) {
   const Spectrum spectrum = laplacian_spectrum(rectangle(24), 6);
-  const double unit = pi * pi;  // of pi^2 (i^2 / 4 + j^2)
+  const double unit = std::numbers::pi * std::numbers::pi;  // of pi^2 (i^2 / 4 + j^2)
   const std::vector<double> expected = {0, unit / 4, unit, unit, unit * 5 / 4, unit * 2};
   for (std::size_t k = 0; k < expected.size(); ++k) {
     EXPECT_NEAR(spectrum.eigenvalues[static_cast<Eigen::Index>(k)], expected[k], 0.01 * expected[k] + 1e-8) << k;

@@ -14,97 +14,103 @@ using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+const std::string obj_vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
-void expect_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
+void expect_obj_tetrahedron(const std::string& text) { test::expect_same(read_obj(text, "t.obj"), tetrahedron()); }
 
-void expect_error(const std::string& text, const std::string& message) {
+void expect_obj_error(const std::string& text, const std::string& message) {
   EXPECT_THAT([&] { read_obj(text, "t.obj"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
 }
 
-TEST(ReadObj, Plain) { expect_tetrahedron(test::as_obj(tetrahedron())); }
+TEST(ReadObj, Plain) { expect_obj_tetrahedron(test::as_obj(tetrahedron())); }
 
 TEST(ReadObj, TextureAndNormals) {
-  expect_tetrahedron(vertices + "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1 2//1\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf 2 3 4\n");
+  expect_obj_tetrahedron(obj_vertices +
+                         "vt 0 0\nvn 0 0 1\nf 1/1/1 3/1 2//1\nf 1//1 2//1 4//1\nf 1/1 4/1 3/1\nf 2 3 4\n");
 }
 
 TEST(ReadObj, NegativeIndicesCountFromTheLastVertex) {
-  expect_tetrahedron("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf -4 -3 -1\nf -4//-1 -1/-2/-1 -2/-1\nf 2 3 4\n");
+  expect_obj_tetrahedron(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf -4 -3 -1\nf -4//-1 -1/-2/-1 -2/-1\nf 2 3 4\n");
 }
 
-TEST(ReadObj, FacesBeforeTheirVertices) { expect_tetrahedron("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + vertices); }
+TEST(ReadObj, FacesBeforeTheirVertices) {
+  expect_obj_tetrahedron("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n" + obj_vertices);
+}
 
 TEST(ReadObj, OtherStatementsArePassedOver) {
-  expect_tetrahedron("mtllib a b.mtl\no v\ng f 1\ns off\nusemtl f\nvp 0.1\n" + vertices +
-                     "l 1 2\np 1\nf 1 3 2\nf 1 2 4\n# f 1 1 1\nf 1 4 3 # f\n\n  f 2 3 4");
+  expect_obj_tetrahedron("mtllib a b.mtl\no v\ng f 1\ns off\nusemtl f\nvp 0.1\n" + obj_vertices +
+                         "l 1 2\np 1\nf 1 3 2\nf 1 2 4\n# f 1 1 1\nf 1 4 3 # f\n\n  f 2 3 4");
 }
 
 TEST(ReadObj, WeightsAndColoursAfterVertices) {
-  expect_tetrahedron(
+  expect_obj_tetrahedron(
       "v 0 0 0 1\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0 1 0 0 1\nv 0 0 1 # x\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 
 TEST(ReadObj, ContinuedLines) {
-  expect_tetrahedron(
+  expect_obj_tetrahedron(
       "v 0 \\\n 0 0\nv 1 0 0 \\\r\n1\nv 0 1 0\nv 0 0 1\nf 1 3 \\\n\\\n2\nf 1 2 4\nf 1 4 3\ng a \\\nf 1 1 1\nf 2 3 4");
 }
 
 TEST(ReadObj, ByteOrderMarkAndCarriageReturns) {
-  expect_tetrahedron(
+  expect_obj_tetrahedron(
       "\xEF\xBB\xBFv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 1 4 3\r\nf 2 3 4\r\n");
 }
 
 TEST(ReadObj, PolygonsBecomeFansAndSmallerFacesLeaveNone) {
-  const Shape shape = read_obj(vertices + "f 4 3 2 1\nf 1 2\nf 1\nf\n", "t.obj");
+  const Shape shape = read_obj(obj_vertices + "f 4 3 2 1\nf 1 2\nf 1\nf\n", "t.obj");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
 }
 
 TEST(ReadObj, WithoutFacesItIsAPointCloud) {
-  const Shape shape = read_obj(vertices, "t.obj");
+  const Shape shape = read_obj(obj_vertices, "t.obj");
   EXPECT_EQ(shape.vertices, tetrahedron().vertices);
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
 
 TEST(ReadObj, NormalsOfACloudCountWhereThereAreAsManyAsPoints) {
   const std::string normals = "vn 0 0 2\nvn 1 0 0\nvn 0 0 0\n";
-  EXPECT_EQ(read_obj(vertices + normals, "t.obj").normals.rows(), 0);
-  const Shape shape = read_obj(normals + vertices + "vn 0 -1 0\n", "t.obj");
+  EXPECT_EQ(read_obj(obj_vertices + normals, "t.obj").normals.rows(), 0);
+  const Shape shape = read_obj(normals + obj_vertices + "vn 0 -1 0\n", "t.obj");
   EXPECT_EQ(shape.normals, (Points(4, 3) << 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -1, 0).finished());
 }
 
 TEST(ReadObj, UnusableNormalsMatterInACloudOnly) {
-  EXPECT_EQ(read_obj(vertices + "vn 0 nan 0\nvn 1\nf 1 2 3\n", "t.obj").triangles.rows(), 1);
-  expect_error(vertices + "vn 0 nan 0\n",
-               "t.obj:5: a normal's component is not a finite number: \"nan\"; repair or remove the file");
-  expect_error(vertices + "vn 0 0 1\nvn 1\n", "t.obj:6: normal 2 has fewer than three coordinates");
+  EXPECT_EQ(read_obj(obj_vertices + "vn 0 nan 0\nvn 1\nf 1 2 3\n", "t.obj").triangles.rows(), 1);
+  expect_obj_error(obj_vertices + "vn 0 nan 0\n",
+                   "t.obj:5: a normal's component is not a finite number: \"nan\"; repair or remove the file");
+  expect_obj_error(obj_vertices + "vn 0 0 1\nvn 1\n", "t.obj:6: normal 2 has fewer than three coordinates");
 }
 
 TEST(ReadObj, IndexOutOfRange) {
-  expect_error(vertices + "f 1 2 3\nf 1 2 5\n",
-               "t.obj:6: face 2 refers to vertex 5, but there are 4 vertices, numbered from 1");
-  expect_error(vertices + "f 1 2 0\n", "t.obj:5: face 1 refers to vertex 0, but there are 4 vertices, numbered from 1");
-  expect_error("v 0 0 0\nf -1 -1 -2\n",
-               "t.obj:2: face 1 refers to vertex -2, but there are 1 vertices, numbered from 1");
-  expect_error(vertices + "f 1 2 3000000000\n",
-               "t.obj:5: face 1 refers to vertex 3000000000, but there are 4 vertices, numbered from 1");
+  expect_obj_error(obj_vertices + "f 1 2 3\nf 1 2 5\n",
+                   "t.obj:6: face 2 refers to vertex 5, but there are 4 vertices, numbered from 1");
+  expect_obj_error(obj_vertices + "f 1 2 0\n",
+                   "t.obj:5: face 1 refers to vertex 0, but there are 4 vertices, numbered from 1");
+  expect_obj_error("v 0 0 0\nf -1 -1 -2\n",
+                   "t.obj:2: face 1 refers to vertex -2, but there are 1 vertices, numbered from 1");
+  expect_obj_error(obj_vertices + "f 1 2 3000000000\n",
+                   "t.obj:5: face 1 refers to vertex 3000000000, but there are 4 vertices, numbered from 1");
 }
 
 TEST(ReadObj, IndexThatIsNoNumber) {
   for (const std::string word : {"x", "1.5", "/1", "1x/2", "99999999999999999999"}) {
-    expect_error(vertices + "f 1 2 " + word + "\n", "t.obj:5: expected a vertex's index, found \"" + word + "\"");
+    expect_obj_error(obj_vertices + "f 1 2 " + word + "\n",
+                     "t.obj:5: expected a vertex's index, found \"" + word + "\"");
   }
 }
 
 TEST(ReadObj, UnusableCoordinates) {
-  expect_error("v 0 0 0\nv 1 nan 0\n",
-               "t.obj:2: a coordinate is not a finite number: \"nan\"; repair or remove the file");
-  expect_error("v 0 0 0\nv 1 x 0\n", "t.obj:2: expected a coordinate, found \"x\"");
-  expect_error("v 0 0 0\nv 1 0\nv 0 0 1\n", "t.obj:2: vertex 2 has fewer than three coordinates");
+  expect_obj_error("v 0 0 0\nv 1 nan 0\n",
+                   "t.obj:2: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+  expect_obj_error("v 0 0 0\nv 1 x 0\n", "t.obj:2: expected a coordinate, found \"x\"");
+  expect_obj_error("v 0 0 0\nv 1 0\nv 0 0 1\n", "t.obj:2: vertex 2 has fewer than three coordinates");
 }
 
 TEST(ReadObj, NothingUsableIsAnError) {
-  expect_error("# nothing\n", "t.obj: it holds no vertex");
-  expect_error(vertices + "f 1 2\n", "t.obj: none of its 1 faces has three vertices");
+  expect_obj_error("# nothing\n", "t.obj: it holds no vertex");
+  expect_obj_error(obj_vertices + "f 1 2\n", "t.obj: none of its 1 faces has three vertices");
 }
 
 TEST(ReadObj, HeaderAloneCanBeChecked) {

@@ -18,12 +18,12 @@ using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+const std::string off_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string off_faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
-void expect_tetrahedron(const std::string& text) { expect_same(read_off(text, "t.off"), tetrahedron()); }
+void expect_off_tetrahedron(const std::string& text) { expect_same(read_off(text, "t.off"), tetrahedron()); }
 
-void expect_error(const std::string& text, const std::string& message) {
+void expect_off_error(const std::string& text, const std::string& message) {
   EXPECT_THAT([&] { read_off(text, "t.off"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
 }
 
@@ -34,41 +34,43 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-TEST(ReadOff, Plain) { expect_tetrahedron("OFF\n4 4 6\n" + vertices + faces); }
-TEST(ReadOff, KeywordMissing) { expect_tetrahedron("4 4 6\n" + vertices + faces); }
-TEST(ReadOff, KeywordInLowerCase) { expect_tetrahedron("off\n4 4 6\n" + vertices + faces); }
-TEST(ReadOff, CountsOnTheLineOfTheKeyword) { expect_tetrahedron("OFF 4 4 6\n" + vertices + faces); }
-TEST(ReadOff, CountsGluedToTheKeyword) { expect_tetrahedron("OFF4 4 6\n" + vertices + faces); }
-TEST(ReadOff, CountsGluedToALongerKeyword) { expect_tetrahedron("COFF4 4 6\n" + vertices + faces); }
-TEST(ReadOff, CountsOnALineEach) { expect_tetrahedron("OFF\n4\n4\n6\n" + vertices + faces); }
-TEST(ReadOff, WrongNumberOfEdges) { expect_tetrahedron("OFF\n4 4 -17\n" + vertices + faces); }
-TEST(ReadOff, NumberOfEdgesMissing) { expect_tetrahedron("OFF\n4 4\n" + vertices + faces); }
-TEST(ReadOff, NumberOfEdgesThatIsNoNumber) { expect_tetrahedron("OFF\n4 4 ?\n" + vertices + faces); }
+TEST(ReadOff, Plain) { expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, KeywordMissing) { expect_off_tetrahedron("4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, KeywordInLowerCase) { expect_off_tetrahedron("off\n4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, CountsOnTheLineOfTheKeyword) { expect_off_tetrahedron("OFF 4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, CountsGluedToTheKeyword) { expect_off_tetrahedron("OFF4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, CountsGluedToALongerKeyword) { expect_off_tetrahedron("COFF4 4 6\n" + off_vertices + off_faces); }
+TEST(ReadOff, CountsOnALineEach) { expect_off_tetrahedron("OFF\n4\n4\n6\n" + off_vertices + off_faces); }
+TEST(ReadOff, WrongNumberOfEdges) { expect_off_tetrahedron("OFF\n4 4 -17\n" + off_vertices + off_faces); }
+TEST(ReadOff, NumberOfEdgesMissing) { expect_off_tetrahedron("OFF\n4 4\n" + off_vertices + off_faces); }
+TEST(ReadOff, NumberOfEdgesThatIsNoNumber) { expect_off_tetrahedron("OFF\n4 4 ?\n" + off_vertices + off_faces); }
 
 TEST(ReadOff, CommentsAndBlankLinesAnywhere) {
-  expect_tetrahedron(
+  expect_off_tetrahedron(
       "# before\n\nOFF# behind the keyword\n#\n4 4 6 # behind the counts\n\n  # indented\n0 0 0#glued\n1 0 0 # v 1\n\n"
       "0 1 0\n#between\n0 0 1\n\n# faces\n3 0 2 1 # f 0\n3 0 1 3\n\t\n3 0 3 2\n3 1 2 3 # the last line has no end");
 }
 
 TEST(ReadOff, CommentWithinARecord) {
-  expect_tetrahedron("OFF\n4 4 6\n0 # x\n0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 # then\n2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  expect_off_tetrahedron("OFF\n4 4 6\n0 # x\n0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 # then\n2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
 TEST(ReadOff, LinesEndWithCarriageReturnAndLineFeed) {
-  expect_tetrahedron(replaced("OFF\n4 4 6\n" + vertices + faces, "\n", "\r\n"));
+  expect_off_tetrahedron(replaced("OFF\n4 4 6\n" + off_vertices + off_faces, "\n", "\r\n"));
 }
 
 TEST(ReadOff, LinesEndWithCarriageReturn) {
-  expect_tetrahedron(replaced("OFF\n# comment\n4 4 6\n" + vertices + faces, "\n", "\r"));
+  expect_off_tetrahedron(replaced("OFF\n# comment\n4 4 6\n" + off_vertices + off_faces, "\n", "\r"));
 }
 
-TEST(ReadOff, ByteOrderMark) { expect_tetrahedron("\xEF\xBB\xBFOFF\n4 4 6\n" + vertices + faces); }
+TEST(ReadOff, ByteOrderMark) { expect_off_tetrahedron("\xEF\xBB\xBFOFF\n4 4 6\n" + off_vertices + off_faces); }
 TEST(ReadOff, LastLineWithoutEnd) {
-  expect_tetrahedron("OFF\n4 4 6\n" + vertices + "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3");
+  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3");
 }
 
-TEST(ReadOff, TabsAndManySpaces) { expect_tetrahedron(replaced("OFF\n4 4 6\n" + vertices + faces, " ", " \t  ")); }
+TEST(ReadOff, TabsAndManySpaces) {
+  expect_off_tetrahedron(replaced("OFF\n4 4 6\n" + off_vertices + off_faces, " ", " \t  "));
+}
 
 TEST(ReadOff, Exponents) {
   const Shape shape = read_off("OFF\n2 0 0\n1e2 -1.5E-3 +2.5e+1\n.5 5. 1e-400\n", "t.off");
@@ -80,27 +82,35 @@ TEST(ReadOff, ColoursNormalsAndTextureAfterVertices) {
                                            " 0 0 1 255 0 0 255 0.5 0.5"};
   for (const std::string keyword : {"COFF", "NOFF", "STOFF", "CNOFF", "NCOFF", "STCOFF", "STNOFF", "STCNOFF", "OFF"}) {
     for (const std::string& extra : extras) {
-      expect_tetrahedron(keyword + "\n4 4 6\n" + replaced(vertices, "\n", extra + "\n") + faces);
+      expect_off_tetrahedron(keyword + "\n4 4 6\n" + replaced(off_vertices, "\n", extra + "\n") + off_faces);
     }
   }
 }
 
 TEST(ReadOff, ColoursAfterFaces) {
   for (const std::string colour : {" 7", " 255 0 0", " 0.1 0.2 0.3 1", " 3 255 0 0", " # red"}) {
-    expect_tetrahedron("OFF\n4 4 6\n" + vertices + replaced(faces, "\n", colour + "\n"));
+    expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + replaced(off_faces, "\n", colour + "\n"));
   }
 }
 
-TEST(ReadOff, DataAfterTheLastFace) { expect_tetrahedron("OFF\n4 4 6\n" + vertices + faces + "3 0 0 0\nSKEL {}\n"); }
-TEST(ReadOff, PaddingAfterTheLastFace) { expect_tetrahedron("OFF\n4 4 6\n" + vertices + faces + std::string(9, '\0')); }
-
-TEST(ReadOff, EverythingOnOneLine) { expect_tetrahedron(replaced("OFF\n4 4 6\n" + vertices + faces, "\n", " ")); }
-
-TEST(ReadOff, EverythingOnOneLineWithExtras) {
-  expect_tetrahedron(replaced("COFF\n4 4 6\n" + replaced(vertices, "\n", " 1 0 0 1\n") + faces, "\n", " "));
+TEST(ReadOff, DataAfterTheLastFace) {
+  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + "3 0 0 0\nSKEL {}\n");
+}
+TEST(ReadOff, PaddingAfterTheLastFace) {
+  expect_off_tetrahedron("OFF\n4 4 6\n" + off_vertices + off_faces + std::string(9, '\0'));
 }
 
-TEST(ReadOff, OneNumberOnALine) { expect_tetrahedron(replaced("OFF\n4 4 6\n" + vertices + faces, " ", "\n")); }
+TEST(ReadOff, EverythingOnOneLine) {
+  expect_off_tetrahedron(replaced("OFF\n4 4 6\n" + off_vertices + off_faces, "\n", " "));
+}
+
+TEST(ReadOff, EverythingOnOneLineWithExtras) {
+  expect_off_tetrahedron(replaced("COFF\n4 4 6\n" + replaced(off_vertices, "\n", " 1 0 0 1\n") + off_faces, "\n", " "));
+}
+
+TEST(ReadOff, OneNumberOnALine) {
+  expect_off_tetrahedron(replaced("OFF\n4 4 6\n" + off_vertices + off_faces, " ", "\n"));
+}
 
 TEST(ReadOff, PolygonsBecomeFans) {
   const Shape shape =
@@ -109,11 +119,11 @@ TEST(ReadOff, PolygonsBecomeFans) {
 }
 
 TEST(ReadOff, FacesOfFewerThanThreeVerticesLeaveNoTriangle) {
-  expect_tetrahedron("OFF\n4 7 6\n" + vertices + "0\n2 0 1\n1 3\n" + faces);
+  expect_off_tetrahedron("OFF\n4 7 6\n" + off_vertices + "0\n2 0 1\n1 3\n" + off_faces);
 }
 
 TEST(ReadOff, OnlyFacesOfFewerThanThreeVerticesAreAnErrorAndNoCloud) {
-  expect_error("OFF\n4 2 6\n" + vertices + "2 0 1\n1 3\n", "t.off: none of its 2 faces has three vertices");
+  expect_off_error("OFF\n4 2 6\n" + off_vertices + "2 0 1\n1 3\n", "t.off: none of its 2 faces has three vertices");
 }
 
 TEST(ReadOff, NonManifoldDegenerateAndDuplicateFacesAndUnusedVerticesSurvive) {
@@ -127,7 +137,7 @@ TEST(ReadOff, NonManifoldDegenerateAndDuplicateFacesAndUnusedVerticesSurvive) {
 }
 
 TEST(ReadOff, WithoutFacesItIsAPointCloud) {
-  const Shape shape = read_off("OFF\n4 0 0\n" + vertices, "t.off");
+  const Shape shape = read_off("OFF\n4 0 0\n" + off_vertices, "t.off");
   EXPECT_EQ(shape.vertices, tetrahedron().vertices);
   EXPECT_EQ(shape.triangles.rows(), 0);
 }
@@ -140,16 +150,17 @@ TEST(ReadOff, NormalsOfACloudAreThoseThatTheKeywordAnnounces) {
     EXPECT_EQ(read_off(text, "t.off").normals, expected) << text;
   }
   EXPECT_EQ(read_off("OFF\n2 0 0\n" + lines, "t.off").normals.rows(), 0);
-  EXPECT_EQ(read_off("NOFF\n4 0 0\n" + vertices, "t.off").normals.rows(), 0);
-  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 nan 0\n",
-               "t.off:4: a normal's component is not a finite number: \"nan\"; repair or remove the file");
-  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n", "t.off:4: the normal of vertex 1 has fewer than three components");
-  expect_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 1\n",
-               "t.off:4: the normal of vertex 1 has fewer than three components");
+  EXPECT_EQ(read_off("NOFF\n4 0 0\n" + off_vertices, "t.off").normals.rows(), 0);
+  expect_off_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 nan 0\n",
+                   "t.off:4: a normal's component is not a finite number: \"nan\"; repair or remove the file");
+  expect_off_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0\n",
+                   "t.off:4: the normal of vertex 1 has fewer than three components");
+  expect_off_error("NOFF\n2 0 0\n0 0 0 0 0 1\n1 0 0 0 1\n",
+                   "t.off:4: the normal of vertex 1 has fewer than three components");
 }
 
 TEST(ReadOff, NormalsOfAMeshMayBeAnything) {
-  expect_tetrahedron("NOFF\n4 4 6\n" + replaced(vertices, "\n", " nan x\n") + faces);
+  expect_off_tetrahedron("NOFF\n4 4 6\n" + replaced(off_vertices, "\n", " nan x\n") + off_faces);
 }
 
 TEST(ReadOff, BinaryNormalThatIsNotFinite) {
@@ -157,7 +168,8 @@ TEST(ReadOff, BinaryNormalThatIsNotFinite) {
   cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
   const auto files = test::cloud_in_every_format(cloud);
   const auto binary = std::ranges::find(files, "binary.off", &test::Encoded::file_name);
-  expect_error(binary->bytes, "t.off: vertex 1 has a normal that is not a finite number; repair or remove the file");
+  expect_off_error(binary->bytes,
+                   "t.off: vertex 1 has a normal that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadOff, Binary) { expect_same(read_off(test::as_binary_off(tetrahedron()), "t.off"), tetrahedron()); }
@@ -170,100 +182,102 @@ TEST(ReadOff, BinaryWithExtras) {
 TEST(ReadOff, BinaryIndexOutOfRange) {
   Shape shape = tetrahedron();
   shape.triangles(2, 1) = 4;
-  expect_error(test::as_binary_off(shape), "t.off: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
+  expect_off_error(test::as_binary_off(shape),
+                   "t.off: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
 }
 
 TEST(ReadOff, BinaryCoordinateThatIsNotFinite) {
   Shape shape = tetrahedron();
   shape.vertices(3, 0) = std::numeric_limits<double>::infinity();
-  expect_error(test::as_binary_off(shape),
-               "t.off: vertex 3 has a coordinate that is not a finite number; repair or remove the file");
+  expect_off_error(test::as_binary_off(shape),
+                   "t.off: vertex 3 has a coordinate that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadOff, BinaryTruncated) {
   const std::string bytes = test::as_binary_off(tetrahedron());
-  expect_error(bytes.substr(0, 20), "t.off: ends before the numbers of vertices, faces and edges");
-  expect_error(bytes.substr(0, 70), "t.off: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
-  expect_error(bytes.substr(0, bytes.size() - 1),
-               "t.off: ends after 3 of 4 faces; the file is truncated or its header is wrong");
+  expect_off_error(bytes.substr(0, 20), "t.off: ends before the numbers of vertices, faces and edges");
+  expect_off_error(bytes.substr(0, 70),
+                   "t.off: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
+  expect_off_error(bytes.substr(0, bytes.size() - 1),
+                   "t.off: ends after 3 of 4 faces; the file is truncated or its header is wrong");
 }
 
 TEST(ReadOff, OtherDimensionsAreAnError) {
   for (const std::string keyword : {"4OFF", "nOFF", "C4nOFF"}) {
-    expect_error(keyword + "\n4\n4 4 6\n" + vertices + faces,
-                 "t.off:1: 4OFF and nOFF files hold points of other than three dimensions; convert it to OFF");
+    expect_off_error(keyword + "\n4\n4 4 6\n" + off_vertices + off_faces,
+                     "t.off:1: 4OFF and nOFF files hold points of other than three dimensions; convert it to OFF");
   }
 }
 
 TEST(ReadOff, SomethingElseIsAnError) {
   for (const std::string text : {"ply\nformat ascii 1.0\n", "solid x\n", "OFFX 1 2 3\n", "-4 4 6\n", "\xFF\xFEO\n"}) {
-    expect_error("\n" + text,
-                 "t.off:2: not an OFF file: it begins neither with the keyword OFF nor with the number of "
-                 "vertices");
+    expect_off_error("\n" + text,
+                     "t.off:2: not an OFF file: it begins neither with the keyword OFF nor with the number of "
+                     "vertices");
   }
-  expect_error("# nothing\n\n", "t.off: holds nothing but white space and comments");
+  expect_off_error("# nothing\n\n", "t.off: holds nothing but white space and comments");
 }
 
 TEST(ReadOff, UnusableCountsAreAnError) {
-  expect_error("OFF\n", "t.off: ends before the numbers of vertices and faces");
-  expect_error("OFF\n4", "t.off: ends before the numbers of vertices and faces");
-  expect_error("OFF\n4 -1 6\n", "t.off:2: 4 vertices and -1 faces: neither can be negative");
-  expect_error("OFF\n3000000000 1 0\n",
-               "t.off:2: 3000000000 vertices and 1 faces: at most 2147483647 of each can be read");
-  expect_error("OFF\nfour 4 6\n", "t.off:2: expected the number of vertices (a whole number), found \"four\"");
-  expect_error("OFF\n4.5 4 6\n", "t.off:2: expected the number of vertices (a whole number), found \"4.5\"");
-  expect_error("OFF\n99999999999999999999 4 6\n",
-               "t.off:2: expected the number of vertices (a whole number), found \"99999999999999999999\"");
+  expect_off_error("OFF\n", "t.off: ends before the numbers of vertices and faces");
+  expect_off_error("OFF\n4", "t.off: ends before the numbers of vertices and faces");
+  expect_off_error("OFF\n4 -1 6\n", "t.off:2: 4 vertices and -1 faces: neither can be negative");
+  expect_off_error("OFF\n3000000000 1 0\n",
+                   "t.off:2: 3000000000 vertices and 1 faces: at most 2147483647 of each can be read");
+  expect_off_error("OFF\nfour 4 6\n", "t.off:2: expected the number of vertices (a whole number), found \"four\"");
+  expect_off_error("OFF\n4.5 4 6\n", "t.off:2: expected the number of vertices (a whole number), found \"4.5\"");
+  expect_off_error("OFF\n99999999999999999999 4 6\n",
+                   "t.off:2: expected the number of vertices (a whole number), found \"99999999999999999999\"");
 }
 
 TEST(ReadOff, TruncatedVertices) {
-  expect_error("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1",
-               "t.off: ends after 2 of 4 vertices; the file is truncated or its header is wrong");
+  expect_off_error("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1",
+                   "t.off: ends after 2 of 4 vertices; the file is truncated or its header is wrong");
 }
 
 TEST(ReadOff, TruncatedFaces) {
   for (const std::string end : {"", "3", "3 0 3\n"}) {
-    expect_error("OFF\n4 4 6\n" + vertices + "3 0 2 1 255 0 0\n3 0 1 3 0 0 0\n" + end,
-                 "t.off: ends after 2 of 4 faces; the file is truncated or its header is wrong");
+    expect_off_error("OFF\n4 4 6\n" + off_vertices + "3 0 2 1 255 0 0\n3 0 1 3 0 0 0\n" + end,
+                     "t.off: ends after 2 of 4 faces; the file is truncated or its header is wrong");
   }
 }
 
 TEST(ReadOff, MissingCoordinatesAreNotTakenFromTheNextLineSilently) {
-  expect_error("OFF\n4 4 6\n0 0\n1 0\n0 1\n1 1\n" + faces,
-               "t.off: ends after 2 of 4 faces; the file is truncated or its header is wrong");
+  expect_off_error("OFF\n4 4 6\n0 0\n1 0\n0 1\n1 1\n" + off_faces,
+                   "t.off: ends after 2 of 4 faces; the file is truncated or its header is wrong");
 }
 
 TEST(ReadOff, IndexOutOfRange) {
-  expect_error("OFF\n4 4 6\n" + vertices + replaced(faces, "0 1 3", "0 1 4"),
-               "t.off:8: face 1 refers to vertex 4, but the vertices are numbered 0 to 3");
-  expect_error(replaced("OFF\n4 4 6\n" + vertices + replaced(faces, "0 1 3", "0 -1 3"), "\n", "\r\n"),
-               "t.off:8: face 1 refers to vertex -1, but the vertices are numbered 0 to 3");
+  expect_off_error("OFF\n4 4 6\n" + off_vertices + replaced(off_faces, "0 1 3", "0 1 4"),
+                   "t.off:8: face 1 refers to vertex 4, but the vertices are numbered 0 to 3");
+  expect_off_error(replaced("OFF\n4 4 6\n" + off_vertices + replaced(off_faces, "0 1 3", "0 -1 3"), "\n", "\r\n"),
+                   "t.off:8: face 1 refers to vertex -1, but the vertices are numbered 0 to 3");
 }
 
 TEST(ReadOff, FaceWithoutAUsableNumberOfVertices) {
-  expect_error("OFF\n4 4 6\n" + vertices + "-3 0 1 2\n", "t.off:7: face 0 cannot have -3 vertices");
-  expect_error("OFF\n4 4 6\n" + vertices + "3.5 0 1 2\n",
-               "t.off:7: expected a face's number of vertices (a whole number), found \"3.5\"");
-  expect_error("OFF\n4 1 6\n" + vertices + "2000000000 0 1 2\n",
-               "t.off: ends after 0 of 1 faces; the file is truncated or its header is wrong");
+  expect_off_error("OFF\n4 4 6\n" + off_vertices + "-3 0 1 2\n", "t.off:7: face 0 cannot have -3 vertices");
+  expect_off_error("OFF\n4 4 6\n" + off_vertices + "3.5 0 1 2\n",
+                   "t.off:7: expected a face's number of vertices (a whole number), found \"3.5\"");
+  expect_off_error("OFF\n4 1 6\n" + off_vertices + "2000000000 0 1 2\n",
+                   "t.off: ends after 0 of 1 faces; the file is truncated or its header is wrong");
 }
 
 TEST(ReadOff, CoordinateThatIsNotFinite) {
   for (const std::string number : {"nan", "NaN", "-nan", "inf", "-Infinity", "1e400", "-1e999999"}) {
-    expect_error("OFF\n4 4 6\n0 0 0\n1 0 " + number + "\n",
-                 "t.off:4: a coordinate is not a finite number: \"" + number + "\"; repair or remove the file");
+    expect_off_error("OFF\n4 4 6\n0 0 0\n1 0 " + number + "\n",
+                     "t.off:4: a coordinate is not a finite number: \"" + number + "\"; repair or remove the file");
   }
 }
 
 TEST(ReadOff, CoordinateThatIsNoNumber) {
   for (const std::string word : {"x", "0,5", "1.#QNAN", "-1.#IND", "0x10", "1e", "1.5.2", "+-1", "--1", "-", "1,"}) {
-    expect_error("OFF\n4 4 6\n0 0 0\n1 0 " + word + "\n", "t.off:4: expected a coordinate, found \"" + word + "\"");
+    expect_off_error("OFF\n4 4 6\n0 0 0\n1 0 " + word + "\n", "t.off:4: expected a coordinate, found \"" + word + "\"");
   }
 }
 
 TEST(ReadOff, AWordThatIsNoTextIsShownInPartAndOnOneLine) {
-  expect_error("OFF\n1 0 0\n0 0 \x01" + std::string(1000, '\x7F') + "\n",
-               "t.off:3: expected a coordinate, found \"" + std::string(270, '?') + "...");
+  expect_off_error("OFF\n1 0 0\n0 0 \x01" + std::string(1000, '\x7F') + "\n",
+                   "t.off:3: expected a coordinate, found \"" + std::string(270, '?') + "...");
 }
 
 TEST(ReadOff, HeaderAloneCanBeChecked) {

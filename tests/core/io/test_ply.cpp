@@ -30,14 +30,14 @@ constexpr std::array both_orders = {std::endian::little, std::endian::big};
 
 const std::string vertex_header = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
 const std::string face_header = "element face 4\nproperty list uchar int vertex_index\n";
-const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-const std::string faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+const std::string ply_vertices = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+const std::string ply_faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
 std::string ascii(const std::string& header, const std::string& body) {
   return "ply\nformat ascii 1.0\n" + header + "end_header\n" + body;
 }
 
-void expect_error(const std::string& bytes, const std::string& message) {
+void expect_ply_error(const std::string& bytes, const std::string& message) {
   EXPECT_THAT([&] { read_ply(bytes, "t.ply"); }, ThrowsMessage<InputError>(StrEq(message))) << bytes;
 }
 
@@ -46,7 +46,7 @@ std::string replaced_once(std::string text, const std::string& what, const std::
 }
 
 TEST(ReadPly, Ascii) {
-  expect_same(read_ply(ascii(vertex_header + face_header, vertices + faces), "t.ply"), tetrahedron());
+  expect_same(read_ply(ascii(vertex_header + face_header, ply_vertices + ply_faces), "t.ply"), tetrahedron());
 }
 
 TEST(ReadPly, OtherPropertiesAndElementsArePassedOver) {
@@ -92,7 +92,7 @@ TEST(ReadPly, OtherPropertiesMayBeNoNumber) {
 }
 
 TEST(ReadPly, FacesBeforeVertices) {
-  expect_same(read_ply(ascii(face_header + vertex_header, faces + vertices), "t.ply"), tetrahedron());
+  expect_same(read_ply(ascii(face_header + vertex_header, ply_faces + ply_vertices), "t.ply"), tetrahedron());
 }
 
 TEST(ReadPly, CoordinatesInAnotherOrderAndIntegers) {
@@ -102,13 +102,14 @@ TEST(ReadPly, CoordinatesInAnotherOrderAndIntegers) {
 }
 
 TEST(ReadPly, PolygonsBecomeFansAndSmallerFacesLeaveNone) {
-  const Shape shape = read_ply(ascii(vertex_header + face_header, vertices + "4 3 2 1 0\n2 0 1\n1 3\n0\n"), "t.ply");
+  const Shape shape =
+      read_ply(ascii(vertex_header + face_header, ply_vertices + "4 3 2 1 0\n2 0 1\n1 3\n0\n"), "t.ply");
   EXPECT_EQ(shape.triangles, (Triangles(2, 3) << 3, 2, 1, 3, 1, 0).finished());
 }
 
 TEST(ReadPly, WithoutFacesItIsAPointCloud) {
   for (const std::string header : {"", "element face 0\n"}) {
-    const Shape shape = read_ply(ascii(vertex_header + header, vertices), "t.ply");
+    const Shape shape = read_ply(ascii(vertex_header + header, ply_vertices), "t.ply");
     EXPECT_EQ(shape.vertices, tetrahedron().vertices);
     EXPECT_EQ(shape.triangles.rows(), 0);
   }
@@ -120,8 +121,8 @@ TEST(ReadPly, NormalsOfACloud) {
   EXPECT_EQ(read_ply(ascii(header + "property float ny\n", body), "t.ply").normals,
             (Points(2, 3) << 0, 0, 1, 0, 0, 0).finished());
   EXPECT_EQ(read_ply(ascii(header + "property float n\n", body), "t.ply").normals.rows(), 0);  // no ny
-  expect_error(ascii(header + "property float ny\nelement face 0\n", "2 0 0 0 0 nan\n0 0 1 0 0 0\n"),
-               "t.ply:12: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+  expect_ply_error(ascii(header + "property float ny\nelement face 0\n", "2 0 0 0 0 nan\n0 0 1 0 0 0\n"),
+                   "t.ply:12: a coordinate is not a finite number: \"nan\"; repair or remove the file");
 }
 
 TEST(ReadPly, BinaryNormalThatIsNotFinite) {
@@ -129,87 +130,91 @@ TEST(ReadPly, BinaryNormalThatIsNotFinite) {
   cloud.normals(1, 1) = std::numeric_limits<double>::infinity();
   const auto files = test::cloud_in_every_format(cloud);
   const auto binary = std::ranges::find(files, "binary.ply", &test::Encoded::file_name);
-  expect_error(binary->bytes, "t.ply: vertex 1 has a normal that is not a finite number; repair or remove the file");
+  expect_ply_error(binary->bytes,
+                   "t.ply: vertex 1 has a normal that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadPly, NormalsOfAMeshMayBeNoNumber) {
   const std::string header = vertex_header + "property float nx\nproperty float ny\nproperty float nz\n";
   const std::string lines = "0 0 0 nan 0 0\n1 0 0 0 0 0\n0 1 0 0 0 0\n0 0 1 0 0 0\n";
-  expect_same(read_ply(ascii(header + face_header, lines + faces), "t.ply"), tetrahedron());
+  expect_same(read_ply(ascii(header + face_header, lines + ply_faces), "t.ply"), tetrahedron());
 }
 
 TEST(ReadPly, UnusableHeaders) {
-  expect_error("OFF\n", "t.ply:1: not a PLY file: it does not begin with \"ply\"");
-  expect_error("ply\nformat ascii 1.0\nelement vertex 4\n", "t.ply: ends within its header");
-  expect_error("ply\nformat binary 1.0\n", "t.ply:2: \"binary\" is not a PLY format");
-  expect_error("ply\n" + vertex_header + "end_header\n", "t.ply:6: the header names no format");
-  expect_error(ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\" is not a type that PLY knows");
-  expect_error(ascii("property float x\n", ""), "t.ply:3: a property before the first element");
-  expect_error(ascii("element vertex -4\n", ""), "t.ply:3: the number of elements cannot be -4");
-  expect_error(ascii("hello\n", ""), "t.ply:3: \"hello\" does not belong in a PLY header");
-  expect_error(ascii(face_header, faces), "t.ply: its header has no element \"vertex\"");
-  expect_error(ascii(vertex_header + vertex_header, ""), "t.ply: its header has two elements \"vertex\"");
-  expect_error(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"),
-               "t.ply: its element \"vertex\" needs one property \"z\"");
-  expect_error(ascii(vertex_header + face_header + face_header, ""), "t.ply: its header has two elements \"face\"");
-  expect_error(ascii("element vertex 3000000000\nproperty float x\n", ""),
-               "t.ply: 3000000000 vertices: at most 2147483647 can be read");
+  expect_ply_error("OFF\n", "t.ply:1: not a PLY file: it does not begin with \"ply\"");
+  expect_ply_error("ply\nformat ascii 1.0\nelement vertex 4\n", "t.ply: ends within its header");
+  expect_ply_error("ply\nformat binary 1.0\n", "t.ply:2: \"binary\" is not a PLY format");
+  expect_ply_error("ply\n" + vertex_header + "end_header\n", "t.ply:6: the header names no format");
+  expect_ply_error(ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\" is not a type that PLY knows");
+  expect_ply_error(ascii("property float x\n", ""), "t.ply:3: a property before the first element");
+  expect_ply_error(ascii("element vertex -4\n", ""), "t.ply:3: the number of elements cannot be -4");
+  expect_ply_error(ascii("hello\n", ""), "t.ply:3: \"hello\" does not belong in a PLY header");
+  expect_ply_error(ascii(face_header, ply_faces), "t.ply: its header has no element \"vertex\"");
+  expect_ply_error(ascii(vertex_header + vertex_header, ""), "t.ply: its header has two elements \"vertex\"");
+  expect_ply_error(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"),
+                   "t.ply: its element \"vertex\" needs one property \"z\"");
+  expect_ply_error(ascii(vertex_header + face_header + face_header, ""), "t.ply: its header has two elements \"face\"");
+  expect_ply_error(ascii("element vertex 3000000000\nproperty float x\n", ""),
+                   "t.ply: 3000000000 vertices: at most 2147483647 can be read");
 }
 
 TEST(ReadPly, UnusableFaces) {
-  expect_error(ascii(vertex_header + "element face 1\nproperty int a\n", vertices + "1\n"),
-               "t.ply: its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
-  expect_error(ascii(vertex_header + "element face 1\nproperty list uchar float vertex_indices\n", vertices),
-               "t.ply: the indices of its faces are not of an integer type");
-  expect_error(ascii(vertex_header + face_header + "property list uchar float vertex_indices\n", vertices),
-               "t.ply: its element \"face\" has two lists of vertices");
-  expect_error(ascii(vertex_header + "element face 1\nproperty list float int vertex_indices\n", vertices),
-               "t.ply:8: the length of a list must be of an integer type");
-  expect_error(ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", vertices + "1 0\n"),
-               "t.ply: it holds triangle strips, which are not read; convert them to faces");
-  expect_error(ascii(vertex_header + "element face 1\nproperty list uchar int vertex_indices\n", vertices + "2 0 1\n"),
-               "t.ply:14: none of its 1 faces has three vertices");
-  expect_error(ascii(vertex_header + "element face 1\nproperty list char int vertex_indices\n", vertices + "-2 0 1\n"),
-               "t.ply:14: face 0 cannot have -2 vertices");
+  expect_ply_error(ascii(vertex_header + "element face 1\nproperty int a\n", ply_vertices + "1\n"),
+                   "t.ply: its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
+  expect_ply_error(ascii(vertex_header + "element face 1\nproperty list uchar float vertex_indices\n", ply_vertices),
+                   "t.ply: the indices of its faces are not of an integer type");
+  expect_ply_error(ascii(vertex_header + face_header + "property list uchar float vertex_indices\n", ply_vertices),
+                   "t.ply: its element \"face\" has two lists of vertices");
+  expect_ply_error(ascii(vertex_header + "element face 1\nproperty list float int vertex_indices\n", ply_vertices),
+                   "t.ply:8: the length of a list must be of an integer type");
+  expect_ply_error(
+      ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", ply_vertices + "1 0\n"),
+      "t.ply: it holds triangle strips, which are not read; convert them to faces");
+  expect_ply_error(
+      ascii(vertex_header + "element face 1\nproperty list uchar int vertex_indices\n", ply_vertices + "2 0 1\n"),
+      "t.ply:14: none of its 1 faces has three vertices");
+  expect_ply_error(
+      ascii(vertex_header + "element face 1\nproperty list char int vertex_indices\n", ply_vertices + "-2 0 1\n"),
+      "t.ply:14: face 0 cannot have -2 vertices");
 }
 
 TEST(ReadPly, Truncated) {
-  const std::string text = ascii(vertex_header + face_header, vertices + faces);
-  expect_error(text.substr(0, text.find("0 0 1\n") + 3),
-               "t.ply:13: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
-  expect_error(text.substr(0, text.find("3 1 2 3") + 5),
-               "t.ply:17: ends after 3 of 4 faces; the file is truncated or its header is wrong");
+  const std::string text = ascii(vertex_header + face_header, ply_vertices + ply_faces);
+  expect_ply_error(text.substr(0, text.find("0 0 1\n") + 3),
+                   "t.ply:13: ends after 3 of 4 vertices; the file is truncated or its header is wrong");
+  expect_ply_error(text.substr(0, text.find("3 1 2 3") + 5),
+                   "t.ply:17: ends after 3 of 4 faces; the file is truncated or its header is wrong");
   for (const std::endian order : both_orders) {
     const std::string bytes = as_binary_ply(tetrahedron(), order, false);
-    expect_error(bytes.substr(0, bytes.size() - 1),
-                 "t.ply: ends after 3 of 4 faces; the file is truncated or its header is wrong");
-    expect_error(bytes.substr(0, bytes.find("end_header\n") + 11 + 20),
-                 "t.ply: ends after 1 of 4 vertices; the file is truncated or its header is wrong");
-    expect_error(
+    expect_ply_error(bytes.substr(0, bytes.size() - 1),
+                     "t.ply: ends after 3 of 4 faces; the file is truncated or its header is wrong");
+    expect_ply_error(bytes.substr(0, bytes.find("end_header\n") + 11 + 20),
+                     "t.ply: ends after 1 of 4 vertices; the file is truncated or its header is wrong");
+    expect_ply_error(
         bytes.substr(0, bytes.find("end_header\n") + 11 + std::size_t{4} * 18 + 5),
         "t.ply: ends after 0 of 1 items of its element \"camera\"; the file is truncated or its header is wrong");
   }
 }
 
 TEST(ReadPly, IndexOutOfRange) {
-  expect_error(ascii(vertex_header + face_header, vertices + replaced_once(faces, "0 1 3", "0 1 4")),
-               "t.ply:15: face 1 refers to vertex 4, but the vertices are numbered 0 to 3");
+  expect_ply_error(ascii(vertex_header + face_header, ply_vertices + replaced_once(ply_faces, "0 1 3", "0 1 4")),
+                   "t.ply:15: face 1 refers to vertex 4, but the vertices are numbered 0 to 3");
   for (const std::endian order : both_orders) {
     Shape shape = tetrahedron();
     shape.triangles(2, 0) = 4;
-    expect_error(as_binary_ply(shape, order, true),
-                 "t.ply: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
+    expect_ply_error(as_binary_ply(shape, order, true),
+                     "t.ply: face 2 refers to vertex 4, but the vertices are numbered 0 to 3");
   }
 }
 
 TEST(ReadPly, CoordinateThatIsNotFinite) {
-  expect_error(ascii(vertex_header + face_header, replaced_once(vertices, "1 0 0", "1 nan 0") + faces),
-               "t.ply:11: a coordinate is not a finite number: \"nan\"; repair or remove the file");
+  expect_ply_error(ascii(vertex_header + face_header, replaced_once(ply_vertices, "1 0 0", "1 nan 0") + ply_faces),
+                   "t.ply:11: a coordinate is not a finite number: \"nan\"; repair or remove the file");
   for (const std::endian order : both_orders) {
     Shape shape = tetrahedron();
     shape.vertices(2, 0) = std::numeric_limits<double>::quiet_NaN();
-    expect_error(as_binary_ply(shape, order, false),
-                 "t.ply: vertex 2 has a coordinate that is not a finite number; repair or remove the file");
+    expect_ply_error(as_binary_ply(shape, order, false),
+                     "t.ply: vertex 2 has a coordinate that is not a finite number; repair or remove the file");
   }
 }
 

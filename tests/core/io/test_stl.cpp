@@ -28,11 +28,11 @@ Shape renumbered_tetrahedron() {
   return shape;
 }
 
-void expect_error(const std::string& bytes, const std::string& message) {
+void expect_stl_error(const std::string& bytes, const std::string& message) {
   EXPECT_THAT([&] { read_stl(bytes, "t.stl"); }, ThrowsMessage<InputError>(StrEq(message))) << bytes;
 }
 
-std::string replaced_once(std::string text, const std::string& what, const std::string& with) {
+std::string with_first_replaced(std::string text, const std::string& what, const std::string& with) {
   return text.replace(text.find(what), what.size(), with);
 }
 
@@ -65,34 +65,38 @@ TEST(ReadStl, ZeroAndMinusZeroAreOneVertex) {
 TEST(ReadStl, BinaryTruncated) {
   for (const std::string header : {"binary", "solid"}) {
     const std::string bytes = as_binary_stl(test::tetrahedron(), header);
-    expect_error(bytes.substr(0, bytes.size() - 1),
-                 "t.stl: ends after 3 of 4 facets; the file is truncated or its header is wrong");
+    expect_stl_error(bytes.substr(0, bytes.size() - 1),
+                     "t.stl: ends after 3 of 4 facets; the file is truncated or its header is wrong");
   }
-  expect_error("binary", "t.stl: ends within its header of 84 bytes, or is not an STL file");
+  expect_stl_error("binary", "t.stl: ends within its header of 84 bytes, or is not an STL file");
 }
 
 TEST(ReadStl, AsciiTruncated) {
   const std::string text = as_ascii_stl(test::tetrahedron());
-  expect_error(text.substr(0, text.find("endsolid")), "t.stl: ends after 4 facets, before \"endsolid\"");
-  expect_error(text.substr(0, text.rfind("endloop")), "t.stl: ends within facet 3");
-  expect_error("solid x\n", "t.stl: ends after 0 facets, before \"endsolid\"");
+  expect_stl_error(text.substr(0, text.find("endsolid")), "t.stl: ends after 4 facets, before \"endsolid\"");
+  expect_stl_error(text.substr(0, text.rfind("endloop")), "t.stl: ends within facet 3");
+  expect_stl_error("solid x\n", "t.stl: ends after 0 facets, before \"endsolid\"");
 }
 
 TEST(ReadStl, AsciiWithSomethingElse) {
   const std::string text = as_ascii_stl(test::tetrahedron());
-  expect_error(replaced_once(text, "facet", "hello"), "t.stl:2: expected \"facet\" or \"endsolid\", found \"hello\"");
-  expect_error(replaced_once(text, "outer", "inner"), "t.stl:3: expected \"outer\" in facet 0, found \"inner\"");
-  expect_error(replaced_once(text, "vertex 0 0 0", "vertex 0 0 x"), "t.stl:4: expected a coordinate, found \"x\"");
-  expect_error(replaced_once(text, "endloop", "vertex"), "t.stl:7: expected \"endloop\" in facet 0, found \"vertex\"");
+  expect_stl_error(with_first_replaced(text, "facet", "hello"),
+                   "t.stl:2: expected \"facet\" or \"endsolid\", found \"hello\"");
+  expect_stl_error(with_first_replaced(text, "outer", "inner"),
+                   "t.stl:3: expected \"outer\" in facet 0, found \"inner\"");
+  expect_stl_error(with_first_replaced(text, "vertex 0 0 0", "vertex 0 0 x"),
+                   "t.stl:4: expected a coordinate, found \"x\"");
+  expect_stl_error(with_first_replaced(text, "endloop", "vertex"),
+                   "t.stl:7: expected \"endloop\" in facet 0, found \"vertex\"");
 }
 
 TEST(ReadStl, CoordinateThatIsNotFinite) {
-  expect_error(replaced_once(as_ascii_stl(test::tetrahedron()), "vertex 0 1 0", "vertex 0 inf 0"),
-               "t.stl:5: a coordinate is not a finite number: \"inf\"; repair or remove the file");
+  expect_stl_error(with_first_replaced(as_ascii_stl(test::tetrahedron()), "vertex 0 1 0", "vertex 0 inf 0"),
+                   "t.stl:5: a coordinate is not a finite number: \"inf\"; repair or remove the file");
   Shape shape = test::tetrahedron();
   shape.vertices(3, 1) = std::numeric_limits<double>::quiet_NaN();
-  expect_error(as_binary_stl(shape),
-               "t.stl: facet 1 has a coordinate that is not a finite number; repair or remove the file");
+  expect_stl_error(as_binary_stl(shape),
+                   "t.stl: facet 1 has a coordinate that is not a finite number; repair or remove the file");
 }
 
 TEST(ReadStl, HeaderAloneCanBeChecked) {

@@ -11,7 +11,7 @@ namespace {
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-void expect_error(const std::string& text, const std::string& message) {
+void expect_xyz_error(const std::string& text, const std::string& message) {
   EXPECT_THAT([&] { read_xyz(text, "c.xyz"); }, ThrowsMessage<InputError>(StrEq(message))) << text;
 }
 
@@ -85,39 +85,40 @@ TEST(ReadXyz, NormalsOfAnySizeBecomeUnitVectors) {
 }
 
 TEST(ReadXyz, UnusableLinesAreNamed) {
-  expect_error("0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three coordinates");
-  expect_error("0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three coordinates");
-  expect_error("x,y,z\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
-  expect_error("0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate, found \"zero\"");
+  expect_xyz_error("0 0 0\n1 2\n0 0 0\n", "c.xyz:2: 2 of a point's three coordinates");
+  expect_xyz_error("0 0 0\n\n7\n", "c.xyz:3: 1 of a point's three coordinates");
+  expect_xyz_error("x,y,z\n0,0,0\n", "c.xyz:1: expected a coordinate, found \"x\"");
+  expect_xyz_error("0 0 0\n0 zero 0\n", "c.xyz:2: expected a coordinate, found \"zero\"");
   for (const std::string word : {"nan", "inf", "-inf", "1e999"}) {
-    expect_error("0 0 0\n0 0 " + word + "\n",
-                 "c.xyz:2: a coordinate is not a finite number: \"" + word + "\"; repair or remove the file");
+    expect_xyz_error("0 0 0\n0 0 " + word + "\n",
+                     "c.xyz:2: a coordinate is not a finite number: \"" + word + "\"; repair or remove the file");
   }
-  expect_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: 4 columns, where the first point has 5");
+  expect_xyz_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: 4 columns, where the first point has 5");
   for (const std::string normal : {"0 0 nan", "inf 0 0", "0 x 0"}) {
-    expect_error("0 0 0 0 0 1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
-                 "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
+    expect_xyz_error("0 0 0 0 0 1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
+                     "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
   }
 }
 
 TEST(ReadXyz, DecimalCommasAreToldFromSeparators) {
   const std::string message = "c.xyz:2: commas and other separators are mixed; write decimal points, not commas";
   for (const std::string line : {"0,5 1,5 -2,5", "0,5;1,5;-2,5", "0,5\t1\t2"})
-    expect_error("#\n" + line + "\n", message);
+    expect_xyz_error("#\n" + line + "\n", message);
 }
 
 TEST(ReadXyz, NumberOfPointsMustBeRight) {
-  expect_error("3\n0 0 0\n1 0 0\n", "c.xyz: ends after 2 of 3 points; the file is truncated or its header is wrong");
-  expect_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: 3 points follow its first line, which says 1");
-  expect_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: 2 points follow its first line, which says 1");
-  expect_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
-  expect_error("1.5\n0 0 0\n",
-               "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
-               "\"1.5\"");
+  expect_xyz_error("3\n0 0 0\n1 0 0\n",
+                   "c.xyz: ends after 2 of 3 points; the file is truncated or its header is wrong");
+  expect_xyz_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: 3 points follow its first line, which says 1");
+  expect_xyz_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: 2 points follow its first line, which says 1");
+  expect_xyz_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
+  expect_xyz_error("1.5\n0 0 0\n",
+                   "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
+                   "\"1.5\"");
 }
 
 TEST(ReadXyz, NothingUsableIsAnError) {
-  expect_error("# nothing\n\n", "c.xyz: holds nothing but white space and comments");
+  expect_xyz_error("# nothing\n\n", "c.xyz: holds nothing but white space and comments");
   EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // what read_shape() refuses
 }
 

@@ -17,8 +17,6 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 Shape without_faces(Shape shape, const std::set<Eigen::Index>& removed) {
   Triangles kept(shape.triangles.rows() - static_cast<Eigen::Index>(removed.size()), 3);
   Eigen::Index count = 0;
@@ -33,7 +31,7 @@ Shape without_faces(Shape shape, const std::set<Eigen::Index>& removed) {
 Shape band(int n, double width, bool half_turn) {
   Shape shape{Points(2 * n, 3), Triangles(2 * n, 3)};
   for (int i = 0; i < n; ++i) {
-    const double angle = 2 * pi * i / n;
+    const double angle = 2 * std::numbers::pi * i / n;
     const double tilt = half_turn ? angle / 2 : 0;
     for (const int side : {0, 1}) {
       const double across = (side - 0.5) * width;
@@ -72,7 +70,7 @@ TEST(BoundaryLoops, OneForEachFaceRemovedFromABox) {
       EXPECT_EQ(loop.vertices.size(), 3U);
       EXPECT_NEAR(loop.length, 1 + std::sqrt(0.5), 1e-12);
       EXPECT_NEAR(loop.vector_area.norm(), 0.125, 1e-12);
-      EXPECT_NEAR(loop.radius_bound(), std::sqrt(0.125 / pi), 1e-12);
+      EXPECT_NEAR(loop.radius_bound(), std::sqrt(0.125 / std::numbers::pi), 1e-12);
     }
   }
 }
@@ -96,8 +94,8 @@ TEST(BoundaryLoops, OfAnOpenCylinderAreItsTwoCircles) {
     ASSERT_EQ(loops.size(), 2U);
     for (const BoundaryLoop& loop : loops) {
       EXPECT_EQ(loop.vertices.size(), static_cast<std::size_t>(n));
-      EXPECT_NEAR(loop.length, 2 * n * std::sin(pi / n), 1e-9);
-      EXPECT_NEAR(loop.vector_area.norm(), n * std::sin(pi / n) * std::cos(pi / n), 1e-9);
+      EXPECT_NEAR(loop.length, 2 * n * std::sin(std::numbers::pi / n), 1e-9);
+      EXPECT_NEAR(loop.vector_area.norm(), n * std::sin(std::numbers::pi / n) * std::cos(std::numbers::pi / n), 1e-9);
     }
   }
 }
@@ -106,7 +104,7 @@ TEST(BoundaryLoops, OfAMoebiusStripIsOneTwiceAround) {
   const std::vector<BoundaryLoop> loops = boundary_loops(band(64, 0.2, true));
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0].vertices.size(), 128U);
-  EXPECT_NEAR(loops[0].length, 4 * pi, 0.1);
+  EXPECT_NEAR(loops[0].length, 4 * std::numbers::pi, 0.1);
 }
 
 TEST(BoundaryLoops, OfABookOfPagesCoverEveryBoundaryEdgeOnce) {

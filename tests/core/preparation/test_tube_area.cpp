@@ -12,12 +12,10 @@ namespace shapegauge {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 /// V / 2r of a box: its sides, quarter cylinders and eighths of balls outside, less what overlaps inside.
 double tube_area_of_box(const Eigen::Vector3d& size, double r) {
   const double sides = 2 * (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]);
-  const double outside = sides * r + pi * r * r * size.sum() + 4 * pi / 3 * r * r * r;
+  const double outside = sides * r + std::numbers::pi * r * r * size.sum() + 4 * std::numbers::pi / 3 * r * r * r;
   const double inside = size.prod() - (size.array() - 2 * r).prod();
   return (outside + inside) / (2 * r);
 }

@@ -69,7 +69,7 @@ ConeSdfResult cone_sdf_by(ConeSdfEngine engine, const Shape& shape, bool postpro
 
 /// Without symmetry to the axes: no ray meets an edge, and no normal is on an axis, where the two engines, which round
 /// normals differently, might begin their spirals at different angles.
-Shape generic(const Shape& shape) { return test::transformed(shape, 1, test::rotation(2), {3, -1, 2}); }
+Shape turned(const Shape& shape) { return test::transformed(shape, 1, test::rotation(2), {3, -1, 2}); }
 
 void expect_agreement(const Shape& shape) {
   const ConeSdfResult ours = cone_sdf_by(ConeSdfEngine::embree, shape);
@@ -84,9 +84,9 @@ void expect_agreement(const Shape& shape) {
 }
 
 TEST(ConeSdfCgal, BothEnginesAgree) {
-  expect_agreement(generic(test::torus(3, 1, 20, 40)));
-  expect_agreement(generic(test::capsule(0.5, 3, 20, 5)));
-  expect_agreement(generic(test::joined({test::sphere(1, 2), test::sphere(0.3, 1)})));
+  expect_agreement(turned(test::torus(3, 1, 20, 40)));
+  expect_agreement(turned(test::capsule(0.5, 3, 20, 5)));
+  expect_agreement(turned(test::joined({test::sphere(1, 2), test::sphere(0.3, 1)})));
 }
 
 TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
@@ -98,7 +98,7 @@ TEST(ConeSdfCgal, BothEnginesAgreeOnScannedAndModelledShapes) {
 }
 
 TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
-  const Shape torus = generic(test::flipped(test::torus(3, 1, 20, 40)));
+  const Shape torus = turned(test::flipped(test::torus(3, 1, 20, 40)));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus);
   EXPECT_GT(result.missing, 0U);
   EXPECT_LT(result.missing, static_cast<std::size_t>(result.values.size()));
@@ -106,14 +106,14 @@ TEST(ConeSdfCgal, BothEnginesAgreeOnAShapeTurnedInsideOut) {
 }
 
 TEST(ConeSdfCgal, PostprocessingScalesToTheUnitInterval) {
-  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, generic(test::capsule(0.5, 3, 20, 5)), true);
+  const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, turned(test::capsule(0.5, 3, 20, 5)), true);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_EQ(result.values.minCoeff(), 0);
   EXPECT_EQ(result.values.maxCoeff(), 1);
 }
 
 TEST(ConeSdfCgal, PostprocessingFillsWhatIsMissing) {
-  const Shape torus = generic(test::flipped(test::torus(3, 1, 20, 40)));
+  const Shape torus = turned(test::flipped(test::torus(3, 1, 20, 40)));
   const ConeSdfResult result = cone_sdf_by(ConeSdfEngine::cgal, torus, true);
   EXPECT_EQ(result.missing, 0U);
   EXPECT_EQ(result.values.minCoeff(), 0);

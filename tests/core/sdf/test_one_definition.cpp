@@ -20,7 +20,7 @@ namespace shapegauge {
 namespace {
 
 /// The share of values that differ by more than a fraction of r.
-double share_that_differs(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
+double share_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
   return static_cast<double>(((a - b).cwiseAbs().array() > tolerance).count()) / static_cast<double>(a.size());
 }
 
@@ -138,7 +138,7 @@ class DamagedTorus : public testing::Test {
   void expect_same_in(const Shape& shape) const {
     const OffsetSdfResult found = offset_sdf(shape, samples, {.offset = offset});
     const double r = offset * bounding_box_diagonal(torus);
-    EXPECT_LE(share_that_differs(clean, found.values, 1e-2 * r), 1e-3);
+    EXPECT_LE(share_apart(clean, found.values, 1e-2 * r), 1e-3);
     EXPECT_LE((clean - found.values).cwiseAbs().maxCoeff(), 0.1 * r);
   }
 

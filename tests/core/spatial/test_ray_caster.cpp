@@ -17,7 +17,7 @@
 namespace shapegauge {
 namespace {
 
-Eigen::Vector3d random_point(std::mt19937& random, double extent) {
+Eigen::Vector3d random_point_within(std::mt19937& random, double extent) {
   std::uniform_real_distribution<double> uniform(-extent, extent);
   const double x = uniform(random);
   const double y = uniform(random);
@@ -62,9 +62,9 @@ RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) 
   const RayCaster caster(soup, seed % 2 == 0 ? RaysAtEdges::hit : RaysAtEdges::may_slip);
   int compared = 0;
   for (int i = 0; i < 100; ++i) {
-    const Eigen::Vector3d origin = random_point(random, 1);
+    const Eigen::Vector3d origin = random_point_within(random, 1);
     const Eigen::Vector3d corner = soup.vertices.row(i * 37 % soup.vertices.rows());
-    const Eigen::Vector3d way = corner + random_point(random, 0.1) - origin;
+    const Eigen::Vector3d way = corner + random_point_within(random, 0.1) - origin;
     if (!(way.norm() > 0.01)) continue;
     const Eigen::Vector3d direction = way.normalized();
     std::int32_t skipped = -1;

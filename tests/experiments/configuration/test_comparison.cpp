@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-Json document() {
+Json comparison_document() {
   return Json::parse(R"({
     "name": "x",
     "shapes": [
@@ -27,14 +27,14 @@ Json document() {
   })");
 }
 
-std::string message_with(const std::string& pointer, const Json& value) {
-  Json changed = document();
+std::string comparison_error_with(const std::string& pointer, const Json& value) {
+  Json changed = comparison_document();
   changed[Json::json_pointer(pointer)] = value;
   return test::input_error_of([&] { comparison_from_json(changed, "x.json", "/configs"); });
 }
 
 TEST(ReadComparison, FillsInDefaults) {
-  const Comparison comparison = comparison_from_json(document(), "x.json", "/configs");
+  const Comparison comparison = comparison_from_json(comparison_document(), "x.json", "/configs");
   ASSERT_EQ(comparison.shapes.size(), 3U);
   EXPECT_EQ(comparison.shapes[0].file, "/configs/a.off");
   EXPECT_EQ(comparison.shapes[1].file, "/b.off");
@@ -47,7 +47,7 @@ TEST(ReadComparison, FillsInDefaults) {
 }
 
 TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
-  Json full = document();
+  Json full = comparison_document();
   full["registered"] = false;
   full["description"] = "why";
   full["preparation"]["scale"] = "tube_area";
@@ -59,22 +59,26 @@ TEST(ReadComparison, AsJsonItReadsBackAsTheSame) {
 }
 
 TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
-  EXPECT_THAT(message_with("/reference", "claen"),
+  EXPECT_THAT(comparison_error_with("/reference", "claen"),
               HasSubstr("reference: there is no shape \"claen\"; did you mean \"clean\"?"));
-  EXPECT_THAT(message_with("/shapes/1/name", "clean"),
+  EXPECT_THAT(comparison_error_with("/shapes/1/name", "clean"),
               HasSubstr("shapes.1.name: \"clean\" is the name of shapes.0 already"));
-  EXPECT_THAT(message_with("/shapes/2/generate/class", "hose"),
+  EXPECT_THAT(comparison_error_with("/shapes/2/generate/class", "hose"),
               HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
-  EXPECT_THAT(message_with("/shapes/2/file", "c.off"), HasSubstr("shapes.2.file: does not go with \"generate\""));
-  EXPECT_THAT(message_with("/shapes/0/fiel", "c.off"),
+  EXPECT_THAT(comparison_error_with("/shapes/2/file", "c.off"),
+              HasSubstr("shapes.2.file: does not go with \"generate\""));
+  EXPECT_THAT(comparison_error_with("/shapes/0/fiel", "c.off"),
               HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));
-  EXPECT_THAT(message_with("/shapes/0", {{"name", "none"}}), HasSubstr("shapes.0: the key \"file\" is missing"));
-  EXPECT_THAT(message_with("/regstered", true), HasSubstr("unknown key \"regstered\"; did you mean \"registered\"?"));
-  EXPECT_THAT(message_with("/dataset", Json::object()), HasSubstr("unknown key \"dataset\""));
-  EXPECT_THAT(message_with("/signatures/0/concatenate", {"s"}), HasSubstr("signatures.0: unknown key \"concatenate\""));
-  EXPECT_THAT(message_with("/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off"),
+  EXPECT_THAT(comparison_error_with("/shapes/0", {{"name", "none"}}),
+              HasSubstr("shapes.0: the key \"file\" is missing"));
+  EXPECT_THAT(comparison_error_with("/regstered", true),
+              HasSubstr("unknown key \"regstered\"; did you mean \"registered\"?"));
+  EXPECT_THAT(comparison_error_with("/dataset", Json::object()), HasSubstr("unknown key \"dataset\""));
+  EXPECT_THAT(comparison_error_with("/signatures/0/concatenate", {"s"}),
+              HasSubstr("signatures.0: unknown key \"concatenate\""));
+  EXPECT_THAT(comparison_error_with("/shapes/0/file", "${SHAPEGAUGE_NOT_SET}/a.off"),
               HasSubstr("shapes.0.file: the environment variable SHAPEGAUGE_NOT_SET is not set"));
-  Json without = document();
+  Json without = comparison_document();
   without.erase("reference");
   without["registered"] = true;
   EXPECT_THAT(test::input_error_of([&] { comparison_from_json(without, "x.json", ""); }),
@@ -82,10 +86,10 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
 }
 
 TEST(ReadComparison, TheKindsOfExperimentsAreNotMistakenForEachOther) {
-  EXPECT_TRUE(is_comparison(document()));
-  EXPECT_THAT(test::input_error_of([] { configuration_from_json(document(), "x.json", ""); }),
+  EXPECT_TRUE(is_comparison(comparison_document()));
+  EXPECT_THAT(test::input_error_of([] { configuration_from_json(comparison_document(), "x.json", ""); }),
               HasSubstr("it is not a retrieval experiment"));
-  Json retrieval = document();
+  Json retrieval = comparison_document();
   retrieval.erase("shapes");
   retrieval.erase("reference");
   retrieval["dataset"] = {{"layout", "shrec11"}, {"root", "data"}};

@@ -1,6 +1,11 @@
 #include <gmock/gmock.h>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/bilateral.h"
+#include "shapegauge/core/fields/centricity.h"
+#include "shapegauge/core/fields/heat_kernel.h"
+#include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
@@ -36,6 +41,54 @@ TEST(MakeField, ConeSdfIsThatOfTheCore) {
   const FieldValues computed = field.compute(source, samples, true);
   EXPECT_EQ(computed.values, cone_sdf(shape, samples, options).values);
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
+}
+
+/// The values of a field on a shape.
+Eigen::VectorXd values_of(const nlohmann::json& settings, const Shape& shape) {
+  const Field field = make_field(settings);
+  FieldSource source(shape);
+  return field.compute(source, take_samples(shape, field.samples), false).values;
+}
+
+TEST(MakeField, CentricityIsThatOfTheLibrary) {
+  const Shape shape = test::capsule(0.3, 1, 12, 6);
+  const Samples samples = take_samples(shape, {});
+  const CentricityOptions options{.measure = Centricity::eccentricity, .sources = 9};
+  EXPECT_EQ(values_of({{"type", "centricity"}, {"measure", "eccentricity"}, {"sources", 9}}, shape),
+            centricity(shape, samples, options));
+  EXPECT_EQ(values_of({{"type", "centricity"}}, shape), centricity(shape, samples));
+}
+
+TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {
+  const Shape shape = test::capsule(0.3, 1, 12, 6);
+  const double area = surface_area(shape);
+  const Spectrum spectrum = laplacian_spectrum(shape, 20);
+  const HeatKernelOptions times{.first_time = 0.01, .last_time = 0.1, .times = 2};
+  EXPECT_TRUE(values_of({{"type", "heat_kernel"}, {"time", 0.1}, {"eigenvalues", 20}, {"at", "vertices"}}, shape)
+                  .isApprox(heat_kernel_signature(spectrum, area, times).col(1), 1e-12));
+  const nlohmann::json invariant{
+      {"type", "scale_invariant_heat_kernel"}, {"frequency", 2}, {"eigenvalues", 20}, {"at", "vertices"}};
+  EXPECT_TRUE(
+      values_of(invariant, shape).isApprox(scale_invariant_heat_kernel_signature(spectrum, area).col(2), 1e-12));
+  const nlohmann::json wave{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}, {"at", "vertices"}};
+  EXPECT_TRUE(values_of(wave, shape).isApprox(wave_kernel_signature(spectrum, area).col(3), 1e-12));
+  EXPECT_THROW(make_field({{"type", "wave_kernel"}, {"energy", 16}}), InputError);
+}
+
+TEST(MakeField, AnyFieldMayBeSmoothed) {
+  const Shape shape = test::capsule(0.3, 1, 12, 6);
+  const Samples samples = take_samples(shape, {});
+  const nlohmann::json plain{{"type", "cone_sdf"}, {"rays", 5}};
+  nlohmann::json smoothed = plain;
+  smoothed["bilateral"] = {{"spatial_width", 0.2}};
+  const ScalarField expected = bilateral_smoothing(
+      shape, samples, {.values = values_of(plain, shape), .weights = samples.weights}, {.spatial_width = 0.2});
+  EXPECT_EQ(values_of(smoothed, shape), expected.values);
+  EXPECT_NE(values_of(plain, shape), expected.values);
+  const Field field = make_field(smoothed);
+  EXPECT_EQ(field.settings["bilateral"]["iterations"], 1);
+  EXPECT_TRUE(field.versions.contains("bilateral"));
+  EXPECT_FALSE(make_field(plain).settings.contains("bilateral"));
 }
 
 TEST(MakeField, AMissingValueIsCounted) {

@@ -13,7 +13,7 @@ using testing::Eq;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-Json document() {
+Json experiment_document() {
   return Json::parse(R"({
     "name": "x",
     "dataset": {"layout": "shrec11", "root": "data"},
@@ -26,17 +26,43 @@ Json document() {
 }
 
 Configuration configuration_with(const std::string& pointer, const Json& value) {
-  Json changed = document();
+  Json changed = experiment_document();
   changed[Json::json_pointer(pointer)] = value;
   return configuration_from_json(changed, "x.json", "/configs");
 }
 
-std::string message_with(const std::string& pointer, const Json& value) {
+std::string experiment_error_with(const std::string& pointer, const Json& value) {
   return test::input_error_of([&] { configuration_with(pointer, value); });
 }
 
+TEST(Configuration, MeasuresAreThoseOfItsProtocols) {
+  const auto names_under = [](const char* protocol) {
+    std::vector<std::string> names;
+    for (const Measure& measure : configuration_with("/protocol", protocol).measures) names.push_back(measure.name);
+    return names;
+  };
+  EXPECT_THAT(names_under("psb"), testing::Contains("FT"));
+  EXPECT_THAT(names_under("psb"), testing::Not(testing::Contains("nDCG")));
+  EXPECT_THAT(names_under("trec"), testing::Contains("nDCG"));
+}
+
+TEST(Configuration, PathsAreWrittenSoThatTheyHoldFromAnyFolder) {
+  Json document = experiment_document();
+  document["dataset"]["root"] = "../data";
+  const Json written = to_json(configuration_from_json(document, "x.json", "configs/mine"));
+  const std::filesystem::path here = std::filesystem::current_path();
+  EXPECT_EQ(written["dataset"]["root"], (here / "configs/data").string());
+  EXPECT_TRUE(written["dataset"]["classification"].get<std::string>().starts_with((here / "configs/data/").string()));
+}
+
+TEST(Configuration, SmoothingMayBeAsWideAsAllBins) {
+  EXPECT_EQ(
+      configuration_with("/signatures/1/histogram/smoothing_bins", 40).signatures[1].histogram.options.smoothing_bins,
+      40);
+}
+
 TEST(Configuration, FillsInDefaults) {
-  const Configuration configuration = configuration_from_json(document(), "x.json", "/configs");
+  const Configuration configuration = configuration_from_json(experiment_document(), "x.json", "/configs");
   EXPECT_EQ(configuration.protocols, std::vector{Protocol::psb});
   EXPECT_EQ(configuration.minimum_class_size, 2);
   EXPECT_EQ(configuration.ties, Ties::index);
@@ -56,7 +82,7 @@ TEST(Configuration, FillsInDefaults) {
 }
 
 TEST(Configuration, AsJsonItReadsBackAsTheSame) {
-  Json full = document();
+  Json full = experiment_document();
   full["protocol"] = {"paper", "psb"};
   full["on_error"] = "skip";
   full["report"]["pictures"] = {{"of", "b"}, {"range", {0, 0.25}}};
@@ -68,6 +94,7 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
     {"type": "one_of", "choices": [[], [{"type": "holes"}, {"type": "one_of", "choices": [[{"type": "decimate", "faces": 9}]]}]]}
   ])");
   const Json filled = to_json(configuration_from_json(full, "x.json", "/configs"));
+  EXPECT_EQ(filled["report"], full["report"]);
   EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", "/elsewhere")), filled);
   EXPECT_EQ(filled["evaluation"]["minimum_class_size"], 3);
   EXPECT_EQ(filled["evaluation"]["ties"], "expected");
@@ -78,13 +105,13 @@ TEST(Configuration, AsJsonItReadsBackAsTheSame) {
 }
 
 TEST(Configuration, UnknownMeasuresAndTiesAreErrors) {
-  EXPECT_THAT(message_with("/evaluation", {{"measures", {"FT", "P@x"}}}),
+  EXPECT_THAT(experiment_error_with("/evaluation", {{"measures", {"FT", "P@x"}}}),
               HasSubstr("evaluation.measures: the measure \"P@x\" needs a number of ranks"));
-  EXPECT_THAT(message_with("/evaluation", {{"ties", "expect"}}), HasSubstr("expected"));
+  EXPECT_THAT(experiment_error_with("/evaluation", {{"ties", "expect"}}), HasSubstr("expected"));
 }
 
 TEST(Configuration, MistakesInPerturbationsGiveThePlaceAndTheNearestWord) {
-  const auto message = [](const char* steps) { return message_with("/perturbations", Json::parse(steps)); };
+  const auto message = [](const char* steps) { return experiment_error_with("/perturbations", Json::parse(steps)); };
   EXPECT_THAT(message(R"([{"type": "motion"}, {"type": "vertex_nois", "amplitude": 1}])"),
               HasSubstr("perturbations.1.type: unknown word \"vertex_nois\"; did you mean \"vertex_noise\"?"));
   EXPECT_THAT(message(R"([{"type": "holes", "radios": 0.1}])"),
@@ -107,12 +134,12 @@ TEST(Configuration, PathsAreRelativeToTheFileAndTheClassificationToTheRoot) {
 
 TEST(Configuration, AnUnsetVariableIsAnErrorWithItsPlace) {
   unsetenv("SHAPEGAUGE_TEST_UNSET");
-  EXPECT_THAT(message_with("/dataset/root", "${SHAPEGAUGE_TEST_UNSET}"),
+  EXPECT_THAT(experiment_error_with("/dataset/root", "${SHAPEGAUGE_TEST_UNSET}"),
               HasSubstr("x.json: dataset.root: the environment variable SHAPEGAUGE_TEST_UNSET is not set; set it"));
 }
 
 TEST(Configuration, AnUndefinedSignatureWithTheNearestName) {
-  Json changed = document();
+  Json changed = experiment_document();
   changed["signatures"][0]["name"] = "Our SDF (1 %)";
   changed["signatures"][2]["concatenate"] = {"b", "Our SDF (1%)"};
   EXPECT_THAT(test::input_error_of([&] { configuration_from_json(changed, "x.json", "."); }),
@@ -121,46 +148,48 @@ TEST(Configuration, AnUndefinedSignatureWithTheNearestName) {
 }
 
 TEST(Configuration, ASignatureThatConcatenatesItselfIsAnError) {
-  EXPECT_THAT(message_with("/signatures/3/concatenate", {"c"}), HasSubstr("is a part of itself"));
-  EXPECT_THAT(message_with("/signatures/3/concatenate", {"d"}),
+  EXPECT_THAT(experiment_error_with("/signatures/3/concatenate", {"c"}), HasSubstr("is a part of itself"));
+  EXPECT_THAT(experiment_error_with("/signatures/3/concatenate", {"d"}),
               Eq("x.json: signatures.3.concatenate: the signature \"d\" is a part of itself"));
 }
 
 TEST(Configuration, PartsAreComputedFirst) {
-  const Configuration configuration = configuration_from_json(document(), "x.json", ".");
+  const Configuration configuration = configuration_from_json(experiment_document(), "x.json", ".");
   EXPECT_EQ(computation_order(configuration.signatures), (std::vector<std::size_t>{0, 1, 3, 2}));
 }
 
 TEST(Configuration, NamesMustDiffer) {
-  EXPECT_THAT(message_with("/signatures/1/name", "a"),
+  EXPECT_THAT(experiment_error_with("/signatures/1/name", "a"),
               Eq("x.json: signatures.1.name: \"a\" is the name of signatures.0 already"));
 }
 
 TEST(Configuration, SettingsThatContradictEachOther) {
-  EXPECT_THAT(message_with("/signatures/1/field/postprocess", true),
+  EXPECT_THAT(experiment_error_with("/signatures/1/field/postprocess", true),
               HasSubstr("signatures.1.field: \"postprocess\" needs"));
-  EXPECT_THAT(
-      message_with("/signatures/1/field", Json::parse(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})")),
-      HasSubstr("answers at faces only"));
-  EXPECT_THAT(message_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
+  EXPECT_THAT(experiment_error_with("/signatures/1/field",
+                                    Json::parse(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})")),
+              HasSubstr("answers at faces only"));
+  EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
               HasSubstr("signatures.1.histogram.range.fixed: the first value must be less"));
-  EXPECT_THAT(message_with("/signatures/1/histogram/range/fixed", {-1e308, 1e308}),
+  EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {-1e308, 1e308}),
               HasSubstr("signatures.1.histogram.range.fixed: the values are too far apart"));
   EXPECT_THAT(
-      message_with("/signatures/1/histogram/smoothing_bins", 41),
+      experiment_error_with("/signatures/1/histogram/smoothing_bins", 41),
       HasSubstr("signatures.1.histogram.smoothing_bins: the smoothing must be at most the number of bins (40)"));
-  EXPECT_THAT(message_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
+  EXPECT_THAT(experiment_error_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
               HasSubstr("signatures.2.field: does not go with \"concatenate\""));
-  EXPECT_THAT(message_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));
-  EXPECT_THAT(message_with("/dataset/split", "train"), HasSubstr("dataset.split: only the layout \"folders\""));
-  EXPECT_THAT(message_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
-              HasSubstr("dataset.classification: "));
-  EXPECT_THAT(message_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
+  EXPECT_THAT(experiment_error_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));
+  EXPECT_THAT(experiment_error_with("/dataset/split", "train"),
+              HasSubstr("dataset.split: only the layout \"folders\""));
+  EXPECT_THAT(
+      experiment_error_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
+      HasSubstr("dataset.classification: "));
+  EXPECT_THAT(experiment_error_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
               HasSubstr("dataset.generate.classes: must be from 1 to 28, not 1000"));
 }
 
 TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
-  const ReportConfiguration usual = configuration_from_json(document(), "x.json", "/configs").report;
+  const ReportConfiguration usual = configuration_from_json(experiment_document(), "x.json", "/configs").report;
   EXPECT_TRUE(usual.wanted && usual.pictures);
   EXPECT_EQ(usual.pictured_signature, 0U);
   EXPECT_EQ(usual.picture_options.range.low, 0);
@@ -176,18 +205,19 @@ TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {
 }
 
 TEST(Configuration, MistakesInTheReportGiveThePlaceAndTheNames) {
-  EXPECT_THAT(message_with("/report/pictures/of", "bb"),
+  EXPECT_THAT(experiment_error_with("/report/pictures/of", "bb"),
               HasSubstr("x.json: report.pictures.of: there is no signature \"bb\"; known here: \"a\", \"b\""));
-  EXPECT_THAT(message_with("/report/pictures/of", "c"),
-              HasSubstr("report.pictures.of: the signature \"c\" concatenates"));
-  EXPECT_THAT(message_with("/report/pictures/range", {0.2, 0.2}), HasSubstr("report.pictures.range: the first value"));
-  EXPECT_THAT(message_with("/report/picture", true), HasSubstr("pictures"));
-  EXPECT_THAT(message_with("/report", "yes"), HasSubstr("report: "));
+  EXPECT_THAT(experiment_error_with("/report/pictures/of", "c"),
+              HasSubstr("report.pictures.of: the signature \"c\" has no field"));
+  EXPECT_THAT(experiment_error_with("/report/pictures/range", {0.2, 0.2}),
+              HasSubstr("report.pictures.range: the first value"));
+  EXPECT_THAT(experiment_error_with("/report/picture", true), HasSubstr("pictures"));
+  EXPECT_THAT(experiment_error_with("/report", "yes"), HasSubstr("report: "));
 }
 
 TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
   const test::TemporaryFolder folder;
-  const auto path = folder.file("x.json", document().dump());
+  const auto path = folder.file("x.json", experiment_document().dump());
   const std::vector<std::string> overrides{"signatures.0.histogram.bins=7", "name=other"};
   const Configuration configuration = read_configuration(path, overrides);
   EXPECT_EQ(configuration.signatures[0].histogram.options.bins, 7);

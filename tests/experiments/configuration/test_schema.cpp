@@ -36,7 +36,7 @@ Json valid() {
 }
 
 /// The message for the valid configuration with the value at a JSON pointer replaced.
-std::string message_with(const std::string& pointer, const Json& value) {
+std::string schema_error_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
   return test::input_error_of([&] { check_against_schema(document, "x.json"); });
@@ -51,16 +51,18 @@ std::string message_without(const std::string& parent, const std::string& key) {
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
 
 TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {
-  EXPECT_THAT(message_with("/signature", 1), Eq("x.json: unknown key \"signature\"; did you mean \"signatures\"?"));
-  EXPECT_THAT(message_with("/signatures/0/field/ofset", 1),
+  EXPECT_THAT(schema_error_with("/signature", 1),
+              Eq("x.json: unknown key \"signature\"; did you mean \"signatures\"?"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/ofset", 1),
               Eq("x.json: signatures.0.field: unknown key \"ofset\"; did you mean \"offset\"?"));
-  EXPECT_THAT(message_with("/signatures/0/histogram/bin", 1),
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bin", 1),
               Eq("x.json: signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
-  EXPECT_THAT(message_with("/dataset/roots", "x"), HasSubstr("dataset: unknown key \"roots\"; did you mean \"root\"?"));
+  EXPECT_THAT(schema_error_with("/dataset/roots", "x"),
+              HasSubstr("dataset: unknown key \"roots\"; did you mean \"root\"?"));
 }
 
 TEST(SchemaCheck, AKeyOfAnotherFieldTypeIsUnknown) {
-  const std::string message = message_with("/signatures/0/field/rays", 25);
+  const std::string message = schema_error_with("/signatures/0/field/rays", 25);
   EXPECT_THAT(message, StartsWith("x.json: signatures.0.field: unknown key \"rays\"; known here: "));
   EXPECT_THAT(message, HasSubstr("\"offset\""));
 }
@@ -74,34 +76,37 @@ TEST(SchemaCheck, AMisspeltKeyCountsBeforeTheOneThatIsMissingForIt) {
 }
 
 TEST(SchemaCheck, UnknownWordsWithTheNearestKnownOne) {
-  EXPECT_THAT(message_with("/signatures/1/field/type", "conesdf"),
+  EXPECT_THAT(schema_error_with("/signatures/1/field/type", "conesdf"),
               Eq("x.json: signatures.1.field.type: unknown word \"conesdf\"; did you mean \"cone_sdf\"?"));
-  EXPECT_THAT(message_with("/protocol", "pbs"), Eq("x.json: protocol: unknown word \"pbs\"; did you mean \"psb\"?"));
-  EXPECT_THAT(message_with("/protocol", Json::array({"psb", "papers"})),
+  EXPECT_THAT(schema_error_with("/protocol", "pbs"),
+              Eq("x.json: protocol: unknown word \"pbs\"; did you mean \"psb\"?"));
+  EXPECT_THAT(schema_error_with("/protocol", Json::array({"psb", "papers"})),
               Eq("x.json: protocol.1: unknown word \"papers\"; did you mean \"paper\"?"));
-  EXPECT_THAT(message_with("/signatures/0/histogram/range", "pershape"),
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/range", "pershape"),
               Eq("x.json: signatures.0.histogram.range: unknown word \"pershape\"; did you mean \"per-shape\"?"));
-  EXPECT_THAT(message_with("/dataset/layout", "modelnet"), HasSubstr("known here: \"shrec11\", \"folders\", \"csv\""));
-  EXPECT_THAT(message_with("/on_error", 3), HasSubstr("on_error: must be one of \"stop\", \"skip\", not 3"));
+  EXPECT_THAT(schema_error_with("/dataset/layout", "modelnet"),
+              HasSubstr("known here: \"shrec11\", \"folders\", \"csv\""));
+  EXPECT_THAT(schema_error_with("/on_error", 3), HasSubstr("on_error: must be one of \"stop\", \"skip\", not 3"));
 }
 
 TEST(SchemaCheck, WrongTypes) {
-  EXPECT_THAT(message_with("/signatures/0/histogram/bins", "80"),
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", "80"),
               Eq("x.json: signatures.0.histogram.bins: must be of type integer, not string (\"80\")"));
-  EXPECT_THAT(message_with("/signatures/0/histogram/bins", 8.5),
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", 8.5),
               HasSubstr("must be of type integer, not number (8.5)"));
-  EXPECT_THAT(message_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
-  EXPECT_THAT(message_with("/signatures", Json::object()), HasSubstr("signatures: must be of type array, not object"));
-  EXPECT_THAT(message_with("/dataset", "data"), HasSubstr("dataset: must be of type object, not string"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", true), HasSubstr("must be of type number, not boolean"));
+  EXPECT_THAT(schema_error_with("/signatures", Json::object()),
+              HasSubstr("signatures: must be of type array, not object"));
+  EXPECT_THAT(schema_error_with("/dataset", "data"), HasSubstr("dataset: must be of type object, not string"));
   EXPECT_THAT(test::input_error_of([] { check_against_schema(Json::array(), "x.json"); }),
               HasSubstr("x.json: must be of type object, not array"));
 }
 
 TEST(SchemaCheck, NumbersOutOfRange) {
-  EXPECT_THAT(message_with("/signatures/0/field/offset", 0),
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", 0),
               Eq("x.json: signatures.0.field.offset: must be from 1e-06 to 1, not 0"));
-  EXPECT_THAT(message_with("/signatures/0/field/offset", 5), HasSubstr("must be from 1e-06 to 1, not 5"));
-  EXPECT_THAT(message_with("/signatures/0/histogram/bins", 0), HasSubstr("must be from 1 to 100000, not 0"));
+  EXPECT_THAT(schema_error_with("/signatures/0/field/offset", 5), HasSubstr("must be from 1e-06 to 1, not 5"));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/bins", 0), HasSubstr("must be from 1 to 100000, not 0"));
 }
 
 TEST(SchemaCheck, MissingKeys) {
@@ -114,24 +119,24 @@ TEST(SchemaCheck, MissingKeys) {
 }
 
 TEST(SchemaCheck, EmptyListsAndLineBreaksInNames) {
-  EXPECT_THAT(message_with("/signatures", Json::array()), StartsWith("x.json: signatures: "));
-  EXPECT_THAT(message_with("/protocol", Json::array({"psb", "psb"})), StartsWith("x.json: protocol: "));
-  EXPECT_THAT(message_with("/signatures/0/histogram/range", Json::parse(R"({"fixed": [0]})")),
+  EXPECT_THAT(schema_error_with("/signatures", Json::array()), StartsWith("x.json: signatures: "));
+  EXPECT_THAT(schema_error_with("/protocol", Json::array({"psb", "psb"})), StartsWith("x.json: protocol: "));
+  EXPECT_THAT(schema_error_with("/signatures/0/histogram/range", Json::parse(R"({"fixed": [0]})")),
               StartsWith("x.json: signatures.0.histogram.range.fixed: "));
-  EXPECT_THAT(message_with("/signatures/0/name", "a\nb"), StartsWith("x.json: signatures.0.name: "));
-  EXPECT_THAT(message_with("/signatures/0/name", ""), Eq("x.json: signatures.0.name: must not be empty"));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", "a\nb"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", ""), Eq("x.json: signatures.0.name: must not be empty"));
 }
 
 TEST(SchemaCheck, ANameThatIsNoText) {
-  EXPECT_THAT(message_with("/signatures/0/name", 1),
+  EXPECT_THAT(schema_error_with("/signatures/0/name", 1),
               Eq("x.json: signatures.0.name: must be of type string, not number (1)"));
 }
 
 TEST(SchemaCheck, SeedsAreWholeNumbersThatADoubleHolds) {
-  EXPECT_EQ(message_with("/seed", -1), "x.json: seed: must be from 0 to 9007199254740991, not -1");
-  EXPECT_THAT(message_with("/seed", 1.5), HasSubstr("seed: must be of type integer"));
-  EXPECT_EQ(message_with("/seed", 9007199254740991), "no error");
-  EXPECT_THAT(message_with("/seed", 9007199254740992), StartsWith("x.json: seed: must be"));
+  EXPECT_EQ(schema_error_with("/seed", -1), "x.json: seed: must be from 0 to 9007199254740991, not -1");
+  EXPECT_THAT(schema_error_with("/seed", 1.5), HasSubstr("seed: must be of type integer"));
+  EXPECT_EQ(schema_error_with("/seed", 9007199254740991), "no error");
+  EXPECT_THAT(schema_error_with("/seed", 9007199254740992), StartsWith("x.json: seed: must be"));
 }
 
 /// All values of a document, by JSON pointer.
@@ -171,11 +176,11 @@ TEST(SchemaCheck, WhateverIsWrongTheMessageSaysWhereAndWhat) {
 
 TEST(SchemaCheck, EndlessTexts) {
   const std::string endless(1'000'000, 'x');
-  EXPECT_THAT(message_with("/signatures/0/name", endless), Eq("no error"));
-  EXPECT_THAT(message_with("/signatures/0/name", endless + "\n"), StartsWith("x.json: signatures.0.name: "));
-  EXPECT_LT(message_with("/protocol", endless).size(), 1000U);
-  EXPECT_LT(message_with("/signatures/0/histogram/bins", endless).size(), 1000U);
-  EXPECT_LT(message_with("/signatures/0/" + endless, 1).size(), 1000U);
+  EXPECT_THAT(schema_error_with("/signatures/0/name", endless), Eq("no error"));
+  EXPECT_THAT(schema_error_with("/signatures/0/name", endless + "\n"), StartsWith("x.json: signatures.0.name: "));
+  EXPECT_LT(schema_error_with("/protocol", endless).size(), 1000U);
+  EXPECT_LT(schema_error_with("/signatures/0/histogram/bins", endless).size(), 1000U);
+  EXPECT_LT(schema_error_with("/signatures/0/" + endless, 1).size(), 1000U);
 }
 
 Json schema_at(const std::string& pointer) {
@@ -212,15 +217,16 @@ TEST(ExperimentSchema, HasTheParametersOfEachType) {
 
 TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
   const Json field{{"type", "test_flat"}, {"height", 2}};
-  EXPECT_THAT(message_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
+  EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
   register_field({.name = "test_flat",
                   .description = "The same everywhere.",
                   .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
                   .make = field_types()[0].make});
-  EXPECT_EQ(message_with("/signatures/0/field", field), "no error");
-  EXPECT_EQ(message_with("/signatures/0/field/type", "test_flat"),
-            "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"height\", \"type\"");
-  EXPECT_EQ(message_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
+  EXPECT_EQ(schema_error_with("/signatures/0/field", field), "no error");
+  EXPECT_EQ(
+      schema_error_with("/signatures/0/field/type", "test_flat"),
+      "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"bilateral\", \"height\", \"type\"");
+  EXPECT_EQ(schema_error_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
             "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
 }
 
@@ -257,7 +263,7 @@ TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {
     EXPECT_THAT(program, HasSubstr(page.substr(code, page.find("```", code) - code)));
     ++shown;
   }
-  EXPECT_EQ(shown, 5);
+  EXPECT_EQ(shown, 6);
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ constexpr std::string_view valid =
     "bird animal 1\n"
     "1\n";
 
-std::string error_of(std::string_view text) {
+std::string classification_error_of(std::string_view text) {
   return test::input_error_of([&] { parse_classification(text, "x.cla"); });
 }
 
@@ -103,15 +103,15 @@ TEST(ParseClassification, OneClearErrorWithTheLineForEachFault) {
       BadFile{"PSB 1\n1 2\na 0 2\nx\nx\n", "x.cla:5: model \"x\" occurs twice in class \"a\""},
       BadFile{"PSB 1\n2 2\na 0 1\n7\nb 0 1\nT7.off\n", "x.cla:6: model \"T7.off\" is in two classes, \"a\" and \"b\""},
   };
-  for (const BadFile& bad : cases) EXPECT_THAT(error_of(bad.text), StartsWith(bad.error));
+  for (const BadFile& bad : cases) EXPECT_THAT(classification_error_of(bad.text), StartsWith(bad.error));
 }
 
 TEST(ParseClassification, EveryPrefixReadsOrIsAnInputError) {
   // Without its line end the file is whole; anything shorter is not.
   for (std::size_t length = 0; length < valid.size() - 1; ++length) {
-    EXPECT_THAT(error_of(valid.substr(0, length)), StartsWith("x.cla:")) << length;
+    EXPECT_THAT(classification_error_of(valid.substr(0, length)), StartsWith("x.cla:")) << length;
   }
-  EXPECT_EQ(error_of(valid.substr(0, valid.size() - 1)), "no error");
+  EXPECT_EQ(classification_error_of(valid.substr(0, valid.size() - 1)), "no error");
 }
 
 RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
@@ -121,7 +121,7 @@ RC_GTEST_PROP(ParseClassification, DamagedTextReadsOrIsAnInputError, ()) {
     const auto at = *rc::gen::inRange<std::size_t>(0, text.size());
     text[at] = *rc::gen::oneOf(rc::gen::element(' ', '\n', '0', '9', '-', 'a', '\0'), rc::gen::arbitrary<char>());
   }
-  const std::string error = error_of(text);
+  const std::string error = classification_error_of(text);
   RC_ASSERT(error == "no error" || error.starts_with("x.cla:"));
   RC_ASSERT(error.find('\n') == std::string::npos);
 }

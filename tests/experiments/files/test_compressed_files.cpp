@@ -53,7 +53,7 @@ std::string zipped(const Entries& entries) {
   return packed(entries, archive_write_set_format_zip, archive_write_add_filter_none);
 }
 
-DistanceMatrix example() { return DistanceMatrix{{0, 1.5}, {2.5, 0}}; }
+DistanceMatrix small_matrix() { return DistanceMatrix{{0, 1.5}, {2.5, 0}}; }
 
 std::string npy_of(const DistanceMatrix& matrix) {
   const TemporaryFolder folder;
@@ -82,10 +82,10 @@ TEST(CompressedFiles, DamagedOnesAreErrors) {
 
 TEST(CompressedFiles, HoldMatricesAndRuns) {
   const TemporaryFolder folder;
-  EXPECT_EQ(read_distance_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n"))).distances, example());
-  EXPECT_EQ(read_distance_matrix(folder.file("m.npy.gz", gzipped(npy_of(example())))).distances, example());
+  EXPECT_EQ(read_distance_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n"))).distances, small_matrix());
+  EXPECT_EQ(read_distance_matrix(folder.file("m.npy.gz", gzipped(npy_of(small_matrix())))).distances, small_matrix());
   const LabelledDistances table = read_distance_matrix(folder.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")));
-  EXPECT_EQ(table.distances, example());
+  EXPECT_EQ(table.distances, small_matrix());
   EXPECT_THAT(table.ids, ElementsAre("a", "b"));
   const auto run = folder.file("r.txt.gz", gzipped("q Q0 a 1 2 mine\n"));
   EXPECT_TRUE(is_ranked_answers_file(run));
@@ -94,13 +94,13 @@ TEST(CompressedFiles, HoldMatricesAndRuns) {
 
 TEST(Npz, HasItsOnlyArray) {
   const TemporaryFolder folder;
-  const auto path = folder.file("m.npz", zipped({{"readme.txt", "hello"}, {"distances.npy", npy_of(example())}}));
-  EXPECT_EQ(read_distance_matrix(path).distances, example());
-  EXPECT_EQ(read_number_table(path).numbers, example());
+  const auto path = folder.file("m.npz", zipped({{"readme.txt", "hello"}, {"distances.npy", npy_of(small_matrix())}}));
+  EXPECT_EQ(read_distance_matrix(path).distances, small_matrix());
+  EXPECT_EQ(read_number_table(path).numbers, small_matrix());
 }
 
 TEST(Npz, OtherwiseIsAnError) {
-  const std::string array = npy_of(example());
+  const std::string array = npy_of(small_matrix());
   const auto error = [](const std::string& bytes) {
     return test::input_error_of([&] { array_in_npz(bytes, "m.npz"); });
   };

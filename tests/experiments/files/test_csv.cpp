@@ -18,7 +18,7 @@ std::vector<std::string> cells_of(const std::string& text, char separator = ',')
   return rows.size() == 1 ? rows[0].cells : std::vector<std::string>{"not one row"};
 }
 
-std::string error_of(const std::string& text) {
+std::string csv_error_of(const std::string& text) {
   return test::input_error_of([&] { parse_csv(text, "f.csv"); });
 }
 
@@ -50,8 +50,8 @@ TEST(Csv, QuotedCellsHoldLineEnds) {
 }
 
 TEST(Csv, BadQuotationIsAnErrorWithItsPlace) {
-  EXPECT_THAT(error_of("x\na,\"b\nc"), AllOf(HasSubstr("f.csv:2: "), HasSubstr("not closed")));
-  EXPECT_THAT(error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
+  EXPECT_THAT(csv_error_of("x\na,\"b\nc"), AllOf(HasSubstr("f.csv:2: "), HasSubstr("not closed")));
+  EXPECT_THAT(csv_error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
 }
 
 TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {

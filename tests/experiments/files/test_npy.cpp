@@ -102,17 +102,17 @@ const std::string float32_big_endian_fortran_version_1 =
     "\x93NUMPY\x01\x00v\x00{'descr': '>f4', 'fortran_order': True, 'shape': (2, 2), }"s + std::string(59, ' ') +
     "\n\x00\x00\x00\x00\xc0\x10\x00\x00?\xc0\x00\x00\x7f\x80\x00\x00"s;
 
-DistanceMatrix example() {
+DistanceMatrix npy_example() {
   DistanceMatrix matrix(2, 2);
   matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
   return matrix;
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string npy_replaced(std::string text, const std::string& from, const std::string& to) {
   return text.replace(text.find(from), from.size(), to);
 }
 
-std::string error_of(const std::string& bytes) {
+std::string npy_error_of(const std::string& bytes) {
   return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
 }
 
@@ -120,7 +120,7 @@ TEST(Npy, ReadsWhatNumpyWrites) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2, float64_big_endian_version_3,
                                    float32_big_endian_fortran_version_1}) {
-    EXPECT_EQ(parse_npy(bytes, "x.npy"), example());
+    EXPECT_EQ(parse_npy(bytes, "x.npy"), npy_example());
   }
 }
 
@@ -153,7 +153,7 @@ TEST(Npy, ReadsFloat16) {
 
 TEST(Npy, WritesWhatNumpyWrites) {
   const TemporaryFolder folder;
-  write_npy(folder.path() / "x.npy", example());
+  write_npy(folder.path() / "x.npy", npy_example());
   EXPECT_EQ(test::bytes_of(folder.path() / "x.npy"), float64_version_1);
 }
 
@@ -167,24 +167,26 @@ TEST(Npy, WritesVectorsAsNumpyDoes) {
 
 TEST(Npy, OtherTypesAndShapesAreErrors) {
   for (const char* const type : {"<c8", "<f1", "f8 ", "|O8", "<U3"}) {
-    EXPECT_THAT(error_of(replaced(float64_version_1, "<f8", type)),
+    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", type)),
                 AllOf(HasSubstr("x.npy: numbers of type \""s + type), HasSubstr("float64")));
   }
   for (const char* const shape : {"(4, 1)", "(1, 4)", "(4,)  ", "(    )", "(0, 0)"}) {
-    EXPECT_THAT(error_of(replaced(float64_version_1, "(2, 2)", shape)), HasSubstr("a distance matrix is square"));
+    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", shape)),
+                HasSubstr("a distance matrix is square"));
   }
 }
 
 TEST(Npy, DataOfAnotherLengthIsAnError) {
-  EXPECT_THAT(error_of(float64_version_1 + "x"), HasSubstr("33 bytes of data"));
-  EXPECT_THAT(error_of(replaced(float64_version_1, "(2, 2)", "(3, 3)")), HasSubstr("shape (3, 3) and type <f8"));
-  EXPECT_THAT(error_of(replaced(float64_version_1, "<f8", "<f4")), HasSubstr("32 bytes of data"));
+  EXPECT_THAT(npy_error_of(float64_version_1 + "x"), HasSubstr("33 bytes of data"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", "(3, 3)")),
+              HasSubstr("shape (3, 3) and type <f8"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", "<f4")), HasSubstr("32 bytes of data"));
   // 2^32 squared is 0 in 64 bits, and 2^64 - 1 the largest number of all.
-  EXPECT_THAT(
-      error_of(replaced(float64_version_1, "(2, 2), }" + std::string(22, ' '), "(4294967296, 4294967296), }    ")),
-      HasSubstr("is not what an array of shape"));
-  EXPECT_THAT(error_of(replaced(float64_version_1, "(2, 2), }" + std::string(40, ' '),
-                                "(18446744073709551615, 18446744073709551615), }  ")),
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(22, ' '),
+                                        "(4294967296, 4294967296), }    ")),
+              HasSubstr("is not what an array of shape"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(40, ' '),
+                                        "(18446744073709551615, 18446744073709551615), }  ")),
               HasSubstr("is not what an array of shape"));
 }
 
@@ -192,7 +194,7 @@ TEST(Npy, EveryPrefixIsAnInputError) {
   const TemporaryFolder folder;
   for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
     for (std::size_t length = 0; length < bytes.size(); ++length) {
-      EXPECT_THAT(error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
+      EXPECT_THAT(npy_error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
     }
   }
 }
@@ -205,7 +207,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
     bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::oneOf(
         rc::gen::arbitrary<char>(), rc::gen::element('9', '(', ')', ',', '\'', '{', '}', ' ', 'L', '\xFF'));
   }
-  const std::string error = error_of(bytes);
+  const std::string error = npy_error_of(bytes);
   RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
 }
 

@@ -10,10 +10,12 @@ namespace shapegauge {
 
 namespace {
 
-Skeleton rod() { return {"rod", {{.kind = "rod", .nodes = {{{-1, 0, 0}, 0.3}, {{0, 0, 0}, 0.3}, {{1, 0, 0}, 0.3}}}}}; }
+Skeleton straight_rod() {
+  return {"rod", {{.kind = "rod", .nodes = {{{-1, 0, 0}, 0.3}, {{0, 0, 0}, 0.3}, {{1, 0, 0}, 0.3}}}}};
+}
 
 TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
-  const ImplicitSurface surface(rod());
+  const ImplicitSurface surface(straight_rod());
   const Shape mesh = mesh_implicit_surface(surface, 8000);
   EXPECT_EQ(topology_fault(mesh), "");
   for (Eigen::Index i = 0; i < mesh.vertices.rows(); ++i) {
@@ -26,7 +28,7 @@ TEST(MeshImplicitSurface, CapsuleHasItsAreaAndVolume) {
 }
 
 TEST(MeshImplicitSurface, TrianglesAreAsManyAsAskedForAndNearlyEquilateral) {
-  const ImplicitSurface surface(rod());
+  const ImplicitSurface surface(straight_rod());
   for (const int faces : {1000, 4000, 20000}) {
     const Shape mesh = mesh_implicit_surface(surface, faces);
     EXPECT_NEAR(static_cast<double>(mesh.triangles.rows()), faces, 0.2 * faces);

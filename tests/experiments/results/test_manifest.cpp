@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using test::write_text;
 
 // SHA-256 of "abc" and of the empty text: FIPS 180-4.
@@ -20,7 +20,7 @@ TEST(Manifest, OutputsAreHashedButForTimings) {
   write_text(folder.path() / "shape_seconds.csv", "1");
   const std::vector<std::string> files{"summary.csv", "shape_seconds.csv"};
   EXPECT_EQ(outputs_json(folder.path(), files),
-            (Json{{"algorithm", "SHA-256"}, {"files", {{"summary.csv", hash_of_abc}}}}));
+            (OrderedJson{{"algorithm", "SHA-256"}, {"files", {{"summary.csv", hash_of_abc}}}}));
 }
 
 TEST(Manifest, FieldsHaveTheirOutcomesAndThoseWithAnOffsetItsLeaks) {
@@ -30,11 +30,11 @@ TEST(Manifest, FieldsHaveTheirOutcomesAndThoseWithAnOffsetItsLeaks) {
                                          .models = 5,
                                          .leaking = 4},
                                         {.settings = {{"type", "cone_sdf"}}, .outcomes = {{"total", 8}}, .seconds = 1}};
-  const Json json = fields_json(fields);
+  const OrderedJson json = fields_json(fields);
   ASSERT_EQ(json.size(), 2U);
-  EXPECT_EQ(json[0]["samples"], (Json{{"missing", 2}, {"total", 7}}));
+  EXPECT_EQ(json[0]["samples"], (OrderedJson{{"missing", 2}, {"total", 7}}));
   EXPECT_EQ(json[0]["shapes_with_gaps_wider_than_offset"], 4);
-  EXPECT_EQ(json[1], (Json{{"field", {{"type", "cone_sdf"}}}, {"samples", {{"total", 8}}}}));
+  EXPECT_EQ(json[1], (OrderedJson{{"field", {{"type", "cone_sdf"}}}, {"samples", {{"total", 8}}}}));
 }
 
 TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
@@ -53,15 +53,15 @@ TEST(Manifest, HoldsInputsFailuresAndWhatDiffersFromRunToRunApart) {
                       {.model = {.id = "8", .file = folder.path() / "absent.off", .label = 0}, .message = "absent"}};
   results.threads = 3;
   results.timings = {{"dataset", 0.5}, {"signatures", 2.0}};
-  const Json json = manifest(results, {}, folder.path());
-  EXPECT_EQ(json["inputs"]["models"], (Json{{"3", "aa"}, {"5", "bb"}, {"7", hash_of_abc}}));
+  const OrderedJson json = manifest(results, {}, folder.path());
+  EXPECT_EQ(json["inputs"]["models"], (OrderedJson{{"3", "aa"}, {"5", "bb"}, {"7", hash_of_abc}}));
   EXPECT_EQ(json["inputs"]["classification"], hash_of_abc);
   EXPECT_EQ(json["seed"], 17);
   EXPECT_EQ(json["models"], 2);
   EXPECT_EQ(json["failed_models"],
-            (Json::array({{{"model", "7"}, {"error", "broken"}}, {{"model", "8"}, {"error", "absent"}}})));
+            (OrderedJson::array({{{"model", "7"}, {"error", "broken"}}, {{"model", "8"}, {"error", "absent"}}})));
   EXPECT_EQ(json["execution"]["threads"], 3);
-  EXPECT_EQ(json["execution"]["seconds"], (Json{{"dataset", 0.5}, {"signatures", 2.0}}));
+  EXPECT_EQ(json["execution"]["seconds"], (OrderedJson{{"dataset", 0.5}, {"signatures", 2.0}}));
   EXPECT_EQ(json["execution"]["cache"], nullptr) << "there was none";
 }
 

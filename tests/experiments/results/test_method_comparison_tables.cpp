@@ -60,6 +60,14 @@ TEST_F(ComparisonTables, TheSummaryHasAveragesIntervalsAndMarks) {
   EXPECT_THAT(bold, testing::UnorderedElementsAre(testing::Pair(1, 2), testing::Pair(0, 3)));
 }
 
+TEST_F(ComparisonTables, AMarkIsEarnedAtTheLevelItself) {
+  const Table table = comparison_summary(methods, comparisons, {.confidence = 0.5}, {});
+  // FT: z is better than y with a p of 0.5, which is what is left of a confidence of 0.5.
+  EXPECT_TRUE(std::ranges::any_of(table.emphases, [](const Emphasis& emphasis) {
+    return emphasis.row == 2 && emphasis.column == 3 && emphasis.mark == "b";
+  }));
+}
+
 TEST_F(ComparisonTables, PairsAreByMeasure) {
   const Table table = pairs_table(methods, comparisons, {.percent = true, .decimals = 1}, false);
   EXPECT_THAT(table.header, ElementsAre("measure", "first", "second", "difference", "low", "high", "p", "p_holm",

@@ -37,12 +37,14 @@ ExperimentResults two_models() {
                        .chosen = {2, 0},
                        .outcomes = {{{"total", 4}}},
                        .offsets = {std::nullopt},
-                       .seconds = {0.25}};
+                       .seconds = {0.25},
+                       .descriptor_seconds = {}};
   results.shapes[1] = {.diagnostics = {.triangles = 5},
                        .chosen = {},
                        .outcomes = {{{"total", 5}, {"undecided", 1}}},
                        .offsets = {std::nullopt},
-                       .seconds = {1.5}};
+                       .seconds = {1.5},
+                       .descriptor_seconds = {}};
   return results;
 }
 
@@ -71,6 +73,19 @@ TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
   const Table table = shape_seconds_table(two_models());
   EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
   EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
+}
+
+TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
+  ExperimentResults results = two_models();
+  SignatureConfiguration& signature = results.configuration.signatures.emplace_back();
+  signature.name = "SH";
+  signature.descriptor = make_descriptor({{"type", "spherical_harmonics"}});
+  results.shapes[0].descriptor_seconds = {0.5};
+  results.shapes[1].descriptor_seconds = {2};
+  const Table table = shape_seconds_table(results);
+  EXPECT_EQ(table.header.back(), "SH");
+  EXPECT_EQ(table.rows[0].back(), "0.500000");
+  EXPECT_EQ(table.rows[1].back(), "2.000000");
 }
 
 }  // namespace

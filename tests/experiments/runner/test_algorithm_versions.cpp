@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/support/test_shapes.h"
@@ -69,32 +71,137 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, FieldVersions,
-                         testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
-                                                  {{"offset_sdf", 3}},
-                                                  {{0.242654114482, 0.0889626912815, 1},
-                                                   {0.167920601427, 0.00469944316594, 1},
-                                                   {0.146103933907, 0.251080410628, 1}}},
-                                         Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
-                                                  {{"offset_sdf", 3}, {"automatic_offset", 1}},
-                                                  {{0.23843468731, 0.0698557003783, 1},
-                                                   {0.167916104129, 0.00469944316594, 1},
-                                                   {9.74892269818e-07, 3.19542528871e-18, 1}}},
-                                         Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
-                                                  {{"cone_sdf", 2}},
-                                                  {{0.232795342978, 0.0184649490631, 1},
-                                                   {0.178653326058, 0.00590609399661, 1},
-                                                   {0.2384317788, 0.121570595955, 1}}},
-                                         Recorded{{{"type", "cone_sdf"}, {"engine", "cgal"}},
-                                                  {{"cone_sdf", 2}},
-                                                  {{0.231977234255, 0.018015454063, 1},
-                                                   {0.16875778698, 0.00462984133005, 1},
-                                                   {0.216233404362, 0.131093401095, 1}}},
-                                         Recorded{{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}},
-                                                  {{"cone_sdf", 2}},
-                                                  {{0.229121719107, 0.00860165659469, 1},
-                                                   {0.171100542702, 0.00698436038499, 1},
-                                                   {0.179804427187, 0.100130395241, 1}}}));
+INSTANTIATE_TEST_SUITE_P(
+    Each, FieldVersions,
+    testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
+                             {{"offset_sdf", 3}},
+                             {{0.242654114482, 0.0889626912815, 1},
+                              {0.167920601427, 0.00469944316594, 1},
+                              {0.146103933907, 0.251080410628, 1}}},
+                    Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
+                             {{"offset_sdf", 3}, {"automatic_offset", 1}},
+                             {{0.23843468731, 0.0698557003783, 1},
+                              {0.167916104129, 0.00469944316594, 1},
+                              {9.74892269818e-07, 3.19542528871e-18, 1}}},
+                    Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
+                             {{"cone_sdf", 2}},
+                             {{0.232795342978, 0.0184649490631, 1},
+                              {0.178653326058, 0.00590609399661, 1},
+                              {0.2384317788, 0.121570595955, 1}}},
+                    Recorded{{{"type", "cone_sdf"}, {"engine", "cgal"}},
+                             {{"cone_sdf", 2}},
+                             {{0.231977234255, 0.018015454063, 1},
+                              {0.16875778698, 0.00462984133005, 1},
+                              {0.216233404362, 0.131093401095, 1}}},
+                    Recorded{{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}},
+                             {{"cone_sdf", 2}},
+                             {{0.229121719107, 0.00860165659469, 1},
+                              {0.171100542702, 0.00698436038499, 1},
+                              {0.179804427187, 0.100130395241, 1}}},
+                    Recorded{{{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.1}}}},
+                             {{"cone_sdf", 2}, {"bilateral", 1}},
+                             {{0.231911001733, 0.0177264830065, 1},
+                              {0.168726834873, 0.00453162312508, 1},
+                              {0.215488226882, 0.129339721505, 1}}},
+                    Recorded{{{"type", "centricity"}, {"sources", 10}},
+                             {{"centricity", 1}},
+                             {{0.733580482658, 0.00835312157243, 1},
+                              {0.50818944009, 0.0340711017093, 1},
+                              {0.508725727755, 0.0371406930241, 1}}},
+                    Recorded{{{"type", "heat_kernel"}, {"eigenvalues", 20}},
+                             {{"heat_kernel", 1}},
+                             {{2.77857635004, 0.0592608896745, 1},
+                              {4.98598287561, 0.952004588327, 1},
+                              {5.87461205629, 0.946088913311, 1}}},
+                    Recorded{{{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
+                             {{"heat_kernel", 1}},
+                             {{2.74588568815, 0.356760653803, 1},
+                              {2.93777064724, 0.047911871497, 1},
+                              {2.92259960366, 0.155531032212, 1}}},
+                    Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
+                             {{"heat_kernel", 1}},
+                             {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}}));
+
+/// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
+/// counted from 1, over their number; and the distances between the first shape and the others.
+struct RecordedDescriptor {
+  Json settings;
+  int version = 0;
+  std::vector<double> numbers;
+};
+
+void PrintTo(const RecordedDescriptor& recorded, std::ostream* stream) { *stream << recorded.settings; }
+
+class DescriptorVersions : public testing::TestWithParam<RecordedDescriptor> {};
+
+std::vector<double> numbers_of(const DescriptorChoice& choice) {
+  std::vector<PreparedShape> prepared;
+  std::vector<std::vector<ScalarField>> fields;
+  for (const Shape& shape : shapes()) {
+    const Shape& ready = prepared.emplace_back(prepare_shape(shape, {})).shape;
+    FieldSource source(ready);
+    auto& of_shape = fields.emplace_back();
+    for (const Field& field : choice.fields) {
+      const Samples samples = take_samples(ready, field.samples);
+      of_shape.push_back({field.compute(source, samples, false).values, samples.weights});
+    }
+  }
+  std::vector<DescriptorInput> inputs;
+  for (std::size_t i = 0; i < prepared.size(); ++i) inputs.push_back({prepared[i].shape, fields[i]});
+  const bool learning = learns(choice.descriptor, choice.values);
+  const LearntFeatures learnt = learning ? choice.descriptor.learn(inputs, choice.values) : LearntFeatures{};
+  Signatures features;
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Eigen::VectorXd found = choice.descriptor.describe(inputs[i], learnt, choice.values).cast<double>();
+    features.conservativeResize(features.rows() + 1, found.size());
+    features.bottomRows<1>() = found.transpose().cast<float>();
+    numbers.push_back(found.sum());
+    numbers.push_back(found.dot(Eigen::VectorXd::LinSpaced(found.size(), 1, static_cast<double>(found.size()))) /
+                      static_cast<double>(found.size()));
+  }
+  const DistanceMatrix distances = descriptor_distances(choice.descriptor, features);
+  numbers.insert(numbers.end(), {distances(0, 1), distances(0, 2)});
+  return numbers;
+}
+
+TEST_P(DescriptorVersions, WithOtherValuesComesAnotherVersion) {
+  const DescriptorChoice choice = make_descriptor(GetParam().settings);
+  EXPECT_EQ(choice.descriptor.version, GetParam().version);
+  const std::vector<double> found = numbers_of(choice);
+  ASSERT_EQ(found.size(), GetParam().numbers.size());
+  // Features are in single precision; those of the light field are whole numbers, of which a few may round otherwise.
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i], GetParam().numbers[i], 1e-4 * std::max(1.0, std::abs(found[i]))) << "number " << i;
+  }
+}
+
+const Json two_fields{{{"type", "cone_sdf"}}, {{"type", "centricity"}, {"sources", 10}}};
+
+INSTANTIATE_TEST_SUITE_P(
+    Each, DescriptorVersions,
+    testing::Values(
+        RecordedDescriptor{
+            {{"type", "joint_histogram"}, {"fields", two_fields}},
+            1,
+            {0.999999981, 0.246301972, 0.999999998, 0.166473898, 1, 0.219391857, 1.99971883, 1.99787547}},
+        RecordedDescriptor{{{"type", "bag_of_features"}, {"words", 7}, {"fields", two_fields}},
+                           1,
+                           {1, 0.142857143, 1.00000003, 0.556180605, 1.00000002, 0.677089521, 2.00000003, 2.00000002}},
+        RecordedDescriptor{{{"type", "light_field"}, {"pixels", 64}},
+                           1,
+                           {73762, 36850.8058, 70354, 34971.2902, 78737, 39160.6958, 17.5176471, 15.4705882}},
+        RecordedDescriptor{
+            {{"type", "spherical_harmonics"}},
+            1,
+            {49.2751949, 26.2526351, 43.7502794, 20.8272946, 73.8722302, 36.7951221, 4.12609432, 2.56034255}},
+        RecordedDescriptor{{{"type", "d2"}, {"points", 100}},
+                           1,
+                           {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
+        RecordedDescriptor{
+            {{"type", "shape_dna"}},
+            1,
+            {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),

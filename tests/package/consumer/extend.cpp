@@ -1,4 +1,4 @@
-// A field, a perturbation, a distance, a measure and a file format of one's own, in an experiment.
+// A field, a descriptor, a perturbation, a distance, a measure and a file format of one's own, in an experiment.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -18,7 +18,9 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 #include "shapegauge/metrics/measures.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distances.h"
+#include "shapegauge/retrieval/l1_distance.h"
 
 namespace {
 
@@ -36,6 +38,20 @@ void add_field() {
          };
          return shapegauge::FieldComputation{.versions = {{"height", 1}}, .compute = height};
        }});
+}
+
+void add_descriptor() {
+  shapegauge::register_descriptor(
+      {.name = "extent",
+       .description = "Side lengths of the bounding box.",
+       .parameters = {},
+       .describe =
+           [](const shapegauge::DescriptorInput& input, const shapegauge::LearntFeatures& /*learnt*/,
+              const shapegauge::DescriptorSettings& /*settings*/) {
+             const auto& vertices = input.shape.vertices;
+             return Eigen::VectorXf((vertices.colwise().maxCoeff() - vertices.colwise().minCoeff()).cast<float>());
+           },
+       .distance = shapegauge::l1_distance});
 }
 
 void add_perturbation() {
@@ -98,7 +114,8 @@ nlohmann::json experiment() {
           {"signatures",
            {{{"name", "heights"},
              {"field", {{"type", "height"}, {"factor", 2}}},
-             {"histogram", {{"bins", 8}, {"range", {{"fixed", {0, 4}}}}}}}}},
+             {"histogram", {{"bins", 8}, {"range", {{"fixed", {0, 4}}}}}}},
+            {{"name", "extents"}, {"descriptor", {{"type", "extent"}}}}}},
           {"evaluation", {{"measures", {"NN", "hit@1"}}}},
           {"distance", "largest"},
           {"report", false}};
@@ -108,6 +125,7 @@ nlohmann::json experiment() {
 
 int main(int /*count*/, char** arguments) {
   add_field();
+  add_descriptor();
   add_perturbation();
   add_distance();
   add_measure();
@@ -126,5 +144,6 @@ int main(int /*count*/, char** arguments) {
   const double largest = (histograms.row(0) - histograms.row(1)).cast<double>().cwiseAbs().maxCoeff();
   const auto& scores = method.evaluations[0].micro;
   std::cout << "models " << results.models.size() << ", distance " << std::boolalpha
-            << (method.distances(0, 1) == largest && largest > 0) << ", measure " << (scores[0] == scores[1]) << '\n';
+            << (method.distances(0, 1) == largest && largest > 0) << ", measure " << (scores[0] == scores[1])
+            << ", features " << results.methods[1].signatures.cols() << '\n';
 }

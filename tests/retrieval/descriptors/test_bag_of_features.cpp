@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 
@@ -113,7 +114,8 @@ TEST(BagOfFeatures, AsADescriptorItLearnsAndDescribes) {
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, fields}};
   const Descriptor& bag = descriptor("bag_of_features");
-  const DescriptorSettings settings = {{"words", 3}};
+  DescriptorSettings settings = default_settings(bag, 2);
+  settings.values.set("words", std::int64_t{3});
   const BagOfFeaturesOptions options = {.words = 3};
   EXPECT_EQ(bag.describe(inputs[0], bag.learn(inputs, settings), settings),
             bag_of_features(fields, codebook_of({fields}, options), options));

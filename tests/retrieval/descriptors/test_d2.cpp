@@ -1,6 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/l1_distance.h"
 #include "tests/support/test_shapes.h"
@@ -8,7 +9,7 @@
 namespace shapegauge {
 namespace {
 
-double distance(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+double distance_of_d2(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l1_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
@@ -25,17 +26,17 @@ TEST(D2, OfASphereHasItsDensity) {
 TEST(D2, DoesNotChangeWithMotionScaleAndMesh) {
   const Shape shape = test::box({1, 2, 3}, 4);
   const Eigen::VectorXf expected = d2(shape);
-  EXPECT_LT(distance(d2(test::transformed(shape, 5, test::rotation(1), {1, 2, 3})), expected), 1e-3);
+  EXPECT_LT(distance_of_d2(d2(test::transformed(shape, 5, test::rotation(1), {1, 2, 3})), expected), 1e-3);
   // Other samples of the same surface: noise of a thousand points, and far less than another shape.
-  const double other_mesh = distance(d2(test::soup(test::box({1, 2, 3}, 9))), expected);
-  const double other_shape = distance(d2(test::box({1, 1, 3}, 4)), expected);
+  const double other_mesh = distance_of_d2(d2(test::soup(test::box({1, 2, 3}, 9))), expected);
+  const double other_shape = distance_of_d2(d2(test::box({1, 1, 3}, 4)), expected);
   EXPECT_LT(other_mesh, 0.05);
   EXPECT_GT(other_shape, 3 * other_mesh);
 }
 
 TEST(D2, CloudsAreDescribedByTheirPoints) {
   const Shape ball = test::sphere(1, 4);
-  EXPECT_LT(distance(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
+  EXPECT_LT(distance_of_d2(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
 }
 
 TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {

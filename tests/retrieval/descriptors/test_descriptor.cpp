@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
 #include <set>
+#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
@@ -16,11 +19,13 @@ TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
   std::set<std::string_view> names;
   for (const Descriptor& one : descriptors()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
-    EXPECT_FALSE(one.meaning.empty());
+    EXPECT_FALSE(one.description.empty());
     EXPECT_LE(one.fewest_fields, one.most_fields);
-    for (const DescriptorParameter& parameter : one.parameters) {
-      EXPECT_NO_THROW(require_allowed(one.name, parameter, parameter.fallback)) << one.name << " " << parameter.name;
-      EXPECT_FALSE(parameter.meaning.empty());
+    for (const auto& parameters : {one.parameters, one.axis_parameters}) {
+      for (const Parameter& parameter : parameters) {
+        EXPECT_NO_THROW(checked_value(parameter, parameter.default_value)) << one.name << " " << parameter.name;
+        EXPECT_FALSE(parameter.description.empty());
+      }
     }
   }
 }
@@ -32,8 +37,9 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
                                            {samples.points.col(2), samples.weights}};
   for (const Descriptor& one : descriptors()) {
     const DescriptorInput input = {shape, std::span(fields).first(std::min<std::size_t>(one.most_fields, 2))};
-    const LearntFeatures learnt = one.learn == nullptr ? LearntFeatures{} : one.learn({&input, 1}, {});
-    const Eigen::VectorXf features = one.describe(input, learnt, {});
+    const DescriptorSettings settings = default_settings(one, input.fields.size());
+    const LearntFeatures learnt = learns(one, settings) ? one.learn({&input, 1}, settings) : LearntFeatures{};
+    const Eigen::VectorXf features = one.describe(input, learnt, settings);
     EXPECT_TRUE(features.allFinite()) << one.name;
     const std::span<const float> entries(features.data(), static_cast<std::size_t>(features.size()));
     EXPECT_EQ(one.distance(entries, entries), 0) << one.name;
@@ -43,17 +49,27 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
 TEST(Descriptors, SettingsChangeWhatTheySay) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptor("d2");
-  EXPECT_EQ(one.describe({shape, {}}, {}, {{"bins", 10}}), d2(shape, {.bins = 10}));
+  DescriptorSettings settings = default_settings(one);
+  settings.values.set("bins", std::int64_t{10});
+  EXPECT_EQ(one.describe({shape, {}}, {}, settings), d2(shape, {.bins = 10}));
 }
 
-TEST(Descriptors, RefuseSettingsThatAreNone) {
+TEST(Descriptors, RefuseOptionsAndNamesThatAreNone) {
   const Shape shape = test::sphere(1, 1);
-  const Descriptor& one = descriptor("d2");
-  for (const DescriptorSettings& settings :
-       {DescriptorSettings{{"bins", 0}}, {{"bins", 2.5}}, {{"bin", 5}}, {{"longest", std::nan("")}}}) {
-    EXPECT_THROW(one.describe({shape, {}}, {}, settings), InputError);
-  }
+  EXPECT_THROW(d2(shape, {.bins = 0}), InputError);
+  EXPECT_THROW(d2(shape, {.longest = std::nan("")}), InputError);
   EXPECT_THROW(descriptor("d3"), InputError);
+}
+
+TEST(Descriptors, AreRegisteredOnlyWhole) {
+  Descriptor one = descriptor("d2");
+  EXPECT_THROW(register_descriptor(one), std::invalid_argument);  // the name is taken
+  one.name = "";
+  EXPECT_THROW(register_descriptor(one), std::invalid_argument);
+  one.name = "test_without_distance";
+  one.distance = nullptr;
+  EXPECT_THROW(register_descriptor(one), std::invalid_argument);
+  EXPECT_THROW(descriptor("test_without_distance"), InputError);
 }
 
 TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
@@ -61,8 +77,14 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields(2, {samples.points.col(0), samples.weights});
   const DescriptorInput input = {shape, fields};
-  EXPECT_THROW(descriptor("bag_of_features").describe(input, {}, {}), InputError);
-  EXPECT_THROW(descriptor("joint_histogram").describe(input, {}, {{"axes.1.over_data_set", 1}}), InputError);
+  const Descriptor& bag = descriptor("bag_of_features");
+  EXPECT_THROW(bag.describe(input, {}, default_settings(bag, 2)), InputError);
+  const Descriptor& joint = descriptor("joint_histogram");
+  DescriptorSettings settings = default_settings(joint, 2);
+  EXPECT_FALSE(learns(joint, settings));
+  settings.axes[1].set("over_data_set", true);
+  EXPECT_TRUE(learns(joint, settings));
+  EXPECT_THROW(joint.describe(input, {}, settings), InputError);
 }
 
 TEST(DescriptorDistances, AreThoseOfAllPairs) {

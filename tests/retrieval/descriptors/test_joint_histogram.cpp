@@ -105,7 +105,10 @@ TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, small}, {none, large}};
   const Descriptor& joint = descriptor("joint_histogram");
-  const DescriptorSettings settings = {{"axes.0.bins", 6}, {"axes.0.over_data_set", 1}, {"axes.1.bins", 4}};
+  DescriptorSettings settings = default_settings(joint, 2);
+  settings.axes[0].set("bins", std::int64_t{6});
+  settings.axes[0].set("over_data_set", true);
+  settings.axes[1].set("bins", std::int64_t{4});
   const LearntFeatures learnt = joint.learn(inputs, settings);
   const Interval range = joint_range(large[0], false);
   const double low = joint_range(small[0], false).low;

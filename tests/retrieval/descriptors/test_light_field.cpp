@@ -4,13 +4,14 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 namespace {
 
-double distance(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+double distance_of_light_fields(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return light_field_distance({a.data(), static_cast<std::size_t>(a.size())},
                               {b.data(), static_cast<std::size_t>(b.size())});
 }
@@ -24,10 +25,11 @@ TEST(LightField, RotatedShapesAreFarNearerThanOthers) {
                                                light_field(test::sphere(1, 3), coarse),
                                                light_field(test::box({1, 4, 4}, 2), coarse)};
   double nearest_other = 1e9;
-  for (const Eigen::VectorXf& other : others) nearest_other = std::min(nearest_other, distance(of_bar, other));
+  for (const Eigen::VectorXf& other : others)
+    nearest_other = std::min(nearest_other, distance_of_light_fields(of_bar, other));
   for (const unsigned seed : {1U, 2U, 3U}) {
     const Shape turned = test::transformed(bar, 3, test::rotation(seed), {1, 2, 3});
-    EXPECT_LT(distance(light_field(turned, coarse), of_bar), 0.35 * nearest_other) << seed;
+    EXPECT_LT(distance_of_light_fields(light_field(turned, coarse), of_bar), 0.35 * nearest_other) << seed;
   }
 }
 
@@ -39,8 +41,8 @@ TEST(LightField, RotationsOfTheDodecahedronChangeNothing) {
   const Eigen::VectorXf before = light_field(bar);
   const Eigen::VectorXf after = light_field(test::transformed(bar, 1, third, {0, 0, 0}));
   // Only pixels on the rims differ, as each view is turned about its axis.
-  EXPECT_LT(distance(before, after), 0.6);
-  EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance(before, after));
+  EXPECT_LT(distance_of_light_fields(before, after), 0.6);
+  EXPECT_GT((before - after).cwiseAbs().sum() / 255, 10 * distance_of_light_fields(before, after));
 }
 
 TEST(LightField, AllViewsOfASphereAreThoseOfADisc) {
@@ -53,9 +55,9 @@ TEST(LightField, AllViewsOfASphereAreThoseOfADisc) {
 TEST(LightField, IsSymmetricAndZeroForItself) {
   const Eigen::VectorXf a = light_field(test::box({1, 2, 4}, 2), coarse);
   const Eigen::VectorXf b = light_field(test::capsule(0.3, 1, 12, 12), coarse);
-  EXPECT_EQ(distance(a, a), 0);
-  EXPECT_EQ(distance(a, b), distance(b, a));
-  EXPECT_GT(distance(a, b), 0);
+  EXPECT_EQ(distance_of_light_fields(a, a), 0);
+  EXPECT_EQ(distance_of_light_fields(a, b), distance_of_light_fields(b, a));
+  EXPECT_GT(distance_of_light_fields(a, b), 0);
 }
 
 TEST(LightField, SoupsAndOpenMeshesAreTheirSilhouettes) {
@@ -70,7 +72,7 @@ TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
   Shape line = ball;
   line.vertices.rightCols<2>().setZero();
   EXPECT_THROW(light_field(line), InputError);
-  EXPECT_THROW(distance(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), std::invalid_argument);
+  EXPECT_THROW(distance_of_light_fields(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "tests/support/test_shapes.h"
 

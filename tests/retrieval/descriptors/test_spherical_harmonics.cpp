@@ -4,6 +4,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
 #include "shapegauge/retrieval/distances.h"
 #include "tests/support/test_shapes.h"
@@ -49,7 +50,7 @@ TEST(HarmonicNorms, WantAValueForEachDirection) {
   EXPECT_THROW(harmonic_norms(Eigen::VectorXd::Zero(7), 4), std::invalid_argument);
 }
 
-double distance(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return l2_distance({a.data(), static_cast<std::size_t>(a.size())}, {b.data(), static_cast<std::size_t>(b.size())});
 }
 
@@ -72,14 +73,14 @@ TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
   for (const bool voxels : {false, true}) {
     const SphericalHarmonicsOptions options = {.voxels = voxels};
     const Eigen::VectorXf expected = spherical_harmonics(bar, options);
-    const double apart = distance(spherical_harmonics(other, options), expected);
+    const double apart = distance_of_harmonics(spherical_harmonics(other, options), expected);
     const Shape moved = test::transformed(bar, 3, Eigen::Matrix3d::Identity(), {5, 6, 7});
-    EXPECT_LT(distance(spherical_harmonics(moved, options), expected), 0.02 * apart) << voxels;
+    EXPECT_LT(distance_of_harmonics(spherical_harmonics(moved, options), expected), 0.02 * apart) << voxels;
     for (const unsigned seed : {1U, 2U, 3U}) {
       const Shape turned = test::transformed(bar, 1, test::rotation(seed), {0, 0, 0});
       // Voxels are a grid that does not turn with the shape.
       const double tolerance = voxels ? 0.75 : 0.1;
-      EXPECT_LT(distance(spherical_harmonics(turned, options), expected), tolerance * apart) << voxels;
+      EXPECT_LT(distance_of_harmonics(spherical_harmonics(turned, options), expected), tolerance * apart) << voxels;
     }
   }
 }
@@ -89,14 +90,14 @@ TEST(SphericalHarmonics, OrientationConnectivityAndMeshDoNotMatter) {
   const Eigen::VectorXf expected = spherical_harmonics(bar);
   // Other places are drawn to find the centroid and the size.
   const double tolerance = 0.02 * expected.norm();
-  EXPECT_LT(distance(spherical_harmonics(test::flipped(test::soup(bar))), expected), tolerance);
-  EXPECT_LT(distance(spherical_harmonics(test::box({1, 2, 4}, 7)), expected), tolerance);
+  EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::flipped(test::soup(bar))), expected), tolerance);
+  EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::box({1, 2, 4}, 7)), expected), tolerance);
 }
 
 TEST(SphericalHarmonics, CloudsAreDescribedByTheirPoints) {
   const Shape ball = test::sphere(1, 4);
   const Eigen::VectorXf mesh = spherical_harmonics(ball);
-  EXPECT_LT(distance(spherical_harmonics(Shape{ball.vertices, {}}), mesh), 0.1 * mesh.norm());
+  EXPECT_LT(distance_of_harmonics(spherical_harmonics(Shape{ball.vertices, {}}), mesh), 0.1 * mesh.norm());
 }
 
 TEST(SphericalHarmonics, RefusesOptionsOutOfRangeAndShapesWithoutExtent) {

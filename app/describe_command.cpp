@@ -1,0 +1,176 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/shape_files.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct DescribeArguments {
+  ShapeFiles files;
+  std::string descriptor;
+  std::vector<std::string> settings;
+  fs::path output;
+  bool denoise = false;
+  bool list = false;
+};
+
+/// What one shape is described by. The mesh is kept only where features wait for all shapes.
+struct Described {
+  std::vector<ScalarField> fields;
+  Eigen::VectorXf features;
+};
+
+void add_settings(std::string_view of, std::span<const Parameter> parameters, const std::string& prefix, Table& table) {
+  const Json defaults = to_json(ParameterValues(parameters));
+  for (const Parameter& parameter : parameters) {
+    table.rows.push_back({std::string(of), prefix + std::string(parameter.name),
+                          defaults.at(std::string(parameter.name)).dump(), std::string(parameter.description)});
+  }
+}
+
+/// All descriptors and their settings, for --list.
+std::string list_of_descriptors() {
+  Table table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
+  for (const Descriptor& one : descriptors()) {
+    table.rows.push_back({std::string(one.name), "", "", std::string(one.description)});
+    if (one.most_fields > 0) {
+      table.rows.push_back({std::string(one.name), "fields", "",
+                            fmt::format("The fields that it is of, {} to {}.", one.fewest_fields, one.most_fields)});
+    }
+    add_settings(one.name, one.parameters, "", table);
+    add_settings(one.name, one.axis_parameters, "axes.N.", table);
+  }
+  return to_plain_text(table);
+}
+
+DescriptorChoice choice_of(const DescribeArguments& arguments) {
+  if (arguments.descriptor.empty()) throw InputError("--descriptor is required; --list tells which there are");
+  Json settings{{"type", arguments.descriptor}};
+  for (const std::string& assignment : arguments.settings) apply_override(settings, assignment);
+  check_against_schema(settings, "descriptor", "--set");
+  try {
+    return make_descriptor(settings);
+  } catch (const ConfigurationError& error) {
+    throw InputError(fmt::format("--set {}: {}", error.path, error.message));
+  }
+}
+
+/// The fields of a shape and, where the descriptor needs no others for it, its features.
+Described described(const DescriptorChoice& choice, const Shape& given, bool denoise) {
+  const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
+  Described result;
+  if (!choice.fields.empty()) {
+    const Samples samples = take_samples(shape, choice.fields.front().samples);
+    FieldSource source(shape);
+    for (const Field& field : choice.fields) {
+      result.fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});
+    }
+  }
+  if (learns(choice.descriptor, choice.values)) return result;
+  result.features = choice.descriptor.describe({.shape = shape, .fields = result.fields}, {}, choice.values);
+  result.fields.clear();
+  return result;
+}
+
+/// Describes the shapes by what is learnt from all of them.
+void learn_and_describe(const DescriptorChoice& choice, std::vector<std::optional<Described>>& shapes) {
+  const Shape none;
+  std::vector<DescriptorInput> inputs;
+  for (const auto& shape : shapes) {
+    if (shape) inputs.push_back({.shape = none, .fields = shape->fields});
+  }
+  const LearntFeatures learnt = choice.descriptor.learn(inputs, choice.values);
+  for (auto& shape : shapes) {
+    if (!shape) continue;
+    shape->features = choice.descriptor.describe({.shape = none, .fields = shape->fields}, learnt, choice.values);
+  }
+}
+
+void write_features(const DescribeArguments& arguments, const std::vector<std::optional<Described>>& shapes) {
+  DistanceMatrix rows;
+  Table table{.header = {"id"}, .rows = {}};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!shapes[i]) continue;
+    const Eigen::VectorXf& features = shapes[i]->features;
+    rows.conservativeResize(rows.rows() + 1, features.size());
+    rows.bottomRows<1>() = features.transpose().cast<double>();
+    auto& row = table.rows.emplace_back(std::vector{arguments.files.inputs[i].stem().string()});
+    for (const float feature : features) row.push_back(fmt::format("{}", feature));
+  }
+  if (arguments.output.extension() == ".npy") return write_npy(arguments.output, rows);
+  for (Eigen::Index k = 0; k < rows.cols(); ++k) table.header.push_back(fmt::format("{}", k));
+  write_file_atomically(arguments.output, to_csv(table));
+}
+
+int run(const DescribeArguments& arguments) {
+  if (arguments.list) {
+    fmt::print("{}", list_of_descriptors());
+    return exit_success;
+  }
+  if (arguments.files.inputs.empty()) throw InputError("name the shapes to describe; --list tells by what");
+  if (arguments.output.extension() != ".npy" && arguments.output.extension() != ".csv") {
+    throw InputError(fmt::format("features are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
+  }
+  const DescriptorChoice choice = choice_of(arguments);
+  std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
+  const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
+    try {
+      shapes[job.index] = described(choice, shape, arguments.denoise);
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("{}: {}", job.input, error.what()));
+    }
+  });
+  const auto none_left = std::ranges::none_of(shapes, [](const auto& shape) { return shape.has_value(); });
+  if (none_left) return exit_unusable_input;
+  if (learns(choice.descriptor, choice.values)) learn_and_describe(choice, shapes);
+  write_features(arguments, shapes);
+  if (status != exit_success) warn(fmt::format("{} has no rows for these shapes", arguments.output.string()));
+  return status;
+}
+
+}  // namespace
+
+void add_describe_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("describe", "Describe shapes by features: a row for each shape");
+  command->footer(
+      "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n"
+      "         shapegauge describe a.off b.off --descriptor joint_histogram -o features.csv \\\n"
+      "           --set 'fields=[{\"type\": \"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": "
+      "0.65}]'\n"
+      "Shapes are scaled to unit area first. What a descriptor learns it learns from all shapes given.\n"
+      "'shapegauge evaluate' takes features, but not every descriptor's own distance; 'shapegauge run' has it.");
+  const auto arguments = std::make_shared<DescribeArguments>();
+  add_shape_inputs(*command, arguments->files);
+  command->get_option("input")->required(false);
+  command->add_option("--descriptor", arguments->descriptor, "Its name; --list tells which there are");
+  command->add_option("--set", arguments->settings, "A setting of the descriptor, key=value as of a configuration");
+  command->add_option("-o,--output", arguments->output, "File for the features: .npy (rows), or .csv (with ids)");
+  add_denoise_option(*command, arguments->denoise);
+  command->add_flag("--list", arguments->list, "Only list the descriptors and their settings");
+  command->callback([arguments, &status] { status = run(*arguments); });
+}
+
+}  // namespace shapegauge

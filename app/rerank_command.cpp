@@ -1,0 +1,171 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/files/matrix_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/retrieval/rerank.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RerankArguments {
+  fs::path distances;
+  fs::path output;
+  std::string method = "diffusion";
+  std::map<std::string, std::string> settings;  ///< by parameter; empty: not given
+  bool sparse = false;
+  int threads = 0;
+};
+
+std::string option_name(std::string_view parameter) {
+  std::string name = "--" + std::string(parameter);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+/// The settings of the method. Throws InputError for one that is another method's.
+ParameterValues values_of(const RerankArguments& arguments, const RerankMethod& method) {
+  nlohmann::json given = nlohmann::json::object();
+  for (const auto& [name, text] : arguments.settings) {
+    if (text.empty()) continue;
+    if (std::ranges::find(method.parameters, name, &Parameter::name) == method.parameters.end()) {
+      throw InputError(fmt::format("{} does not go with --method {}", option_name(name), method.name));
+    }
+    const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
+    if (!value.is_number()) throw InputError(fmt::format("{} is \"{}\"; it must be a number", option_name(name), text));
+    given[name] = value;
+  }
+  return read_parameters(method.parameters, given);
+}
+
+/// Above so many models the whole matrix need not be in memory.
+constexpr Eigen::Index most_dense = 5000;
+
+/// Diffusion of a matrix of any size to a .npy file, some rows at a time.
+void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, const fs::path& output) {
+  const fs::path unfinished = output.string() + ".part";
+  const auto size = static_cast<std::size_t>(matrix.rows);
+  std::ofstream file(unfinished, std::ios::binary);
+  file << npy_header_of_matrix(size, size);
+  const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {
+    return matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
+  };
+  diffuse(matrix.rows, rows, options, [&](Eigen::Index /*first*/, const DistanceMatrix& block) {
+    std::string bytes;
+    for (const double distance : block.reshaped<Eigen::RowMajor>()) append_number(bytes, distance);
+    file << bytes;
+  });
+  file.close();
+  std::error_code failure;
+  if (file) fs::rename(unfinished, output, failure);
+  if (file && !failure) return;
+  fs::remove(unfinished, failure);
+  throw InputError(fmt::format("cannot write {}", output.string()));
+}
+
+std::string csv_of(const DistanceMatrix& matrix, const std::vector<std::string>& ids) {
+  Table table{.header = {"id"}, .rows = {}};
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    const std::string id = ids.empty() ? std::to_string(i) : ids[static_cast<std::size_t>(i)];
+    table.header.push_back(id);
+    auto& row = table.rows.emplace_back(std::vector{id});
+    for (const double distance : matrix.row(i)) row.push_back(fmt::format("{}", distance));
+  }
+  return to_csv(table);
+}
+
+int run(const RerankArguments& arguments) {
+  const std::string format = arguments.output.extension().string();
+  if (format != ".npy" && format != ".csv") {
+    throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
+  }
+  const RerankMethod& method = rerank_method(arguments.method);
+  const ParameterValues values = values_of(arguments, method);
+  const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
+  const bool by_rows = arguments.sparse || (matrix.rows > most_dense && method.name == "diffusion" && format == ".npy");
+  if (arguments.sparse && (method.name != "diffusion" || format != ".npy")) {
+    throw InputError("--sparse goes with --method diffusion and an output .npy only");
+  }
+  try {
+    if (by_rows) {
+      diffuse_file(matrix, diffusion_options(values), arguments.output);
+      return exit_success;
+    }
+    const DistanceMatrix reranked = method.rerank(whole_matrix(matrix), values);
+    if (format == ".npy") {
+      write_npy(arguments.output, reranked);
+    } else {
+      write_file_atomically(arguments.output, csv_of(reranked, matrix.row_ids));
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));
+  }
+  return exit_success;
+}
+
+/// Adds an option for each parameter of any method.
+void add_settings(CLI::App& command, RerankArguments& arguments) {
+  std::map<std::string, std::string> meanings;
+  for (const RerankMethod& method : rerank_methods()) {
+    const nlohmann::json defaults = to_json(ParameterValues(method.parameters));
+    for (const Parameter& parameter : method.parameters) {
+      const std::string name(parameter.name);
+      std::string& meaning = meanings[name];
+      meaning += fmt::format("{}{} ({}; usually {})", meaning.empty() ? "" : " ", parameter.description, method.name,
+                             defaults.at(name).dump());
+    }
+  }
+  for (const auto& [name, meaning] : meanings) {
+    command.add_option(option_name(name), arguments.settings[name], meaning);
+  }
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const RerankMethod& method : rerank_methods()) names.emplace_back(method.name);
+  return names;
+}
+
+}  // namespace
+
+void add_rerank_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand(
+      "rerank", "Improve distances by what they say of the whole set of models, without knowing classes");
+  command->footer(
+      "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n"
+      "Diffusion of more than 5,000 models takes the sparse form, for which the matrix need not fit into memory\n"
+      "(.npy in C order and .matrix).");
+  const auto arguments = std::make_shared<RerankArguments>();
+  command
+      ->add_option("distances", arguments->distances,
+                   "Square matrix of distances: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat")
+      ->required();
+  command->add_option("-o,--output", arguments->output, "File for the new distances: .npy, or .csv (with ids)")
+      ->required();
+  command->add_option("--method", arguments->method, "How")
+      ->check(CLI::IsMember(method_names()))
+      ->capture_default_str();
+  add_settings(*command, *arguments);
+  command->add_flag("--sparse", arguments->sparse, "Take the sparse form of diffusion for any number of models");
+  add_threads_option(*command, arguments->threads);
+  command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,42 @@
+#include "app/standard_streams.h"
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <stdlib.h>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+
+namespace shapegauge {
+
+bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
+
+std::string read_standard_input() {
+  std::string bytes;
+  std::array<char, 1 << 16> piece = {};
+  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), stdin)) bytes.append(piece.data(), size);
+  if (bytes.empty()) throw InputError("standard input is empty");
+  return bytes;
+}
+
+void write_standard_output(std::string_view bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) {
+    throw InputError("cannot write to standard output: " + std::generic_category().message(errno));
+  }
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "shapegauge-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw InputError("cannot make the folder " + pattern + ": " + std::generic_category().message(errno));
+  }
+  path_ = pattern;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,117 @@
+#include "shapegauge/experiments/configuration/derived_distances.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <string_view>
+
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/retrieval/fusion.h"
+#include "shapegauge/retrieval/rerank.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
+constexpr std::array<std::string_view, 3> distance_scales{"median", "mean", "none"};
+constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
+
+DistanceScale scale_of(std::string_view word) {
+  if (word == "none") return DistanceScale::none;
+  return word == "mean" ? DistanceScale::mean : DistanceScale::median;
+}
+
+DerivedDistances sum_of(const Json& signature) {
+  DerivedDistances derived{.key = "sum", .settings = Json::object(), .names = {}, .compute = {}};
+  std::vector<double> weights;
+  for (const Json& term : signature.at("sum")) {
+    const double weight = read_parameters(sum_term_parameters(), term).number("weight");
+    derived.names.push_back(term.at("of"));
+    weights.push_back(weight);
+    derived.settings["sum"].push_back({{"of", derived.names.back()}, {"weight", weight}});
+  }
+  if (std::ranges::all_of(weights, [](double weight) { return weight == 0; })) {
+    throw ConfigurationError{"sum", "one of the weights at least must be positive"};
+  }
+  const std::string_view scale = read_parameters(derived_parameters(), signature).word("scale");
+  derived.settings["scale"] = scale;
+  derived.compute = [weights, scale = scale_of(scale)](std::span<const DistanceMatrix> matrices) {
+    return sum_of_distances(matrices, weights, scale);
+  };
+  return derived;
+}
+
+DerivedDistances rank_fusion_of(const Json& signature) {
+  const std::string_view score = read_parameters(derived_parameters(), signature).word("score");
+  DerivedDistances derived{.key = "fuse_ranks",
+                           .settings = {{"fuse_ranks", signature.at("fuse_ranks")}, {"score", score}},
+                           .names = signature.at("fuse_ranks"),
+                           .compute = {}};
+  derived.compute = [score = score == "borda" ? RankScore::borda
+                                              : RankScore::reciprocal](std::span<const DistanceMatrix> matrices) {
+    return fusion_of_ranks(matrices, std::vector<double>(matrices.size(), 1), score);
+  };
+  return derived;
+}
+
+DerivedDistances reranking_of(const Json& signature) {
+  const Json& settings = signature.at("rerank");
+  const RerankMethod& method = rerank_method(settings.at("method").get<std::string>());
+  const ParameterValues values = read_parameters(method.parameters, settings);
+  method.rerank(DistanceMatrix::Zero(1, 1), values);  // what is wrong with the settings together is told before a run
+  Json filled = to_json(values);
+  filled["of"] = settings.at("of");
+  filled["method"] = method.name;
+  return {.key = "rerank",
+          .settings = {{"rerank", std::move(filled)}},
+          .names = {settings.at("of")},
+          .compute = [&method, values](std::span<const DistanceMatrix> matrices) {
+            return method.rerank(matrices.front(), values);
+          }};
+}
+
+}  // namespace
+
+std::span<const std::string_view> derived_keys() { return kinds_of_derived; }
+
+std::span<const Parameter> derived_parameters() {
+  static const std::array parameters{
+      Parameter{.name = "scale",
+                .kind = ParameterKind::choice,
+                .default_value = distance_scales[0],
+                .choices = distance_scales,
+                .description = "With sum: what each signature's distances are divided by first, their median or mean "
+                               "over all pairs of models."},
+      Parameter{.name = "score",
+                .kind = ParameterKind::choice,
+                .default_value = rank_scores[0],
+                .choices = rank_scores,
+                .description = "With fuse_ranks: reciprocal, 1 / (60 + rank): what is first anywhere counts most; "
+                               "borda: all ranks count alike."}};
+  return parameters;
+}
+
+std::span<const Parameter> sum_term_parameters() {
+  static const std::array parameters{Parameter{.name = "weight",
+                                               .default_value = 1.0,
+                                               .bounds = {.low = 0, .high = 1e6},
+                                               .description = "What its distances are multiplied by."}};
+  return parameters;
+}
+
+DerivedDistances make_derived(const std::string& key, const Json& signature) {
+  for (const Parameter& parameter : derived_parameters()) {
+    const std::string_view belongs_to = parameter.name == "scale" ? kinds_of_derived[0] : kinds_of_derived[1];
+    if (signature.contains(parameter.name) && key != belongs_to) {
+      throw ConfigurationError{std::string(parameter.name), fmt::format("goes with \"{}\" only", belongs_to)};
+    }
+  }
+  if (key == kinds_of_derived[0]) return sum_of(signature);
+  return key == kinds_of_derived[1] ? rank_fusion_of(signature) : reranking_of(signature);
+}
+
+}  // namespace shapegauge

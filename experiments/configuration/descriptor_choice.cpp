@@ -1,0 +1,75 @@
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
+
+#include <fmt/format.h>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+
+const Json& list_in(const Json& settings, const char* key) {
+  static const Json none = Json::array();
+  const auto found = settings.find(key);
+  return found == settings.end() ? none : *found;
+}
+
+/// How many fields the descriptor takes, in words.
+std::string fields_taken(const Descriptor& descriptor) {
+  if (descriptor.most_fields == 0) return "none";
+  return fmt::format("{} to {}", descriptor.fewest_fields, descriptor.most_fields);
+}
+
+std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
+  if (list.size() < descriptor.fewest_fields || list.size() > descriptor.most_fields) {
+    throw ConfigurationError{"fields", fmt::format("the descriptor {} takes {}, not {}", descriptor.name,
+                                                   fields_taken(descriptor), list.size())};
+  }
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string place = fmt::format("fields.{}", i);
+    fields.push_back(at(place, [&] { return make_field(list[i]); }));
+    if (fields.back().samples != fields.front().samples) {
+      throw ConfigurationError{place + ".at", R"(the fields of a descriptor must have the same "at")"};
+    }
+  }
+  return fields;
+}
+
+std::vector<ParameterValues> axes_of(const Json& list, const Descriptor& descriptor, std::size_t fields) {
+  if (list.size() > fields || (!list.empty() && descriptor.axis_parameters.empty())) {
+    throw ConfigurationError{"axes", fmt::format("the descriptor {} takes at most {}, not {}", descriptor.name,
+                                                 descriptor.axis_parameters.empty() ? 0 : fields, list.size())};
+  }
+  std::vector<ParameterValues> axes(fields, ParameterValues(descriptor.axis_parameters));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    axes[i] = at(fmt::format("axes.{}", i), [&] { return read_parameters(descriptor.axis_parameters, list[i]); });
+  }
+  return axes;
+}
+
+}  // namespace
+
+DescriptorChoice make_descriptor(const Json& settings) {
+  const Descriptor& chosen = descriptor(settings.at("type").get<std::string>());
+  std::vector<Field> fields = fields_of(list_in(settings, "fields"), chosen);
+  DescriptorChoice choice{.settings = {},
+                          .descriptor = chosen,
+                          .values = {.values = read_parameters(chosen.parameters, settings),
+                                     .axes = axes_of(list_in(settings, "axes"), chosen, fields.size())},
+                          .fields = std::move(fields)};
+  if (chosen.check != nullptr) chosen.check(choice.values);
+  choice.settings = to_json(choice.values.values);
+  choice.settings["type"] = chosen.name;
+  for (const Field& field : choice.fields) choice.settings["fields"].push_back(field.settings);
+  if (chosen.axis_parameters.empty()) return choice;
+  for (const ParameterValues& axis : choice.values.axes) choice.settings["axes"].push_back(to_json(axis));
+  return choice;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,143 @@
+#include <filesystem>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <string>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/files/matrix_files.h"
+#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/retrieval/descriptors/d2.h"
+#include "shapegauge/retrieval/rerank.h"
+#include "tests/app/program.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+
+class DescribeCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"sphere", "box", "capsule"})
+      write_off(at(std::string(name) + ".off"), test::small_shape(name, 0));
+  }
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+  [[nodiscard]] std::string shapes() const {
+    return fmt::format("'{}' '{}' '{}'", at("sphere.off").string(), at("box.off").string(), at("capsule.off").string());
+  }
+  [[nodiscard]] Outcome describe(const std::string& arguments) const {
+    return run_executable(fmt::format("describe {} {}", shapes(), arguments));
+  }
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(DescribeCommand, WritesARowAShape) {
+  const std::string output = at("x.npy").string();
+  const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const DistanceMatrix rows = read_number_table(output).numbers;
+  ASSERT_EQ(rows.rows(), 3);
+  const Shape box = scaled_to_unit_area(test::small_shape("box", 0));
+  EXPECT_TRUE(rows.row(1).transpose().isApprox(d2(box, {.points = 64, .bins = 8}).cast<double>(), 1e-6));
+}
+
+TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
+  const std::string output = at("x.csv").string();
+  const Outcome outcome = describe(fmt::format(
+      "--descriptor bag_of_features --set words=4 --set 'fields=[{{\"type\":\"centricity\"}}]' -o '{}'", output));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const LabelledTable table = read_number_table(output);
+  EXPECT_THAT(table.row_ids, testing::ElementsAre("sphere", "box", "capsule"));
+  ASSERT_EQ(table.numbers.cols(), 4);
+  for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(table.numbers.row(i).sum(), 1, 1e-5);
+}
+
+TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
+  test::write_text(at("box.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+  const std::string output = at("x.npy").string();
+  const Outcome outcome = describe(fmt::format("--descriptor shape_dna -o '{}'", output));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("box.off"));
+  EXPECT_EQ(read_number_table(output).numbers.rows(), 2);
+}
+
+TEST_F(DescribeCommand, TellsWhatIsWrongInALine) {
+  const std::string output = fmt::format("-o '{}'", at("x.npy").string());
+  expect_error_lines({{fmt::format("describe {} {}", shapes(), output), "--descriptor"},
+                      {fmt::format("describe {} {} --descriptor d3", shapes(), output), "d3"},
+                      {fmt::format("describe {} {} --descriptor d2 --set bin=3", shapes(), output), "bins"},
+                      {fmt::format("describe {} --descriptor d2 -o x.txt", shapes()), ".npy"},
+                      {fmt::format("describe {} {} --descriptor joint_histogram", shapes(), output), "fields"},
+                      {"describe --descriptor d2", "--list"}});
+}
+
+TEST_F(DescribeCommand, ListsTheDescriptorsAndTheirSettings) {
+  const Outcome outcome = run_executable("describe --list");
+  EXPECT_EQ(outcome.status, 0);
+  for (const Descriptor& one : descriptors()) EXPECT_THAT(outcome.output, HasSubstr(std::string(one.name)));
+  EXPECT_THAT(outcome.output, HasSubstr("axes.N.smoothing_bins"));
+}
+
+/// Distances of ten places on a line.
+DistanceMatrix line() {
+  DistanceMatrix distances(10, 10);
+  for (int i = 0; i < 10; ++i) {
+    for (int j = 0; j < 10; ++j) distances(i, j) = std::abs(i * i - j * j);
+  }
+  return distances;
+}
+
+TEST(RerankCommand, GivesWhatTheLibraryGives) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  const auto rerank = [&](const std::string& arguments) {
+    const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}' {}", at("d.npy"), at("r.npy"), arguments));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return read_distance_matrix(at("r.npy")).distances;
+  };
+  EXPECT_EQ(rerank("--neighbours 3"), diffused(line(), {.neighbours = 3}));
+  EXPECT_EQ(rerank("--method k_reciprocal --neighbours 4 --expansion-neighbours 2 --original 0.5"),
+            k_reciprocal(line(), {.neighbours = 4, .expansion_neighbours = 2, .original = 0.5}));
+  EXPECT_EQ(rerank("--method query_expansion"), query_expansion(line()));
+  // The sparse form is accurate to 1e-6, as diffused_affinities() says; so is the difference of its two triangles.
+  EXPECT_LT((rerank("--neighbours 3 --sparse") - diffused(line(), {.neighbours = 3})).cwiseAbs().maxCoeff(), 1e-5);
+}
+
+TEST(RerankCommand, IdsOfACsvStay) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  test::write_text(at("d.csv"), "id,x,y,z\nx,0,1,3\ny,1,0,2\nz,3,2,0\n");
+  const Outcome outcome = run_executable(
+      fmt::format("rerank '{}' -o '{}' --method query_expansion --neighbours 1", at("d.csv"), at("r.csv")));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const LabelledDistances found = read_distance_matrix(at("r.csv"));
+  EXPECT_THAT(found.ids, testing::ElementsAre("x", "y", "z"));
+  EXPECT_EQ(found.distances, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
+}
+
+TEST(RerankCommand, TellsWhatIsWrongInALine) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  write_npy(at("d.npy"), line());
+  write_npy(at("negative.npy"), -line());
+  const std::string call = fmt::format("rerank '{}' -o '{}' ", at("d.npy"), at("r.npy"));
+  expect_error_lines({{call + "--neighbours 0", "neighbours"},
+                      {call + "--original 1", "--method diffusion"},
+                      {call + "--damping x", "--damping"},
+                      {call + "--method k_reciprocal --neighbours 2", "expansion_neighbours"},
+                      {call + "--method query_expansion --sparse", "--sparse"},
+                      {fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.txt")), ".npy"},
+                      {fmt::format("rerank '{}' -o '{}'", at("negative.npy"), at("r.npy")), "negative"}});
+}
+
+}  // namespace
+
+}  // namespace shapegauge

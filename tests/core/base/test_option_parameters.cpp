@@ -1,0 +1,55 @@
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/base/option_parameters.h"
+
+namespace shapegauge {
+
+namespace {
+
+struct SampleOptions {
+  int count = 3;
+  double share = 0.5;
+  bool wanted = true;
+};
+
+constexpr std::array sample_table = {
+    option_of<&SampleOptions::count>("count", {.low = 1, .high = 9}, "How many."),
+    option_of<&SampleOptions::share>("share", {.low = 0, .high = 1, .high_open = true}, "How much."),
+    option_of<&SampleOptions::wanted>("wanted", "Whether at all."),
+};
+constexpr auto sample_parameters = parameters_of(sample_table);
+
+TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
+  EXPECT_EQ(sample_parameters[0].kind, ParameterKind::integer);
+  EXPECT_EQ(sample_parameters[1].kind, ParameterKind::number);
+  EXPECT_EQ(sample_parameters[2].kind, ParameterKind::boolean);
+  const ParameterValues values(sample_parameters);
+  EXPECT_EQ(values.integer("count"), 3);
+  EXPECT_EQ(values.number("share"), 0.5);
+  EXPECT_TRUE(values.boolean("wanted"));
+}
+
+TEST(OptionParameters, BecomeOptionsAgain) {
+  ParameterValues values(sample_parameters);
+  values.set("count", std::int64_t{7});
+  values.set("wanted", false);
+  const SampleOptions options = options_from(sample_table, values);
+  EXPECT_EQ(options.count, 7);
+  EXPECT_EQ(options.share, 0.5);
+  EXPECT_FALSE(options.wanted);
+  EXPECT_THROW(values.set("count", std::int64_t{10}), InputError);
+}
+
+TEST(OptionParameters, BoundsHoldForOptionsToo) {
+  EXPECT_NO_THROW(check_options("x", sample_table, SampleOptions{}));
+  EXPECT_THROW(check_options("x", sample_table, {.count = 0}), InputError);
+  EXPECT_THROW(check_options("x", sample_table, {.share = 1}), InputError);
+  EXPECT_THROW(check_options("x", sample_table, {.share = std::nan("")}), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,106 @@
+#include <algorithm>
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/retrieval/fusion.h"
+#include "shapegauge/retrieval/rerank.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Json document_with(const Json& last) {
+  Json document = Json::parse(R"({
+    "name": "x", "dataset": {"generate": {}},
+    "signatures": [
+      {"name": "a", "descriptor": {"type": "d2"}},
+      {"name": "b", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
+  document["signatures"].push_back(last);
+  document["signatures"].back()["name"] = "c";
+  return document;
+}
+
+SignatureConfiguration derived_signature(const Json& last) {
+  return configuration_from_json(document_with(last), "x.json", ".").signatures.back();
+}
+
+std::string derived_error_with(const Json& last) {
+  return test::input_error_of([&] { derived_signature(last); });
+}
+
+/// Distances of three models: medians 2 and 20.
+const std::vector<DistanceMatrix> two_matrices = {DistanceMatrix{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}},
+                                                  DistanceMatrix{{0, 20, 10}, {20, 0, 30}, {10, 30, 0}}};
+
+TEST(Derived, SumIsOfScaledAndWeightedDistances) {
+  const auto sum = derived_signature({{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}});
+  EXPECT_THAT(sum.parts, ElementsAre(0, 1));
+  const DistanceMatrix distances = sum.derived->compute(two_matrices);
+  EXPECT_NEAR(distances(0, 1), 1 / 2.0 + 0.5 * 20 / 20.0, 1e-15);
+  EXPECT_NEAR(distances(1, 2), 4 / 2.0 + 0.5 * 30 / 20.0, 1e-15);
+  const auto plain = derived_signature({{"sum", {{{"of", "b"}, {"weight", 2}}}}, {"scale", "none"}});
+  EXPECT_THAT(plain.parts, ElementsAre(1));
+  EXPECT_EQ(plain.derived->compute({&two_matrices[1], 1})(0, 1), 40);
+}
+
+TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
+  const std::vector<double> equal{1, 1};
+  EXPECT_EQ(derived_signature({{"fuse_ranks", {"a", "b"}}}).derived->compute(two_matrices),
+            fusion_of_ranks(two_matrices, equal));
+  EXPECT_EQ(derived_signature({{"fuse_ranks", {"a", "b"}}, {"score", "borda"}}).derived->compute(two_matrices),
+            fusion_of_ranks(two_matrices, equal, RankScore::borda));
+  const Json diffusion{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", 2}, {"damping", 0.9}}}};
+  EXPECT_EQ(derived_signature(diffusion).derived->compute({&two_matrices[1], 1}),
+            diffused(two_matrices[1], {.neighbours = 2, .damping = 0.9}));
+  const Json expansion{{"rerank", {{"of", "b"}, {"method", "query_expansion"}, {"neighbours", 1}}}};
+  EXPECT_EQ(derived_signature(expansion).derived->compute({&two_matrices[1], 1}),
+            query_expansion(two_matrices[1], {.neighbours = 1}));
+}
+
+TEST(Derived, ComeAfterWhatTheyAreMadeFrom) {
+  Json changed = document_with({{"sum", {{{"of", "a"}}}}});
+  std::reverse(changed["signatures"].begin(), changed["signatures"].end());
+  const Json reranked = Json::parse(R"({"name": "d", "rerank": {"of": "c", "method": "k_reciprocal"}})");
+  changed["signatures"].insert(changed["signatures"].begin(), reranked);
+  const auto signatures = configuration_from_json(changed, "x.json", ".").signatures;
+  EXPECT_THAT(computation_order(signatures), ElementsAre(3, 1, 0, 2));
+}
+
+TEST(Derived, ReadBackAsTheSame) {
+  for (const Json& last : {Json{{"sum", {{{"of", "a"}}}}, {"scale", "mean"}}, Json{{"fuse_ranks", {"b", "a"}}},
+                           Json{{"rerank", {{"of", "a"}, {"method", "diffusion"}}}}}) {
+    const Json filled = to_json(configuration_from_json(document_with(last), "x.json", "."));
+    EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
+  }
+}
+
+TEST(Derived, MistakesGiveThePlace) {
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}, {{"of", "bb"}}}}}),
+              HasSubstr("signatures.2.sum.1.of: there is no signature \"bb\""));
+  EXPECT_THAT(derived_error_with({{"rerank", {{"of", "x"}, {"method", "diffusion"}}}}),
+              HasSubstr("signatures.2.rerank.of: there is no signature \"x\""));
+  EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a", "c"}}}),
+              HasSubstr("signatures.2.fuse_ranks: the signature \"c\""));
+  EXPECT_THAT(derived_error_with({{"concatenate", {"a"}}}), HasSubstr("signatures.2.concatenate.0"));
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", 0}}}}}), HasSubstr("signatures.2.sum"));
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", -1}}}}}), HasSubstr("signatures.2.sum.0.weight"));
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"score", "borda"}}), HasSubstr("signatures.2.score"));
+  EXPECT_THAT(derived_error_with({{"rerank", {{"of", "a"}, {"method", "diffusion"}, {"original", 1}}}}),
+              HasSubstr("unknown key \"original\""));
+  EXPECT_THAT(
+      derived_error_with(
+          {{"rerank", {{"of", "a"}, {"method", "k_reciprocal"}, {"neighbours", 3}, {"expansion_neighbours", 4}}}}),
+      HasSubstr("signatures.2.rerank: "));
+  EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"fuse_ranks", {"a"}}}),
+              HasSubstr("does not go with \"sum\""));
+  EXPECT_THAT(derived_error_with(Json::object()), HasSubstr("\"field\" is missing"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/configuration/descriptor_choice.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/retrieval/descriptors/d2.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+Json joint_settings() {
+  return Json::parse(R"({"type": "joint_histogram", "fields": [{"type": "cone_sdf"}, {"type": "centricity"}],
+                         "axes": [{"bins": 3}]})");
+}
+
+Configuration configuration_of_descriptor(const Json& descriptor) {
+  return configuration_from_json({{"name", "x"},
+                                  {"dataset", {{"generate", Json::object()}}},
+                                  {"signatures", {{{"name", "a"}, {"descriptor", descriptor}}}}},
+                                 "x.json", ".");
+}
+
+std::string descriptor_error_with(const Json& descriptor) {
+  return test::input_error_of([&] { configuration_of_descriptor(descriptor); });
+}
+
+TEST(MakeDescriptor, IsTheRegisteredOneWithItsSettings) {
+  const DescriptorChoice choice = make_descriptor({{"type", "d2"}, {"bins", 10}});
+  EXPECT_EQ(choice.settings, (Json{{"type", "d2"}, {"bins", 10}, {"points", 1024}, {"longest", 3.0}}));
+  const Shape shape = test::sphere(1, 2);
+  EXPECT_EQ(choice.descriptor.describe({shape, {}}, {}, choice.values), d2(shape, {.bins = 10}));
+}
+
+TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
+  const DescriptorChoice choice = make_descriptor(joint_settings());
+  ASSERT_EQ(choice.fields.size(), 2U);
+  EXPECT_EQ(choice.settings["fields"][1], choice.fields[1].settings);
+  EXPECT_EQ(choice.values.axes[0].integer("bins"), 3);
+  EXPECT_EQ(choice.values.axes[1].integer("bins"), 40);
+  EXPECT_EQ(make_descriptor(choice.settings).settings, choice.settings);
+}
+
+TEST(DescriptorConfiguration, ReadsBackAsTheSame) {
+  const Json filled = to_json(configuration_of_descriptor(joint_settings()));
+  EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
+  EXPECT_EQ(filled["signatures"][0]["descriptor"]["axes"].size(), 2U);
+}
+
+TEST(DescriptorConfiguration, MistakesGiveThePlace) {
+  EXPECT_THAT(descriptor_error_with({{"type", "d3"}}), HasSubstr("signatures.0.descriptor.type"));
+  EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bin", 3}}), HasSubstr("did you mean \"bins\"?"));
+  EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"bins", 0}}), HasSubstr("signatures.0.descriptor.bins"));
+  EXPECT_THAT(descriptor_error_with({{"type", "d2"}, {"fields", Json::array()}}), HasSubstr("fields"));
+  Json wrong = joint_settings();
+  wrong["fields"].erase(1);
+  EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor.fields"));
+  wrong = joint_settings();
+  wrong["fields"][1]["at"] = "vertices";
+  EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor.fields.1.at"));
+  wrong = joint_settings();
+  wrong["axes"] = {Json::object(), Json::object(), Json::object()};
+  EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor.axes"));
+  wrong = joint_settings();
+  wrong["axes"][0] = {{"low", 2}};
+  EXPECT_THAT(descriptor_error_with(wrong), HasSubstr("signatures.0.descriptor"));
+}
+
+TEST(DescriptorConfiguration, PicturesAreColouredByTheFirstFieldOrThereAreNone) {
+  const ReportConfiguration with_fields = configuration_of_descriptor(joint_settings()).report;
+  EXPECT_TRUE(with_fields.pictures);
+  EXPECT_EQ(with_fields.pictured_signature, 0U);
+  EXPECT_FALSE(configuration_of_descriptor({{"type", "d2"}}).report.pictures);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

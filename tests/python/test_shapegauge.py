@@ -1,0 +1,221 @@
+"""The Python package against the command line, and against what is known by hand."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import types
+
+import numpy as np
+import pytest
+
+import shapegauge as sg
+
+PROGRAM = os.environ["SHAPEGAUGE_PROGRAM"]
+CONFIGS = os.environ["SHAPEGAUGE_CONFIGS"]
+
+
+def program(*arguments):
+    subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True)
+
+
+def bumpy_torus(rings=40, sides=24):
+    """A closed mesh whose thickness differs from place to place."""
+    u, v = np.meshgrid(np.arange(rings) * 2 * np.pi / rings, np.arange(sides) * 2 * np.pi / sides, indexing="ij")
+    r = 0.3 + 0.1 * np.sin(3 * u)
+    vertices = np.stack([(1 + r * np.cos(v)) * np.cos(u), (1 + r * np.cos(v)) * np.sin(u), r * np.sin(v)], -1)
+    i, j = np.meshgrid(np.arange(rings), np.arange(sides), indexing="ij")
+    at = lambda a, b: (a % rings) * sides + b % sides
+    faces = np.concatenate([
+        np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1)], -1).reshape(-1, 3),
+        np.stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1).reshape(-1, 3)
+    ])
+    return vertices.reshape(-1, 3), faces
+
+
+@pytest.fixture(scope="module")
+def torus():
+    return bumpy_torus()
+
+
+@pytest.fixture
+def torus_file(torus, tmp_path):
+    sg.write(tmp_path / "torus.off", *torus)
+    return tmp_path / "torus.off"
+
+
+def toy():
+    """A = 0, 1, 4 and B = 2, 3.5, 7, 9 on a line: scores that are known by hand."""
+    places = np.array([0, 1, 4, 2, 3.5, 7, 9])
+    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
+
+
+def test_a_shape_comes_back_from_its_file(torus, torus_file):
+    shape = sg.read(torus_file)
+    np.testing.assert_array_equal(shape.vertices, torus[0])
+    np.testing.assert_array_equal(shape.faces, torus[1])
+    assert shape.normals.shape == (0, 3)
+    assert repr(shape) == "<Shape: 960 vertices, 1920 faces>"
+
+
+@pytest.mark.parametrize("method", ["offset", "cone"])
+@pytest.mark.parametrize("at", ["faces", "vertices"])
+def test_the_sdf_is_the_command_lines(torus_file, tmp_path, method, at):
+    shape = sg.read(torus_file)
+    values, weights = sg.sdf(shape, method=method, at=at)
+    offset = ["--offset", "0.05"] if method == "offset" else []
+    program("sdf", torus_file, "--method", method, "--at", at, *offset, "-o", tmp_path / "sdf.csv")
+    table = np.genfromtxt(tmp_path / "sdf.csv", delimiter=",", names=True)
+    np.testing.assert_array_equal(values, table["sdf"])
+    np.testing.assert_array_equal(weights, table["weight"])
+    assert 0.2 < np.median(values) < 0.9  # the tube is 0.4 to 0.8 thick
+
+
+def test_values_do_not_depend_on_threads_or_layout(torus):
+    vertices, faces = torus
+    one, _ = sg.sdf(vertices, faces, threads=1)
+    two, _ = sg.sdf(np.asfortranarray(vertices), faces.astype(np.int64), threads=2)
+    np.testing.assert_array_equal(one, two)
+    assert one.base is not None  # the array of the computation itself, no copy
+
+
+def test_objects_with_arrays_are_shapes(torus):
+    vertices, faces = torus
+    expected, _ = sg.sdf(vertices, faces)
+    trimesh = types.SimpleNamespace(vertices=vertices, faces=faces)
+    open3d = types.SimpleNamespace(vertices=vertices, triangles=faces)
+    for mesh in (trimesh, open3d, sg.Shape(vertices, faces, np.zeros((0, 3)))):
+        np.testing.assert_array_equal(sg.sdf(mesh)[0], expected)
+    cloud = types.SimpleNamespace(points=vertices, normals=[])
+    np.testing.assert_array_equal(sg.sdf(cloud, offset="auto")[0], sg.sdf(vertices, offset="auto")[0])
+
+
+def test_normals_of_a_cloud_point_outward(torus):
+    vertices, _ = bumpy_torus(80, 48)
+    normals = sg.normals(vertices)
+    assert normals.shape == vertices.shape
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1, atol=1e-6)
+    middle = vertices.copy()
+    middle[:, 2] = 0
+    middle /= np.linalg.norm(middle, axis=1, keepdims=True)
+    assert ((normals * (vertices - middle)).sum(axis=1) > 0).mean() > 0.97
+
+
+def test_any_field_of_configurations(torus):
+    values, weights = sg.field(*torus, type="centricity", sources=10)
+    assert values.shape == weights.shape == (1920,)
+    assert (values > 0).all()
+    with pytest.raises(sg.InputError, match="no_such"):
+        sg.field(*torus, type="no_such")
+    with pytest.raises(ValueError, match="wrong"):
+        sg.field(*torus, type="cone_sdf", wrong=1)
+
+
+def test_segments_are_the_command_lines(torus_file, tmp_path):
+    labels = sg.segment(sg.read(torus_file), parts=3)
+    program("segment", torus_file, "--parts", 3, "-o", tmp_path / "torus.seg")
+    np.testing.assert_array_equal(labels, np.loadtxt(tmp_path / "torus.seg", dtype=int))
+    assert labels.dtype == np.int32
+
+
+def test_features_are_the_command_lines(torus_file, tmp_path):
+    features = sg.describe(sg.read(torus_file), descriptor="d2", points=500)
+    program("describe", torus_file, "--descriptor", "d2", "--set", "points=500", "-o", tmp_path / "d2.npy")
+    np.testing.assert_array_equal(features, np.load(tmp_path / "d2.npy")[0].astype(np.float32))
+
+
+def test_scores_are_those_known_by_hand():
+    scores = sg.evaluate(*toy(), name="toy")
+    assert scores["NN"] == pytest.approx(4 / 7)
+    assert scores.macro["FT"] == pytest.approx((1 / 3 + 1 / 2) / 2)
+    assert scores.per_query["NN"].tolist() == [1, 1, 0, 0, 0, 1, 1]
+    assert scores.per_class["a"]["NN"] == pytest.approx(2 / 3)
+    assert dict(scores) == scores.micro
+    assert "57.14" in repr(scores) and "toy" in scores.to_markdown() and r"\begin" in scores.to_latex()
+    assert scores.to_csv().count("\n") == 3 and "<table>" in scores._repr_html_()
+    with pytest.raises(KeyError, match="FT"):
+        scores["no such measure"]
+
+
+def test_scores_and_comparisons_are_the_command_lines(tmp_path):
+    generator = np.random.default_rng(5)
+    labels = np.repeat(np.arange(12), 6)
+    places = labels[:, None] + generator.normal(size=(72, 3))
+    first = np.linalg.norm(places[:, None] - places[None], axis=2)
+    second = first + 0.5 * np.abs(np.subtract.outer(places[:, 0], places[:, 0]))
+    for name, matrix in (("first", first), ("second", second)):
+        np.save(tmp_path / f"{name}.npy", matrix)
+    np.save(tmp_path / "labels.npy", labels)
+    of_files = [tmp_path / "first.npy", "--labels", tmp_path / "labels.npy", "--format", "json"]
+    told = json.loads(subprocess.run([PROGRAM, "evaluate", *map(str, of_files)], check=True, capture_output=True).stdout)
+    assert sg.evaluate(first, labels).micro == told["micro"]
+    of_files = [tmp_path / "first.npy", tmp_path / "second.npy", *of_files[1:]]
+    told = json.loads(subprocess.run([PROGRAM, "compare", *map(str, of_files)], check=True, capture_output=True).stdout)
+    comparison = sg.compare({"first": first, "second": second}, labels)
+    assert comparison.results == told
+    assert "first" in repr(comparison) and r"\begin" in comparison.to_latex() and "|" in comparison.to_markdown()
+
+
+def test_reranked_distances_are_the_command_lines(tmp_path):
+    distances, _ = toy()
+    np.save(tmp_path / "toy.npy", distances)
+    program("rerank", tmp_path / "toy.npy", "--neighbours", 3, "-o", tmp_path / "better.npy")
+    np.testing.assert_array_equal(sg.rerank(distances, neighbours=3), np.load(tmp_path / "better.npy"))
+
+
+def test_what_is_odd_is_warned_of():
+    distances, labels = toy()
+    with pytest.warns(UserWarning, match="similarities"):
+        sg.evaluate(distances.max() - distances, labels)
+
+
+@pytest.mark.parametrize("call, words", [
+    (lambda: sg.sdf([[0, 0, 0]], [[0, 1, 2]]), "outside 0..0"),
+    (lambda: sg.sdf([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]]), "finite"),
+    (lambda: sg.sdf(np.zeros((4, 2)), [[0, 1, 2]]), "n x 3"),
+    (lambda: sg.sdf(np.eye(3), [[0.0, 1.0, 2.0]]), "whole numbers"),
+    (lambda: sg.sdf(np.eye(3), [[0, 1, -1]]), "indices"),
+    (lambda: sg.sdf(np.eye(3), [[0, 1, 2]], method="x"), "cone"),
+    (lambda: sg.read("no such file.off"), "no such file.off"),
+    (lambda: sg.evaluate(np.zeros((3, 4)), [0, 0, 1]), "n x n"),
+    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0]), "labels"),
+    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0, 1], "x"), "protocol"),
+    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0, 1], measures=["x"]), "x"),
+    (lambda: sg.rerank(np.zeros((3, 3)), wrong=1), "wrong"),
+    (lambda: sg.rerank(np.zeros((3, 3)), "x"), "x"),
+    (lambda: sg.run("no such file.json"), "no such file.json"),
+    (lambda: sg.describe(np.eye(3), [[0, 1, 2]], "x"), "x"),
+])
+def test_unusable_input_is_a_value_error_with_the_reason(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]
+
+
+def test_an_experiment_gives_the_command_lines_files(tmp_path):
+    configuration = os.path.join(CONFIGS, "quickstart.json")
+    done = sg.run(configuration, tmp_path / "python", settings=SMALL, cache="")
+    sets = [word for one in SMALL for word in ("--set", one)]
+    program("run", configuration, "--output", tmp_path / "program", "--no-cache", *sets)
+    for name in ("summary.csv", "per_query.csv", "pr_curves.csv"):
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "program" / name).read_bytes()
+    assert done.left_out == [] and "Results in" in repr(done)
+
+
+def test_ctrl_c_stops_an_experiment(tmp_path):
+    configuration = os.path.join(CONFIGS, "quickstart.json")
+    many = ["dataset.generate.classes=16", "dataset.generate.models_per_class=60"]
+    code = f"import shapegauge as sg; sg.run({configuration!r}, {str(tmp_path / 'out')!r}, settings={many!r}, cache='')"
+    process = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True)
+    for _ in range(600):  # until it computes
+        if (tmp_path / "out" / "dataset").exists() or process.poll() is not None:
+            break
+        time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate(timeout=60)
+    assert "KeyboardInterrupt" in errors
+    assert process.returncode in (130, -signal.SIGINT)
