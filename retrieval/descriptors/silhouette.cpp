@@ -248,8 +248,7 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
       for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(radius, static_cast<int>(k));
       for (std::size_t k = 0; k < zernike_moments; ++k) {
         const double factor = (indices[k].order + 1) / std::numbers::pi * pixel_area;
-        const std::complex<double> value =
-            std::polar(factor * radial[k](powers), -indices[k].repetition * angle);
+        const std::complex<double> value = std::polar(factor * radial[k](powers), -indices[k].repetition * angle);
         const auto column = static_cast<Eigen::Index>(k);
         basis_(y * side + x, column) = static_cast<float>(value.real());
         basis_(y * side + x, static_cast<Eigen::Index>(zernike_moments) + column) = static_cast<float>(value.imag());
