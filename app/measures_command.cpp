@@ -6,6 +6,7 @@
 
 #include "app/commands.h"
 #include "shapegauge/metrics/measures.h"
+#include "shapegauge/metrics/segmentation_errors.h"
 
 namespace shapegauge {
 
@@ -40,6 +41,9 @@ int run(const std::string& format) {
                      {"source", measure.source},
                      {"caveat", measure.caveat}});
     }
+    for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
+      all.push_back({{"name", error.name}, {"segmentation", true}, {"definition", error.definition}});
+    }
     fmt::print("{}\n", all.dump(2));
     return exit_success;
   }
@@ -48,6 +52,10 @@ int run(const std::string& format) {
     fmt::print("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
                wrapped(fmt::format("Source: {}", measure.source), 4),
                wrapped(fmt::format("Caveat: {}", measure.caveat), 4));
+  }
+  fmt::print("\nErrors of segmentations, as Chen, Golovinskiy and Funkhouser 2009 measure them; less is better.\n");
+  for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
+    fmt::print("\n{}\n{}", error.name, wrapped(error.definition, 4));
   }
   return exit_success;
 }

@@ -18,6 +18,7 @@
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/replay.h"
@@ -26,6 +27,8 @@
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
+#include "shapegauge/experiments/segmentation/write_segmentation.h"
 
 namespace shapegauge {
 
@@ -134,16 +137,17 @@ int report_replay(const nlohmann::json& recorded, const fs::path& results) {
 
 /// What a run took from the cache, as a line: "From the cache: 600 of 600 fields, ..."; empty where that is nothing.
 std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 5> shown{{{EntryKind::shape, "shapes"},
+  constexpr std::array<std::pair<EntryKind, std::string_view>, 6> shown{{{EntryKind::shape, "shapes"},
                                                                          {EntryKind::field, "fields"},
                                                                          {EntryKind::histogram, "histograms"},
                                                                          {EntryKind::features, "features"},
-                                                                         {EntryKind::distances, "distance matrices"}}};
+                                                                         {EntryKind::distances, "distance matrices"},
+                                                                         {EntryKind::segmentation, "segmentations"}}};
   std::vector<std::string> parts;
   bool any = false;
   for (const auto& [kind, name] : shown) {
     const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
-    if (kind == EntryKind::features && use.hits + use.computed == 0) continue;  // no descriptor
+    if (use.hits + use.computed == 0) continue;
     parts.push_back(fmt::format("{} of {} {}", use.hits, use.hits + use.computed, name));
     any = any || use.hits > 0;
   }
@@ -266,9 +270,34 @@ int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
   return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes"));
 }
 
+int run_parts(const RunArguments& arguments, const RequestedRun& request) {
+  const SegmentationExperiment experiment = segmentation_from_json(request.document, request.source, request.folder);
+  const std::uintmax_t limit = cache_limit();
+  const fs::path folder = result_folder(arguments, experiment.name);
+  const FolderLock lock(folder);
+  prepare_result_folder(folder, to_json(experiment), arguments.replace || arguments.force);
+  ProgressLine progress;
+  const std::unique_ptr<Cache> cache = cache_for(arguments);
+  const CacheWarnings warnings(*cache, progress);
+  const SegmentationResults results =
+      run_segmentation(experiment, folder / "dataset", run_control(arguments, progress), *cache);
+  write_segmentation(folder, results);
+  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
+  progress.clear();
+  fmt::print("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache), folder.string(),
+             (folder / report_name).string());
+  std::vector<LeftOut> left_out;
+  for (const FailedSegmentation& failure : results.failures) {
+    left_out.push_back({"shape " + failure.model.id, failure.message});
+  }
+  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
+  return std::max(replayed, report_flaws({}, left_out, left_out.size() + results.shapes.size(), "shapes"));
+}
+
 int run(const RunArguments& arguments) {
   const RequestedRun request = requested_run(arguments.source);
-  return is_comparison(request.document) ? run_shapes(arguments, request) : run_retrieval(arguments, request);
+  if (is_comparison(request.document)) return run_shapes(arguments, request);
+  return is_segmentation(request.document) ? run_parts(arguments, request) : run_retrieval(arguments, request);
 }
 
 }  // namespace

@@ -12,8 +12,10 @@
 namespace shapegauge {
 
 std::vector<std::int32_t> read_seg(const std::filesystem::path& path, std::size_t faces) {
-  const std::string text = read_file_bytes(path);
-  const std::string name = path.string();
+  return parse_seg(read_file_bytes(path), path.string(), faces);
+}
+
+std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces) {
   TextScanner scanner(text, name);
   std::vector<std::int32_t> labels;
   std::int64_t segment = 0;

@@ -16,21 +16,22 @@ namespace shapegauge {
 
 /// What an entry of the cache holds.
 enum class EntryKind {
-  shape,      ///< what was found of a shape while it was prepared: diagnostics, scale, noise
-  samples,    ///< the weights of a shape's samples
-  field,      ///< the values of a field on a shape
-  histogram,  ///< of one field on one shape
-  distances,  ///< a distance matrix
-  picture,    ///< of a shape, for the report
-  features,   ///< of a descriptor, of one shape
-  learnt,     ///< what a descriptor has learnt from a data set
+  shape,         ///< what was found of a shape while it was prepared: diagnostics, scale, noise
+  samples,       ///< the weights of a shape's samples
+  field,         ///< the values of a field on a shape
+  histogram,     ///< of one field on one shape
+  distances,     ///< a distance matrix
+  picture,       ///< of a shape, for the report
+  features,      ///< of a descriptor, of one shape
+  learnt,        ///< what a descriptor has learnt from a data set
+  segmentation,  ///< the parts of a shape
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 8;
+inline constexpr std::size_t number_of_entry_kinds = 9;
 
 /// The kinds' names, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
-    "shape", "samples", "field", "histogram", "distances", "picture", "features", "learnt"};
+    "shape", "samples", "field", "histogram", "distances", "picture", "features", "learnt", "segmentation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

@@ -211,21 +211,6 @@ DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
   return location;
 }
 
-GeneratorOptions generator_of(const Json& dataset) {
-  for (const auto& [key, value] : dataset.items()) {
-    if (key != "generate") {
-      throw ConfigurationError{key, "does not go with \"generate\"; remove one of the two"};
-    }
-  }
-  return at("generate", [&] {
-    const ParameterValues values = read_parameters(generator_parameters(), dataset.at("generate"));
-    return GeneratorOptions{.classes = static_cast<int>(values.integer("classes")),
-                            .models_per_class = static_cast<int>(values.integer("models_per_class")),
-                            .faces = static_cast<int>(values.integer("faces")),
-                            .seed = static_cast<std::uint64_t>(values.integer("seed"))};
-  });
-}
-
 std::vector<Protocol> protocols_of(const Json& setting) {
   std::vector<Protocol> protocols;
   const auto add = [&](const Json& name) { protocols.push_back(protocol_of(name.get<std::string>()).value()); };
@@ -256,7 +241,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   configuration.description = document.value("description", "");
   const Json& dataset = document.at("dataset");
   if (dataset.contains("generate")) {
-    configuration.generator = at("dataset", [&] { return generator_of(dataset); });
+    configuration.generator = at("dataset", [&] { return read_generator(dataset); });
   } else {
     configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
   }
@@ -296,6 +281,21 @@ PreparationOptions read_preparation(const Json& settings) {
   const ParameterValues values = read_parameters(preparation_parameters(), settings);
   return {.denoise = values.boolean("denoise"),
           .scale = values.word("scale") == "tube_area" ? ScaleEstimate::tube_area : ScaleEstimate::area};
+}
+
+GeneratorOptions read_generator(const Json& dataset) {
+  for (const auto& [key, value] : dataset.items()) {
+    if (key != "generate") {
+      throw ConfigurationError{key, "does not go with \"generate\"; remove one of the two"};
+    }
+  }
+  return at("generate", [&] {
+    const ParameterValues values = read_parameters(generator_parameters(), dataset.at("generate"));
+    return GeneratorOptions{.classes = static_cast<int>(values.integer("classes")),
+                            .models_per_class = static_cast<int>(values.integer("models_per_class")),
+                            .faces = static_cast<int>(values.integer("faces")),
+                            .seed = static_cast<std::uint64_t>(values.integer("seed"))};
+  });
 }
 
 OnError read_on_error(const Json& experiment) {

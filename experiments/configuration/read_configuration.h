@@ -40,6 +40,10 @@ std::vector<SignatureConfiguration> read_signatures(const nlohmann::json& settin
 /// The options of a configuration's "preparation".
 PreparationOptions read_preparation(const nlohmann::json& settings);
 
+/// The shapes that a configuration's "dataset" has the program generate. Throws ConfigurationError for other settings
+/// beside them.
+GeneratorOptions read_generator(const nlohmann::json& dataset);
+
 /// The setting "on_error" of an experiment.
 OnError read_on_error(const nlohmann::json& experiment);
 

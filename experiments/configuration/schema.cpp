@@ -13,6 +13,7 @@
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 #include "shapegauge/metrics/measures.h"
@@ -178,7 +179,9 @@ std::vector<ParameterGroup> section_groups() {
           {.name = "bilateral", .description = {}, .parameters = bilateral_parameters()},
           {.name = "signature", .description = {}, .parameters = derived_parameters()},
           {.name = "sum_term", .description = {}, .parameters = sum_term_parameters()},
-          {.name = "evaluation", .description = {}, .parameters = evaluation_parameters()}};
+          {.name = "evaluation", .description = {}, .parameters = evaluation_parameters()},
+          {.name = "segmentation_experiment", .description = {}, .parameters = segmentation_experiment_parameters()},
+          {.name = "segmentation_method", .description = {}, .parameters = segmentation_method_parameters()}};
 }
 
 const Parameter& registered_parameter(std::string_view group, std::string_view name) {

@@ -6,7 +6,8 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
-#include <regex>
+#include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <tbb/parallel_for.h>
 #include <utility>
@@ -19,6 +20,8 @@
 #include "shapegauge/experiments/files/classification.h"
 #include "shapegauge/experiments/generator/articulated_body.h"
 #include "shapegauge/experiments/generator/class_skeletons.h"
+#include "shapegauge/experiments/generator/mesh_solid.h"
+#include "shapegauge/experiments/generator/object_classes.h"
 
 namespace shapegauge {
 
@@ -38,31 +41,71 @@ constexpr Parameter faces_parameter{.name = "faces",
 
 constexpr int most_models = 1000;
 
-/// The classes' names, in their order.
+/// The classes' names, in their order: articulated bodies, then objects.
 const std::vector<std::string>& class_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (std::size_t c = 0; c < class_count(); ++c) all.push_back(class_skeleton(c).name);
+    for (const ObjectClass& objects : object_classes()) all.push_back(objects.name);
     return all;
   }();
   return names;
 }
 
-/// Draws that model of a class's body: an individual in a pose.
-Shape draw_numbered_model(const ArticulatedBody& body, std::size_t class_index, std::size_t model, std::uint64_t seed) {
-  RandomNumbers random(seed, (class_index << 32U) + model);
-  return draw_model(body, random);
+/// Draws objects of a class until one can be meshed.
+SolidMesh draw_object(const ObjectClass& objects, int faces, RandomNumbers& random) {
+  constexpr int attempts = 10;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (std::optional<SolidMesh> mesh = mesh_solid(objects.draw(random), faces)) return *std::move(mesh);
+  }
+  throw std::runtime_error(
+      fmt::format("no object of the generated class {} can be meshed; raise the number of faces", objects.name));
+}
+
+/// Draws the models of a class, each with random numbers of its own.
+class ClassModels {
+ public:
+  ClassModels(std::size_t class_index, int faces, std::uint64_t seed)
+      : class_index_(class_index), faces_(faces), seed_(seed) {
+    if (class_index < class_count()) body_ = make_body(class_skeleton(class_index), faces);
+  }
+
+  /// An individual in a pose, or an object.
+  [[nodiscard]] SolidMesh draw(std::size_t model) const {
+    RandomNumbers random(seed_, (class_index_ << 32U) + model);
+    if (body_) return {draw_model(*body_, random), body_->labels};
+    return draw_object(object_classes()[class_index_ - class_count()], faces_, random);
+  }
+
+ private:
+  std::size_t class_index_;
+  int faces_;
+  std::uint64_t seed_;
+  std::optional<ArticulatedBody> body_;
+};
+
+/// The names of a class's parts, by label.
+std::vector<std::string> part_names(std::size_t class_index) {
+  if (class_index >= class_count()) return object_classes()[class_index - class_count()].parts;
+  std::vector<std::string> names;
+  for (const Limb& limb : class_skeleton(class_index).limbs) names.push_back(part_name(limb));
+  return names;
 }
 
 void check_options(const GeneratorOptions& options) {
-  require_in_bounds("the number of classes", options.classes, {.low = 1, .high = static_cast<double>(class_count())});
+  require_in_bounds("the number of classes", options.classes,
+                    {.low = 1, .high = static_cast<double>(class_names().size())});
   require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
   require_in_bounds("the number of faces", options.faces, faces_parameter.bounds);
 }
 
 bool belongs_to_dataset(const std::filesystem::path& file) {
-  static const std::regex names(R"(T\d+\.(off|seg)|test\.cla|parts\.json)");
-  return std::regex_match(file.filename().string(), names);
+  const std::string name = file.filename().string();
+  if (name == "test.cla" || name == "parts.json") return true;
+  const std::string stem = file.stem().string();
+  const bool numbered =
+      stem.size() > 1 && stem[0] == 'T' && stem.find_first_not_of("0123456789", 1) == std::string::npos;
+  return numbered && (file.extension() == ".off" || file.extension() == ".seg");
 }
 
 // Makes the folder and sees to it that it holds no data set.
@@ -125,23 +168,20 @@ struct Models {
 
 void write_class(std::size_t class_index, const Models& models, const GeneratorOptions& options,
                  ProgressCounter& counter) {
-  const ArticulatedBody body = make_body(class_skeleton(class_index), options.faces);
-  const std::string segmentation = segmentation_text(body.labels);
+  const ClassModels drawn(class_index, options.faces, options.seed);
   const auto count = static_cast<std::size_t>(options.models_per_class);
   tbb::parallel_for(std::size_t{0}, count, [&](std::size_t model) {
     const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
-    write_off(models.folder / (name + ".off"), draw_numbered_model(body, class_index, model, options.seed));
-    write_file_atomically(models.folder / (name + ".seg"), segmentation);
+    const SolidMesh made = drawn.draw(model);
+    write_off(models.folder / (name + ".off"), made.mesh);
+    write_file_atomically(models.folder / (name + ".seg"), segmentation_text(made.labels));
     counter.count_one();
   });
 }
 
 void write_parts(const std::filesystem::path& folder, std::size_t classes) {
   nlohmann::ordered_json parts;
-  for (std::size_t c = 0; c < classes; ++c) {
-    const Skeleton skeleton = class_skeleton(c);
-    for (const Limb& limb : skeleton.limbs) parts[skeleton.name].push_back(part_name(limb));
-  }
+  for (std::size_t c = 0; c < classes; ++c) parts[class_names()[c]] = part_names(c);
   write_file_atomically(folder / "parts.json", parts.dump(2) + '\n');
 }
 
@@ -150,7 +190,7 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
   auto number = numbers.begin();
   for (int c = 0; c < options.classes; ++c) {
     ModelClass model_class;
-    model_class.name = class_skeleton(static_cast<std::size_t>(c)).name;
+    model_class.name = class_names()[static_cast<std::size_t>(c)];
     for (int m = 0; m < options.models_per_class; ++m) model_class.models.push_back(std::to_string(*number++));
     classification.classes.push_back(std::move(model_class));
   }
@@ -163,18 +203,19 @@ std::vector<std::string> generated_class_names() { return class_names(); }
 
 std::span<const Parameter> generator_parameters() {
   const GeneratorOptions usual;
-  static const std::vector<Parameter> parameters{{.name = "classes",
-                                                  .kind = ParameterKind::integer,
-                                                  .default_value = std::int64_t{usual.classes},
-                                                  .bounds = {.low = 1, .high = static_cast<double>(class_count())},
-                                                  .description = "Number of classes."},
-                                                 {.name = "models_per_class",
-                                                  .kind = ParameterKind::integer,
-                                                  .default_value = std::int64_t{usual.models_per_class},
-                                                  .bounds = {.low = 1, .high = most_models},
-                                                  .description = "Models of each class."},
-                                                 faces_parameter,
-                                                 seed_parameter};
+  static const std::vector<Parameter> parameters{
+      {.name = "classes",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{usual.classes},
+       .bounds = {.low = 1, .high = static_cast<double>(class_names().size())},
+       .description = "Number of classes."},
+      {.name = "models_per_class",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{usual.models_per_class},
+       .bounds = {.low = 1, .high = most_models},
+       .description = "Models of each class."},
+      faces_parameter,
+      seed_parameter};
   return parameters;
 }
 
@@ -200,8 +241,7 @@ Shape generate_model(const GeneratedModel& wanted) {
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);
   const auto class_index = static_cast<std::size_t>(found - class_names().begin());
-  const ArticulatedBody body = make_body(class_skeleton(class_index), wanted.faces);
-  return draw_numbered_model(body, class_index, static_cast<std::size_t>(wanted.model), wanted.seed);
+  return ClassModels(class_index, wanted.faces, wanted.seed).draw(static_cast<std::size_t>(wanted.model)).mesh;
 }
 
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,

@@ -26,7 +26,7 @@ Shape generate_model(const GeneratedModel& wanted);
 /// What generate_dataset makes.
 struct GeneratorOptions {
   int classes = 16;          ///< the first so many of generated_class_names()
-  int models_per_class = 8;  ///< each one an individual of its class in a pose of its own
+  int models_per_class = 8;  ///< each one an individual of its class in a pose of its own, or an object
   int faces = 4000;          ///< approximate number of triangles of a model
   std::uint64_t seed = 1;    ///< the same seed and options give the same bytes, whatever the number of threads
   bool force = false;        ///< replace a data set that the folder holds already
@@ -43,11 +43,12 @@ using GeneratorProgress = std::function<void(int done, int total)>;
 /// Names of the classes the generator knows, in the order in which GeneratorOptions::classes counts them.
 std::vector<std::string> generated_class_names();
 
-/// Writes articulated shapes into the folder (made where absent), in the layout of SHREC'11:
+/// Writes articulated shapes and, after their classes, rigid objects into the folder (made where absent), in the layout
+/// of SHREC'11:
 /// - T0.off, T1.off, ...: closed, manifold, outward-oriented meshes without self-intersections, one component each;
 /// - T0.seg, T1.seg, ...: a part label per triangle, one integer a line, as in the Princeton segmentation benchmark;
 /// - test.cla: the classification; the models of a class are scattered over the numbers at random;
-/// - parts.json: per class the names of its parts, in the order of the labels.
+/// - parts.json: per class the names of its parts, in the order of the labels; an object may lack some.
 /// Models are made in parallel (TBB). Throws InputError: an option out of range, a folder that cannot be written, a
 /// folder that holds T*.off, T*.seg or test.cla already (unless forced: then those are replaced or removed).
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,

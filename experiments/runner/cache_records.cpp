@@ -104,6 +104,15 @@ FieldDescription read_facts(const Json& record) {
 
 }  // namespace
 
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version) {
+  Json settings = to_json(method);
+  settings.erase("name");
+  return key_of(EntryKind::segmentation, {{"file", source.sha256},
+                                          {"extension", lower_case(source.file.extension().string())},
+                                          {"method", std::move(settings)},
+                                          {"versions", {shape_reading_version, version}}});
+}
+
 std::string shape_key(const ModelSource& source, const Configuration& configuration) {
   Json depends_on{{"file", source.sha256},
                   {"extension", lower_case(source.file.extension().string())},

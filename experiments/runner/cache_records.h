@@ -10,6 +10,7 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/model_picture.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -63,6 +64,9 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 
 /// The name, with its version, by which distances_key() knows a descriptor's own distance.
 std::string distance_of(const Descriptor& descriptor);
+
+/// Of the parts of a shape by a method; `version` is that of the method's algorithm.
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version);
 
 /// The numbers of an array.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);

@@ -13,6 +13,7 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/datasets/layouts.h"
 
 namespace shapegauge {
 
@@ -103,6 +104,17 @@ SegmentationBenchmark find_segmentation_benchmark(const fs::path& root) {
     throw InputError(fmt::format("{}: there is no mesh off/N.off with a segmentation seg/N/*.seg", root.string()));
   }
   return benchmark;
+}
+
+SegmentationBenchmark find_generated_parts(const fs::path& root) {
+  const Dataset dataset = find_dataset(recognise_dataset(root));
+  SegmentationBenchmark shapes{.models = {}, .classes = dataset.classes, .without_people = {}};
+  for (const Model& model : dataset.models) {
+    fs::path parts = model.file;
+    shapes.models.push_back(
+        {.id = model.id, .mesh = model.file, .people = {parts.replace_extension(".seg")}, .label = model.label});
+  }
+  return shapes;
 }
 
 SegmentationScorer::SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring) {

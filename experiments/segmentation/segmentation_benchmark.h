@@ -29,6 +29,10 @@ struct SegmentationBenchmark {
 /// names are a class "other". Throws InputError where a folder is absent or nobody segmented anything.
 SegmentationBenchmark find_segmentation_benchmark(const std::filesystem::path& root);
 
+/// Shapes that generate_dataset() made, each with one "person's" segmentation: the parts that it was made of. Throws
+/// InputError as find_dataset().
+SegmentationBenchmark find_generated_parts(const std::filesystem::path& root);
+
 /// What is compared of segmentations.
 struct SegmentationScoring {
   bool by_area = false;  ///< triangles count by their area; else all alike, as the benchmark's own tables have it

@@ -15,7 +15,6 @@
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
 #include "shapegauge/segmentation/part_model_training.h"
 #include "shapegauge/segmentation/part_segmentation.h"
@@ -37,19 +36,6 @@ struct TrainingModel {
   Eigen::MatrixXd together;
   int label = 0;
 };
-
-/// The shapes of a generated data set with the parts that they were made of, or a segmentation benchmark.
-SegmentationBenchmark find_training_shapes(const std::filesystem::path& root) {
-  if (!std::filesystem::exists(root / "parts.json")) return find_segmentation_benchmark(root);
-  const Dataset dataset = find_dataset(recognise_dataset(root));
-  SegmentationBenchmark shapes{.models = {}, .classes = dataset.classes, .without_people = {}};
-  for (const Model& model : dataset.models) {
-    std::filesystem::path parts = model.file;
-    shapes.models.push_back(
-        {.id = model.id, .mesh = model.file, .people = {parts.replace_extension(".seg")}, .label = model.label});
-  }
-  return shapes;
-}
 
 /// An ellipsoid of these radii, which is one part: what generated shapes do not show.
 Shape ellipsoid(const Eigen::Vector3d& radii) {
@@ -196,7 +182,10 @@ int run(const std::vector<std::string>& arguments) {
     fmt::print(stderr, "usage: train_part_model SHAPES [WEIGHTS.inc]\n");
     return 2;
   }
-  const SegmentationBenchmark benchmark = find_training_shapes(arguments[0]);
+  const std::filesystem::path shapes = arguments[0];
+  const SegmentationBenchmark benchmark = std::filesystem::exists(shapes / "parts.json")
+                                              ? find_generated_parts(shapes)
+                                              : find_segmentation_benchmark(shapes);
   const std::vector<TrainingModel> models = prepared(benchmark);
   if (arguments.size() == 1) {
     cross_validate(benchmark, models);

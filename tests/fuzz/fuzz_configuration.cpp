@@ -4,6 +4,7 @@
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 
@@ -41,6 +42,7 @@ bool configuration(std::string_view bytes) {
     if (!is_accepted("--set ", [&] { apply_override(document, assignment); })) return false;
   }
   if (is_comparison(document)) return complete(document, comparison_from_json);
+  if (is_segmentation(document)) return complete(document, segmentation_from_json);
   return complete(document, configuration_from_json);
 }
 

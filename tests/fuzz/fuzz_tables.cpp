@@ -1,7 +1,12 @@
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "shapegauge/experiments/files/classification.h"
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/files/ranked_answers.h"
+#include "shapegauge/segmentation/seg_file.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 
@@ -70,6 +75,15 @@ bool trec_run(std::string_view bytes) {
 
 bool ranked_lists(std::string_view bytes) {
   return is_accepted("lists:", [&] { promise_answers(parse_ranked_lists(bytes, "lists")); });
+}
+
+bool seg(std::string_view bytes) {
+  const auto faces = static_cast<std::size_t>(std::ranges::count(bytes, '\n'));
+  return is_accepted("parts", [&] {
+    const std::vector<std::int32_t> segments = parse_seg(std::string(bytes), "parts", faces);
+    promise(segments.size() == faces, "there is a segment for each face");
+    promise(std::ranges::all_of(segments, [](std::int32_t s) { return s >= 0; }), "segments have numbers from 0 on");
+  });
 }
 
 bool qrels(std::string_view bytes) {

@@ -39,6 +39,9 @@ bool ranked_lists(std::string_view bytes);
 bool qrels(std::string_view bytes);
 /// @}
 
+/// A .seg file of a mesh with as many faces as it has line ends: what is read has a segment of 0 or more for each.
+bool seg(std::string_view bytes);
+
 /// A configuration, and after each line end followed by `--set ` an override. What is read, with all defaults filled
 /// in, is a configuration again.
 bool configuration(std::string_view bytes);

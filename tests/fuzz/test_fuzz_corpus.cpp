@@ -44,6 +44,7 @@ constexpr std::array targets = {Target{"read_off", read_off},
                                 Target{"trec_run", trec_run},
                                 Target{"ranked_lists", ranked_lists},
                                 Target{"qrels", qrels},
+                                Target{"seg", seg},
                                 Target{"configuration", configuration}};
 
 class FuzzCorpus : public ::testing::TestWithParam<Target> {

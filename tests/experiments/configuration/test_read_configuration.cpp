@@ -185,7 +185,7 @@ TEST(Configuration, SettingsThatContradictEachOther) {
       experiment_error_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
       HasSubstr("dataset.classification: "));
   EXPECT_THAT(experiment_error_with("/dataset", Json::parse(R"({"generate": {"classes": 1000}})")),
-              HasSubstr("dataset.generate.classes: must be from 1 to 16, not 1000"));
+              HasSubstr("dataset.generate.classes: must be from 1 to 28, not 1000"));
 }
 
 TEST(Configuration, TheReportShowsTheFirstFieldUnlessToldOtherwise) {

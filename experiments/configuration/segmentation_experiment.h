@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/generator/generate_dataset.h"
+
+namespace shapegauge {
+
+/// A way to cut shapes into parts, with its settings (segmentation/).
+struct SegmentationMethod {
+  std::string name;
+  bool paper = false;        ///< the paper's pipeline, or else the best cut
+  int parts = 0;             ///< wanted; 0: as many as there are (paper: the clusters of PaperSegmentationOptions)
+  bool offset_field = true;  ///< paper: the SDF of the offset surface, or else the conventional one
+  double offset = 0.05;      ///< paper: of the offset surface, a fraction of the diagonal
+};
+
+/// An experiment that cuts the shapes of a benchmark into parts and compares the parts with people's, checked, with all
+/// defaults filled in.
+struct SegmentationExperiment {
+  std::string name;
+  std::string description;
+  std::filesystem::path root;                 ///< of a benchmark on disk (find_segmentation_benchmark()), or else
+  std::optional<GeneratorOptions> generator;  ///< shapes that the program makes, whose parts are the truth
+  std::vector<SegmentationMethod> methods;    ///< one or more
+  bool by_area = false;                       ///< triangles count by their area; else all alike
+  bool cuts = false;                          ///< the cut discrepancy too
+  bool pictures = true;                       ///< in the report
+  OnError on_error = OnError::stop;
+};
+
+/// The settings of a method but its name, and those of the experiment that are parameters.
+/// @{
+std::span<const Parameter> segmentation_method_parameters();
+std::span<const Parameter> segmentation_experiment_parameters();
+/// @}
+
+/// Whether the document is one of a segmentation experiment.
+bool is_segmentation(const nlohmann::json& document);
+
+/// The experiment as JSON with all defaults filled in, in the form that configurations are read from.
+nlohmann::json to_json(const SegmentationExperiment& experiment);
+nlohmann::json to_json(const SegmentationMethod& method);
+
+/// Reads a segmentation experiment from the document of a configuration, with the checks of configuration_from_json.
+/// Throws InputError as comparison_from_json.
+SegmentationExperiment segmentation_from_json(const nlohmann::json& document, const std::string& source,
+                                              const std::filesystem::path& folder);
+
+}  // namespace shapegauge

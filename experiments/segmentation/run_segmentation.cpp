@@ -1,0 +1,185 @@
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <fmt/format.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/render/image.h"
+#include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/experiments/runner/cache_records.h"
+#include "shapegauge/segmentation/paper_segmentation.h"
+#include "shapegauge/segmentation/part_segmentation.h"
+#include "shapegauge/segmentation/seg_file.h"
+#include "shapegauge/segmentation/segment_labels.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Labels = std::vector<std::int32_t>;
+
+constexpr int picture_width = 160;
+constexpr int picture_height = 128;
+
+int version_of(const SegmentationMethod& method) {
+  return method.paper ? paper_segmentation_version : part_segmentation_version;
+}
+
+/// What computing one shape needs and gives.
+class ShapeJob {
+ public:
+  ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, Cache& cache)
+      : experiment_(experiment), model_(model), cache_(cache), mesh_(read_shape(model.mesh)) {
+    const auto faces = static_cast<std::size_t>(mesh_.triangles.rows());
+    result.mesh_sha256 = sha256_of_file(model.mesh);
+    for (const std::filesystem::path& file : model.people) {
+      people_.push_back(read_seg(file, faces));
+      result.people_sha256.push_back(sha256_of_file(file));
+    }
+    for (const SegmentationMethod& method : experiment.methods) result.labels.push_back(cached_labels(method));
+    const SegmentationScorer scorer(mesh_, {.by_area = experiment.by_area, .cuts = experiment.cuts});
+    for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
+    errors.push_back(scorer.errors_among(people_));
+    if (!experiment.pictures) return;
+    result.pictures.push_back(picture(people_.front()));
+    for (const Labels& labels : result.labels) result.pictures.push_back(picture(labels));
+  }
+
+  SegmentedShape result;
+  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+
+ private:
+  Labels cached_labels(const SegmentationMethod& method) {
+    const std::string key = segmentation_key(
+        {.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = 0}, method, version_of(method));
+    const auto read = [](const nlohmann::json& value) { return value.get<Labels>(); };
+    std::optional<Labels> found = cache_.lookup(EntryKind::segmentation, key, read);
+    const bool hit = found && std::ssize(*found) == mesh_.triangles.rows();
+    cache_.count(EntryKind::segmentation, hit);
+    if (hit) return *std::move(found);
+    Labels labels = segmented(mesh_, method);
+    cache_.store(EntryKind::segmentation, key, labels);
+    return labels;
+  }
+
+  [[nodiscard]] std::string picture(const Labels& labels) const {
+    const RenderOptions options{.width = picture_width, .height = picture_height, .transparent = true};
+    const std::vector<Colour> colours = label_colours(surface_graph(mesh_), labels);
+    return encode_png(render_shape(mesh_, colours, SampleSite::faces, principal_view(mesh_, options)));
+  }
+
+  const SegmentationExperiment& experiment_;
+  const SegmentedModel& model_;
+  Cache& cache_;
+  Shape mesh_;
+  std::vector<Labels> people_;
+};
+
+SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                                   const RunControl& control) {
+  if (!experiment.generator) return find_segmentation_benchmark(experiment.root);
+  GeneratorOptions options = *experiment.generator;
+  options.force = true;  // of this folder, which is the run's own
+  generate_dataset(generated, options, [&](int done, int total) {
+    if (control.interrupted()) throw Interrupted();
+    control.progress("generated shapes", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
+  });
+  return find_generated_parts(generated);
+}
+
+std::vector<std::string> method_names(const SegmentationExperiment& experiment,
+                                      const SegmentationBenchmark& benchmark) {
+  std::vector<std::string> names;
+  for (const SegmentationMethod& method : experiment.methods) names.push_back(method.name);
+  const bool several = std::ranges::all_of(benchmark.models, [](const auto& model) { return model.people.size() > 1; });
+  if (several) names.emplace_back(people_name);
+  return names;
+}
+
+/// Takes failed shapes out of the benchmark; those left, by their old index.
+std::vector<std::size_t> split_failures(const std::vector<ModelFailure>& failed, SegmentationResults& results) {
+  std::vector<SegmentedModel> used;
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < results.benchmark.models.size(); ++i) {
+    const auto failure = std::ranges::find(failed, i, &ModelFailure::model);
+    if (failure == failed.end()) {
+      left.push_back(i);
+      used.push_back(results.benchmark.models[i]);
+    } else {
+      results.failures.push_back({results.benchmark.models[i], failure->message});
+    }
+  }
+  results.benchmark.models = std::move(used);
+  return left;
+}
+
+void check_failures(const std::vector<ModelFailure>& failed, const SegmentationResults& results) {
+  if (failed.empty()) return;
+  const std::string first =
+      fmt::format("shape {}: {}", results.benchmark.models[failed.front().model].id, failed.front().message);
+  if (results.experiment.on_error == OnError::stop) {
+    throw InputError(first + R"(; repair or remove it, or set "on_error" to "skip")");
+  }
+  if (failed.size() == results.benchmark.models.size())
+    throw InputError("no shape can be used; the first one, " + first);
+}
+
+void run_stages(const RunControl& control, Cache& cache, const std::filesystem::path& generated,
+                SegmentationResults& results) {
+  const auto start = std::chrono::steady_clock::now();
+  results.benchmark = benchmark_of(results.experiment, generated, control);
+  std::vector<std::size_t> all(results.benchmark.models.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<std::optional<SegmentedShape>> shapes(all.size());
+  std::vector<std::vector<SegmentationErrors>> errors(all.size());
+  const bool stop = results.experiment.on_error == OnError::stop;
+  const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, control, [&](std::size_t i) {
+    ShapeJob job(results.experiment, results.benchmark.models[i], cache);
+    shapes[i] = std::move(job.result);
+    errors[i] = std::move(job.errors);
+  });
+  check_failures(failed, results);
+  const std::vector<std::size_t> left = split_failures(failed, results);
+  results.scores = empty_scores(results.benchmark, method_names(results.experiment, results.benchmark));
+  for (std::size_t k = 0; k < left.size(); ++k) {
+    for (std::size_t m = 0; m < results.scores.methods.size(); ++m) results.scores.errors[m][k] = errors[left[k]][m];
+    results.shapes.push_back(*std::move(shapes[left[k]]));
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  results.timings.emplace_back("shapes", seconds.count());
+}
+
+}  // namespace
+
+Labels segmented(const Shape& shape, const SegmentationMethod& method) {
+  if (!method.paper) return part_segmentation(shape, {.parts = method.parts});
+  const SurfaceGraph graph = surface_graph(shape);
+  ScalarField field{.values = {}, .weights = graph.samples.weights};
+  field.values = method.offset_field ? offset_sdf(shape, graph.samples, {.offset = method.offset}).values
+                                     : cone_sdf(shape, graph.samples, {}).values;
+  PaperSegmentationOptions options;
+  if (method.parts > 0) options.mixture.components = method.parts;
+  return paper_segmentation(graph, {&field, 1}, options);
+}
+
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                                     const RunControl& control, Cache& cache) {
+  SegmentationResults results;
+  results.experiment = experiment;
+  results.threads = control.threads > 0 ? control.threads : available_threads();
+  with_threads(control.threads, [&] { run_stages(control, cache, generated, results); });
+  results.cache = cache.report();
+  return results;
+}
+
+}  // namespace shapegauge

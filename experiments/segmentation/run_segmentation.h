@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
+#include "shapegauge/experiments/segmentation/segmentation_tables.h"
+
+namespace shapegauge {
+
+/// What was found of one shape.
+struct SegmentedShape {
+  std::string mesh_sha256;
+  std::vector<std::string> people_sha256;
+  std::vector<std::vector<std::int32_t>> labels;  ///< by method; of each triangle the number of its part
+  std::vector<std::string> pictures;              ///< PNG files: the first person's parts, then by method
+};
+
+/// A shape that the run went on without.
+struct FailedSegmentation {
+  SegmentedModel model;
+  std::string message;
+};
+
+/// All that a segmentation experiment found.
+struct SegmentationResults {
+  SegmentationExperiment experiment;
+  SegmentationBenchmark benchmark;     ///< the shapes that could be used
+  SegmentationScores scores;           ///< of the methods, and of people where a shape has two
+  std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark's
+  std::vector<FailedSegmentation> failures;
+  CacheReport cache;
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
+};
+
+/// The parts of a shape by a method of the experiment. Throws InputError as the method's function.
+std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod& method);
+
+/// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
+/// Generated shapes are written to `generated`. All but the timings is the same for any number of threads. Throws
+/// InputError for a shape that fails with OnError::stop and where no shape is left, and Interrupted.
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                                     const RunControl& control, Cache& cache);
+
+}  // namespace shapegauge

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <fmt/format.h>
+#include <numeric>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/experiments/report/report_json.h"
+#include "shapegauge/experiments/segmentation/write_segmentation.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::string_view style = R"(
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em; color: #222; }
+table { border-collapse: collapse; margin: 1em 0; }
+th, td { padding: .25em .8em; text-align: right; border-bottom: 1px solid #ddd; }
+th:first-child, td:first-child { text-align: left; }
+.bars { display: grid; grid-template-columns: max-content 1fr; gap: .15em .8em; align-items: center; }
+.bars b { grid-column: 1 / -1; margin-top: .6em; }
+.bar { height: .85em; min-width: 1px; display: inline-block; vertical-align: middle; margin-right: .5em; }
+.shapes { display: flex; flex-wrap: wrap; gap: 1em; }
+figure { margin: 0; border: 1px solid #ddd; border-radius: 6px; padding: .5em; }
+figure div { display: inline-block; text-align: center; font-size: 12px; color: #555; }
+figure img { display: block; }
+)";
+
+constexpr std::array<std::string_view, 6> colours = {"#3b6fb6", "#d9822b", "#4d9a4d", "#b04a5a", "#7b5ea7", "#777777"};
+
+std::string html_text(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string html_row(const std::vector<std::string>& cells, std::string_view tag) {
+  std::string row = "<tr>";
+  for (const std::string& cell : cells) row += fmt::format("<{0}>{1}</{0}>", tag, html_text(cell));
+  return row + "</tr>\n";
+}
+
+std::string html_table(const Table& table) {
+  std::string html = "<table>\n" + html_row(table.header, "th");
+  for (const auto& row : table.rows) html += html_row(row, "td");
+  return html + "</table>\n";
+}
+
+/// The mean Rand errors of all methods, class by class.
+std::string class_bars(const SegmentationScores& scores) {
+  std::string html = "<div class=\"bars\">\n";
+  for (std::size_t c = 0; c < scores.classes.size(); ++c) {
+    html += fmt::format("<b>{}</b>\n", html_text(scores.classes[c]));
+    for (std::size_t m = 0; m < scores.methods.size(); ++m) {
+      const double error = scores.mean(m, &SegmentationErrors::rand_index, static_cast<int>(c));
+      if (std::isnan(error)) continue;
+      html += fmt::format(
+          "<span>{}</span><span><span class=\"bar\" style=\"width:{:.1f}%;background:{}\"></span>{:.3f}</span>\n",
+          html_text(scores.methods[m]), 90 * error, colours.at(m % colours.size()), error);
+    }
+  }
+  return html + "</div>\n";
+}
+
+std::string picture(std::string_view png, std::string_view caption) {
+  return fmt::format("<div><img alt=\"\" src=\"data:image/png;base64,{}\">{}</div>", base64(png), html_text(caption));
+}
+
+/// A shape's parts as a person sees them and by each method.
+std::string shape_figure(const SegmentationResults& results, std::size_t shape) {
+  const SegmentationScores& scores = results.scores;
+  const auto label = static_cast<std::size_t>(scores.labels[shape]);
+  std::string html = fmt::format("<figure><figcaption>{} ({})</figcaption>", html_text(scores.ids[shape]),
+                                 html_text(scores.classes[label]));
+  const std::vector<std::string>& pictures = results.shapes[shape].pictures;
+  html += picture(pictures.front(), results.experiment.generator ? "as made" : "a person");
+  for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
+    html += picture(pictures[m + 1],
+                    fmt::format("{}: {:.3f}", results.experiment.methods[m].name, scores.errors[m][shape].rand_index));
+  }
+  return html + "</figure>\n";
+}
+
+/// The shapes' indices, of greatest error of the first method first.
+std::vector<std::size_t> worst_first(const SegmentationScores& scores) {
+  std::vector<std::size_t> order(scores.ids.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater<>{}, [&](std::size_t i) { return scores.errors.front()[i].rand_index; });
+  return order;
+}
+
+/// Of each class the shape of median error.
+std::vector<std::size_t> typical_shapes(const SegmentationScores& scores) {
+  std::vector<std::vector<std::size_t>> by_class(scores.classes.size());
+  for (const std::size_t i : worst_first(scores)) by_class[static_cast<std::size_t>(scores.labels[i])].push_back(i);
+  std::vector<std::size_t> typical;
+  for (const auto& shapes : by_class) {
+    if (!shapes.empty()) typical.push_back(shapes[shapes.size() / 2]);
+  }
+  return typical;
+}
+
+std::string figures(const SegmentationResults& results, const std::vector<std::size_t>& shapes) {
+  std::string html = "<div class=\"shapes\">\n";
+  for (const std::size_t i : shapes) html += shape_figure(results, i);
+  return html + "</div>\n";
+}
+
+}  // namespace
+
+std::string segmentation_page(const SegmentationResults& results) {
+  const SegmentationScores& scores = results.scores;
+  const std::string name = html_text(results.experiment.name);
+  std::string html = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+      "content=\"width=device-width, initial-scale=1\">\n<title>{0} – shapegauge</title>\n<style>{1}</style>\n</head>\n"
+      "<body>\n<h1>{0}</h1>\n<p>{2}</p>\n",
+      name, style, html_text(results.experiment.description));
+  html += fmt::format("<p>{} shapes of {} classes; triangles count {}. Errors: less is better.</p>\n",
+                      scores.ids.size(), scores.classes.size(), results.experiment.by_area ? "by area" : "alike");
+  html += "<h2>Summary</h2>\n" + html_table(mean_table(scores));
+  if (const std::optional<MethodComparison> comparison = rand_comparison(scores)) {
+    html += html_table(interval_table(scores, *comparison)) + html_table(pair_table(scores, *comparison));
+  }
+  html += "<h2>Rand error by class</h2>\n" + class_bars(scores);
+  html += "<details><summary>The same as a table</summary>\n" + html_table(class_table(scores)) + "</details>\n";
+  for (const FailedSegmentation& failure : results.failures) {
+    html += fmt::format("<p>Left out {}: {}</p>\n", html_text(failure.model.id), html_text(failure.message));
+  }
+  if (results.experiment.pictures) {
+    html += "<h2>Gallery</h2>\n<p>Of each class the shape of median error.</p>\n" +
+            figures(results, typical_shapes(scores));
+    html +=
+        fmt::format("<h2>Shapes, worst first</h2>\n<p>By the Rand error of {}.</p>\n", html_text(scores.methods[0])) +
+        figures(results, worst_first(scores));
+  }
+  return html + "</body>\n</html>\n";
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
+
+namespace shapegauge {
+
+/// Writes all result files of a segmentation experiment (docs/segmentation.md#experiments) into the folder, each whole
+/// or not at all, the manifest last, as write_results() does.
+void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results);
+
+/// The errors of all methods, in a terminal's tables.
+std::string summary_text(const SegmentationResults& results);
+
+/// The report as one HTML file without scripts: tables, bars by class, and each shape's parts beside a person's, those
+/// of the greatest Rand error of the first method first.
+std::string segmentation_page(const SegmentationResults& results);
+
+}  // namespace shapegauge

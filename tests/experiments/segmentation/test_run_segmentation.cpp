@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/results/result_folder.h"
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
+#include "shapegauge/experiments/segmentation/write_segmentation.h"
+#include "shapegauge/segmentation/seg_file.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test::bytes_of;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+/// Two balls that do not touch, which every method cuts alike.
+Shape two_balls() {
+  const Shape ball = test::sphere(1, 2);
+  return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+}
+
+class SegmentationRun : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::vector<std::int32_t> two(640, 0);
+    std::fill(two.begin() + 320, two.end(), 7);
+    for (const std::string id : {"1", "21", "22"}) {
+      std::filesystem::create_directories(root() / "seg" / id);
+      std::filesystem::create_directories(root() / "off");
+      write_off(root() / "off" / (id + ".off"), two_balls());
+      write_seg(root() / "seg" / id / "a.seg", two);
+      write_seg(root() / "seg" / id / "b.seg", id == "22" ? std::vector<std::int32_t>(640, 0) : two);
+    }
+  }
+
+  [[nodiscard]] std::filesystem::path root() const { return folder_.path() / "psb"; }
+
+  [[nodiscard]] SegmentationExperiment experiment() const {
+    return segmentation_from_json(
+        {{"name", "balls"},
+         {"dataset", {{"layout", "psb_segmentation"}, {"root", "psb"}}},
+         {"segmentation", {{{"name", "best"}}, {{"name", "the paper"}, {"method", "paper"}}}}},
+        "x.json", folder_.path());
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(SegmentationRun, MeasuresMethodsAndPeople) {
+  Cache cache;
+  const SegmentationResults results = run_segmentation(experiment(), folder_.path() / "none", {}, cache);
+  EXPECT_THAT(results.scores.methods, testing::ElementsAre("best", "the paper", "people"));
+  EXPECT_THAT(results.scores.classes, testing::ElementsAre("human", "cup"));
+  // Of 640 triangles in two halves, pairs across are 320 * 320.
+  const double apart = 320.0 * 320 / (640.0 * 639 / 2);
+  EXPECT_DOUBLE_EQ(results.scores.mean(0, &SegmentationErrors::rand_index, 0), 0);
+  EXPECT_DOUBLE_EQ(results.scores.errors[0][2].rand_index, apart / 2);
+  EXPECT_DOUBLE_EQ(results.scores.errors[2][2].rand_index, apart);
+  EXPECT_DOUBLE_EQ(results.scores.mean(2, &SegmentationErrors::rand_index, 1), apart / 2);
+  EXPECT_THAT(summary_text(results), HasSubstr("the paper"));
+}
+
+TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
+  SegmentationExperiment same = experiment();
+  same.methods.resize(1);
+  const std::filesystem::path place = folder_.path() / "cache";
+  const auto use_of = [&](const SegmentationExperiment& run) {
+    Cache cache(place);
+    const auto results = run_segmentation(run, folder_.path() / "none", {}, cache);
+    return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
+  };
+  EXPECT_GE(use_of(same).computed, 1U);  // the three files are the same bytes: one may serve the others
+  EXPECT_EQ(use_of(same).hits, 3U);
+  same.methods[0].name = "another name";
+  EXPECT_EQ(use_of(same).hits, 3U);
+  same.methods[0].parts = 2;
+  EXPECT_GE(use_of(same).computed, 1U);
+}
+
+TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
+  std::map<std::string, std::string> first;
+  for (const int threads : {1, 2}) {
+    Cache cache;
+    const std::filesystem::path place = folder_.path() / "results" / std::to_string(threads);
+    write_segmentation(place, run_segmentation(experiment(), place / "dataset", {.threads = threads}, cache));
+    const nlohmann::json manifest = read_json(place / manifest_name);
+    EXPECT_EQ(manifest.at("inputs").at("models").size(), 9U);
+    std::map<std::string, std::string> files;
+    for (const std::string name : manifest.at("files")) files[name] = bytes_of(place / name);
+    EXPECT_TRUE(files.contains("parts/the_paper/22.seg"));
+    EXPECT_TRUE(files.contains("errors.csv"));
+    EXPECT_THAT(files.at("report.html"), HasSubstr("data:image/png;base64,"));
+    if (first.empty()) first = files;
+    EXPECT_EQ(files, first);
+    EXPECT_EQ(read_seg(place / "parts/best/1.seg", 640).back(), 1);
+  }
+}
+
+TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
+  write_seg(root() / "seg/21/a.seg", std::vector<std::int32_t>(7, 0));
+  Cache cache;
+  SegmentationExperiment run = experiment();
+  EXPECT_THAT(test::input_error_of([&] { run_segmentation(run, folder_.path() / "none", {}, cache); }),
+              HasSubstr("shape 21: "));
+  run.on_error = OnError::skip;
+  const SegmentationResults results = run_segmentation(run, folder_.path() / "none", {}, cache);
+  ASSERT_EQ(results.failures.size(), 1U);
+  EXPECT_EQ(results.failures[0].model.id, "21");
+  EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
+}
+
+TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
+  const TemporaryFolder folder;
+  nlohmann::json document = read_configuration_document(SHAPEGAUGE_CONFIGS_FOLDER "/generated_segmentation.json");
+  document["dataset"]["generate"] = {{"classes", 2}, {"models_per_class", 1}, {"faces", 1000}};
+  const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
+  Cache cache;
+  const SegmentationResults results = run_segmentation(experiment, folder.path() / "dataset", {}, cache);
+  EXPECT_EQ(results.scores.methods.size(), 3U);  // without people: there is one truth
+  EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index), 0.1);
+  EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index),
+            results.scores.mean(1, &SegmentationErrors::rand_index));
+}
+
+TEST(SegmentationConfiguration, FillsInDefaultsThatReadBackTheSame) {
+  for (const char* name : {"psb_segmentation", "table3_segmentation", "generated_segmentation"}) {
+    const nlohmann::json document =
+        read_json(std::filesystem::path(SHAPEGAUGE_CONFIGS_FOLDER) / (std::string(name) + ".json"));
+    EXPECT_TRUE(is_segmentation(document)) << name;
+    nlohmann::json here = document;
+    if (here["dataset"].contains("root")) here["dataset"]["root"] = "/data";
+    const nlohmann::json filled = to_json(segmentation_from_json(here, name, "/"));
+    EXPECT_EQ(to_json(segmentation_from_json(filled, name, "/")), filled);
+  }
+}
+
+TEST(SegmentationConfiguration, RefusesWhatContradictsItself) {
+  const auto error_of = [](const nlohmann::json& methods) {
+    const nlohmann::json document{
+        {"name", "x"}, {"dataset", {{"generate", {{"classes", 1}}}}}, {"segmentation", methods}};
+    return test::input_error_of([&] { segmentation_from_json(document, "x.json", "/"); });
+  };
+  EXPECT_THAT(error_of({{{"name", "a"}}, {{"name", "a"}}}), HasSubstr("segmentation.1.name"));
+  EXPECT_THAT(error_of({{{"name", "a"}, {"offset", 0.1}}}), HasSubstr("segmentation.0.offset"));
+  EXPECT_THAT(error_of({{{"name", "a"}, {"method", "paper"}, {"field", "cone"}, {"offset", 0.1}}}),
+              HasSubstr("segmentation.0.offset"));
+  EXPECT_THAT(error_of({{{"name", "a"}, {"method", "bset"}}}), HasSubstr("segmentation.0.method"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge
