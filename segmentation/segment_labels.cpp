@@ -148,6 +148,7 @@ std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std
     next = (next + 1) % palette.size();
   }
   std::vector<Colour> colours;
+  colours.reserve(numbers.size());
   for (const std::int32_t number : numbers) colours.push_back(palette[chosen[static_cast<std::size_t>(number)]]);
   return colours;
 }

@@ -151,7 +151,7 @@ std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points&
     std::vector<RayHit> hits(directions.size());
     caster.first_hits(origin, directions, {}, hits);
     for (std::size_t k = 0; k < hits.size(); ++k) {
-      free[i][targets[k].first - i] = !hits[k] || hits[k].distance >= targets[k].second;
+      free[i][targets[k].first - i] = !hits[k] || hits[k].distance >= targets[k].second ? 1 : 0;
     }
   });
   return free;

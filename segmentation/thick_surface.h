@@ -28,7 +28,7 @@ struct ThickSurface {
 /// than a quarter of the area (a cloud, an open sheet, a mesh turned inside out or oriented at random) it is that of
 /// the offset surface (offset_sdf), whose normals then tell the outside, with the automatic_offset(). Nodes without a
 /// value get the mean of their neighbours', and all values are averaged with neighbours of about the same thickness.
-/// Throws InputError where the shape is unusable (validity.h), is empty or has no area.
-ThickSurface thick_surface(const Shape& shape);
+/// Throws InputError where the shape is unusable, is empty or has no area.
+ThickSurface thick_surface(const Shape& given);
 
 }  // namespace shapegauge

@@ -396,7 +396,7 @@ std::string header_of(const Shape& shape, const SampleProperties* samples) {
   return header + "end_header\n";
 }
 
-void append_vector(std::string& bytes, const Eigen::RowVector3d& vector) {
+void append_doubles(std::string& bytes, const Eigen::RowVector3d& vector) {
   for (const double component : vector) append_little_endian(bytes, component);
 }
 
@@ -406,8 +406,8 @@ void write(const std::filesystem::path& path, const Shape& shape, const SamplePr
   std::string bytes = header_of(shape, samples);
   const bool at_vertices = samples && samples->site == SampleSite::vertices;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
-    append_vector(bytes, shape.vertices.row(i));
-    if (has_cloud_normals(shape)) append_vector(bytes, shape.normals.row(i));
+    append_doubles(bytes, shape.vertices.row(i));
+    if (has_cloud_normals(shape)) append_doubles(bytes, shape.normals.row(i));
     if (at_vertices) samples->append(bytes, i);
   }
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
@@ -465,7 +465,7 @@ void write_ply(const std::filesystem::path& path, Shape shape, SampleSite site, 
   shape.normals.resize(0, 3);
   const SampleProperties properties{
       .site = site, .declaration = std::string(normal_declaration), .append = [&](std::string& bytes, Eigen::Index i) {
-        append_vector(bytes, normals.row(i));
+        append_doubles(bytes, normals.row(i));
       }};
   write(path, shape, &properties);
 }

@@ -166,7 +166,7 @@ Eigen::RowVector3f facet_normal(const Shape& mesh, Eigen::Index triangle) {
   return normal.allFinite() ? Eigen::RowVector3f(normal.cast<float>()) : Eigen::RowVector3f::Zero();
 }
 
-void append_vector(std::string& bytes, const Eigen::RowVector3f& vector) {
+void append_floats(std::string& bytes, const Eigen::RowVector3f& vector) {
   for (const float component : vector) append_little_endian(bytes, component);
 }
 
@@ -198,8 +198,8 @@ void write_stl(const std::filesystem::path& path, const Shape& shape) {
   bytes.resize(header_size, ' ');
   append_little_endian(bytes, static_cast<std::uint32_t>(shape.triangles.rows()));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    append_vector(bytes, facet_normal(shape, f));
-    for (int corner = 0; corner < 3; ++corner) append_vector(bytes, vertices.row(shape.triangles(f, corner)));
+    append_floats(bytes, facet_normal(shape, f));
+    for (int corner = 0; corner < 3; ++corner) append_floats(bytes, vertices.row(shape.triangles(f, corner)));
     append_little_endian(bytes, std::uint16_t{0});  // the attribute
   }
   write_file_atomically(path, bytes);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 2> algorithms{"best", "paper"};
 constexpr std::array<std::string_view, 2> fields{"offset", "cone"};
 constexpr std::array<std::string_view, 2> weights{"faces", "area"};
-constexpr std::array<std::string_view, 2> reactions{"stop", "skip"};
+constexpr std::array<std::string_view, 2> on_error_words{"stop", "skip"};
 
 SegmentationMethod method_of(const Json& settings) {
   const ParameterValues values = read_parameters(segmentation_method_parameters(), settings);
@@ -122,8 +122,8 @@ std::span<const Parameter> segmentation_experiment_parameters() {
                 .description = "Pictures of the parts in the report."},
       Parameter{.name = "on_error",
                 .kind = ParameterKind::choice,
-                .default_value = reactions[0],
-                .choices = reactions,
+                .default_value = on_error_words[0],
+                .choices = on_error_words,
                 .description = "A shape that cannot be used: stop the run, or skip it and name it at the end."}};
   return parameters;
 }
@@ -143,7 +143,7 @@ Json to_json(const SegmentationExperiment& experiment) {
             {"by", weights.at(experiment.by_area ? 1 : 0)},
             {"cuts", experiment.cuts},
             {"pictures", experiment.pictures},
-            {"on_error", reactions.at(experiment.on_error == OnError::skip ? 1 : 0)}};
+            {"on_error", on_error_words.at(experiment.on_error == OnError::skip ? 1 : 0)}};
   if (!experiment.description.empty()) json["description"] = experiment.description;
   if (experiment.generator) {
     json["dataset"]["generate"] = to_json(*experiment.generator);

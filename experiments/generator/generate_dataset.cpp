@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
-#include <regex>
 #include <stdexcept>
 #include <system_error>
 #include <tbb/parallel_for.h>
@@ -101,8 +100,12 @@ void check_options(const GeneratorOptions& options) {
 }
 
 bool belongs_to_dataset(const std::filesystem::path& file) {
-  static const std::regex names(R"(T\d+\.(off|seg)|test\.cla|parts\.json)");
-  return std::regex_match(file.filename().string(), names);
+  const std::string name = file.filename().string();
+  if (name == "test.cla" || name == "parts.json") return true;
+  const std::string stem = file.stem().string();
+  const bool numbered =
+      stem.size() > 1 && stem[0] == 'T' && stem.find_first_not_of("0123456789", 1) == std::string::npos;
+  return numbered && (file.extension() == ".off" || file.extension() == ".seg");
 }
 
 // Makes the folder and sees to it that it holds no data set.

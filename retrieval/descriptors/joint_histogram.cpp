@@ -32,6 +32,11 @@ constexpr std::array table = {
     option_of<&JointAxis::over_data_set>("over_data_set", "Take the data set's range instead."),
 };
 constexpr auto parameters = parameters_of(table);
+constexpr std::array options_table = {
+    option_of<&JointHistogramOptions::square_roots>(
+        "square_roots", "Compare the square roots of the shares, so that small ones count more."),
+};
+constexpr auto options_parameters = parameters_of(options_table);
 
 /// The mean of the finite values by weight.
 double mean_of(const ScalarField& field) {
@@ -117,7 +122,8 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean) {
   return {range->low / unit, range->high / unit};
 }
 
-Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes_as_asked) {
+Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes_as_asked,
+                                const JointHistogramOptions& options) {
   const std::size_t bins = checked_size(fields, axes_as_asked);
   std::vector<double> units;
   std::vector<JointAxis> axes;
@@ -156,6 +162,7 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
     stride /= axis.bins;
     if (axis.smoothing_bins != 0) smooth_axis(counts, axis, stride);
   }
+  if (options.square_roots) counts = counts.cwiseSqrt().eval();
   return counts.cast<float>();
 }
 
@@ -197,7 +204,7 @@ Descriptor joint_histogram_descriptor() {
   constexpr std::size_t most_fields = 6;
   return {.name = name,
           .description = "Joint histogram of fields; of diameter and centricity: Gal, Shamir, Cohen-Or 2007.",
-          .parameters = {},
+          .parameters = options_parameters,
           .axis_parameters = parameters,
           .fewest_fields = 2,
           .most_fields = most_fields,
@@ -213,7 +220,7 @@ Descriptor joint_histogram_descriptor() {
                   axes[k].low = ranges(static_cast<Eigen::Index>(k), 0);
                   axes[k].high = ranges(static_cast<Eigen::Index>(k), 1);
                 }
-                return joint_histogram(input.fields, axes);
+                return joint_histogram(input.fields, axes, options_from(options_table, settings.values));
               },
           .distance = l1_distance,
           .learn = learn_ranges,

@@ -24,6 +24,11 @@ struct JointAxis {
   bool over_data_set = false;  ///< those of the data set instead; only descriptor() knows them
 };
 
+/// How the bins of a joint histogram become features.
+struct JointHistogramOptions {
+  bool square_roots = false;  ///< their square roots, so that small shares count more (as in Hellinger's distance)
+};
+
 /// The range of a field's values, after division by their mean where that is asked for. Throws std::invalid_argument
 /// where no value counts, or the mean is not positive.
 Interval joint_range(const ScalarField& field, bool divide_by_mean);
@@ -35,9 +40,10 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean);
 /// On independent fields it is the product of their histograms. Throws InputError for an axis out of range, and
 /// std::invalid_argument for less than two fields, fields that differ in number, axes that are not as many, more than
 /// 1,000,000 bins, and as histogram().
-Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes);
+Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes,
+                                const JointHistogramOptions& options = {});
 
-/// Its settings are those of its axes, one for each field.
+/// Its settings are its options, and those of its axes, one for each field.
 Descriptor joint_histogram_descriptor();
 
 }  // namespace shapegauge

@@ -10,7 +10,6 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -30,7 +29,9 @@ constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t light_field_sets = 10;
 constexpr std::size_t light_field_views = 10;
-constexpr std::size_t view_size = silhouette_feature_count;
+constexpr std::size_t light_field_features = light_field_sets * light_field_views * silhouette_feature_count;
+constexpr std::size_t view_size = 48;  // the features and zeros after them: whole vectors are faster to compare
+static_assert(view_size >= silhouette_feature_count);
 
 using Axes = std::array<Eigen::Vector3d, light_field_views>;
 using ViewPermutation = std::array<std::uint8_t, light_field_views>;
@@ -145,12 +146,16 @@ Shape in_unit_ball(const Shape& mesh) {
 using Bytes = std::array<std::uint8_t, light_field_sets * light_field_views * view_size>;
 
 Bytes bytes_of(std::span<const float> features) {
-  Bytes bytes{};
-  if (features.size() != bytes.size()) {
-    throw std::invalid_argument("a light field has " + std::to_string(bytes.size()) + " features, not " +
+  if (features.size() != light_field_features) {
+    throw std::invalid_argument("a light field has " + std::to_string(light_field_features) + " features, not " +
                                 std::to_string(features.size()));
   }
-  std::ranges::transform(features, bytes.begin(), [](float feature) { return static_cast<std::uint8_t>(feature); });
+  Bytes bytes{};
+  for (std::size_t view = 0; view < light_field_sets * light_field_views; ++view) {
+    for (std::size_t k = 0; k < silhouette_feature_count; ++k) {
+      bytes[view * view_size + k] = static_cast<std::uint8_t>(features[view * silhouette_feature_count + k]);
+    }
+  }
   return bytes;
 }
 
@@ -170,7 +175,7 @@ Eigen::VectorXf light_field(const Shape& mesh, const LightFieldOptions& options)
   static const std::array<Eigen::Quaterniond, light_field_sets> turns = set_turns();
   const Axes axes = dodecahedron_axes();
   const SilhouetteFeatures features_of(options.pixels);
-  Eigen::VectorXf features(std::tuple_size_v<Bytes>);
+  Eigen::VectorXf features(light_field_features);
   Eigen::Index next = 0;
   for (const Eigen::Quaterniond& turn : turns) {
     for (const Eigen::Vector3d& axis : axes) {

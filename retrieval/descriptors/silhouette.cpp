@@ -58,6 +58,8 @@ class Canvas {
   std::vector<std::uint8_t> image_;
 };
 
+constexpr int highest_order = 10;
+
 /// A Zernike polynomial's order and repetition.
 struct ZernikeIndex {
   int order;
@@ -67,7 +69,7 @@ struct ZernikeIndex {
 std::array<ZernikeIndex, zernike_moments> zernike_indices() {
   std::array<ZernikeIndex, zernike_moments> indices{};
   std::size_t next = 0;
-  for (int order = 1; order <= 10; ++order) {
+  for (int order = 1; order <= highest_order; ++order) {
     for (int repetition = order % 2; repetition <= order; repetition += 2) indices[next++] = {order, repetition};
   }
   return indices;
@@ -75,16 +77,33 @@ std::array<ZernikeIndex, zernike_moments> zernike_indices() {
 
 double factorial(int n) { return std::tgamma(n + 1.0); }
 
-double radial_polynomial(ZernikeIndex index, double radius) {
-  double sum = 0;
-  for (int s = 0; s <= (index.order - index.repetition) / 2; ++s) {
-    const double coefficient =
-        factorial(index.order - s) / (factorial(s) * factorial((index.order + index.repetition) / 2 - s) *
-                                      factorial((index.order - index.repetition) / 2 - s));
-    sum += (s % 2 == 0 ? 1 : -1) * coefficient * std::pow(radius, index.order - 2 * s);
+/// Radial polynomials at many radii: their coefficients are known before.
+class RadialPolynomial {
+ public:
+  explicit RadialPolynomial(ZernikeIndex index) : order_(index.order) {
+    for (int s = 0; s <= (index.order - index.repetition) / 2; ++s) {
+      const double coefficient =
+          factorial(index.order - s) / (factorial(s) * factorial((index.order + index.repetition) / 2 - s) *
+                                        factorial((index.order - index.repetition) / 2 - s));
+      coefficients_.push_back((s % 2 == 0 ? 1 : -1) * coefficient);
+    }
   }
-  return sum;
-}
+
+  /// Its value, from the radius' powers.
+  double operator()(const std::array<double, highest_order + 1>& powers) const {
+    double sum = 0;
+    auto power = static_cast<std::size_t>(order_);
+    for (const double coefficient : coefficients_) {
+      sum += coefficient * powers[power];
+      power -= 2;
+    }
+    return sum;
+  }
+
+ private:
+  int order_;
+  std::vector<double> coefficients_;
+};
 
 /// A pixel of an image; also a step.
 struct Pixel {
@@ -201,13 +220,11 @@ std::vector<double> distances_along(const std::vector<Pixel>& outline, std::size
 std::vector<std::uint8_t> silhouette(const Shape& mesh, const Eigen::Matrix3d& rotation, int pixels) {
   Canvas canvas(pixels);
   const Points rotated = mesh.vertices * rotation.transpose();
-  const auto at = [&](std::int32_t vertex) -> Eigen::Vector2d {
-    return (rotated.row(vertex).head<2>().transpose().array() + 1) / 2 * pixels;
-  };
+  const Eigen::Matrix2Xd seen = ((rotated.leftCols<2>().transpose().array() + 1) / 2 * pixels).matrix();
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Vector2d a = at(mesh.triangles(f, 0));
-    const Eigen::Vector2d b = at(mesh.triangles(f, 1));
-    const Eigen::Vector2d c = at(mesh.triangles(f, 2));
+    const Eigen::Vector2d a = seen.col(mesh.triangles(f, 0));
+    const Eigen::Vector2d b = seen.col(mesh.triangles(f, 1));
+    const Eigen::Vector2d c = seen.col(mesh.triangles(f, 2));
     canvas.draw_triangle(a, b, c);
     for (const Eigen::Vector2d& corner : {a, b, c}) canvas.draw_point(corner);
   }
@@ -218,6 +235,7 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
   const Eigen::Index side = pixels;
   basis_.setZero(side * side, 2 * zernike_moments);
   const std::array<ZernikeIndex, zernike_moments> indices = zernike_indices();
+  const std::vector<RadialPolynomial> radial(indices.begin(), indices.end());
   const double pixel_area = 4.0 / (static_cast<double>(pixels) * pixels);
   for (Eigen::Index y = 0; y < side; ++y) {
     for (Eigen::Index x = 0; x < side; ++x) {
@@ -225,10 +243,12 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
                                        (2.0 * static_cast<double>(y) + 1) / pixels - 1);
       const double radius = std::abs(place);
       if (radius > 1) continue;
+      const double angle = std::arg(place);
+      std::array<double, highest_order + 1> powers{};
+      for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(radius, static_cast<int>(k));
       for (std::size_t k = 0; k < zernike_moments; ++k) {
         const double factor = (indices[k].order + 1) / std::numbers::pi * pixel_area;
-        const std::complex<double> value =
-            std::polar(factor * radial_polynomial(indices[k], radius), -indices[k].repetition * std::arg(place));
+        const std::complex<double> value = std::polar(factor * radial[k](powers), -indices[k].repetition * angle);
         const auto column = static_cast<Eigen::Index>(k);
         basis_(y * side + x, column) = static_cast<float>(value.real());
         basis_(y * side + x, static_cast<Eigen::Index>(zernike_moments) + column) = static_cast<float>(value.imag());
@@ -256,11 +276,12 @@ std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std:
   constexpr std::size_t samples = 128;
   const std::vector<double> distances = distances_along(outline, samples);
   std::array<std::complex<double>, outline_coefficients + 1> coefficients{};
+  std::array<std::complex<double>, samples> roots{};
   for (std::size_t i = 0; i < samples; ++i) {
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      coefficients[k] +=
-          std::polar(distances[i], -2 * std::numbers::pi * static_cast<double>(i * k % samples) / samples);
-    }
+    roots[i] = std::polar(1.0, -2 * std::numbers::pi * static_cast<double>(i) / samples);
+  }
+  for (std::size_t i = 0; i < samples; ++i) {
+    for (std::size_t k = 0; k < coefficients.size(); ++k) coefficients[k] += distances[i] * roots[i * k % samples];
   }
   for (std::size_t k = 0; k < outline_coefficients; ++k) {
     features[zernike_moments + k] = std::abs(coefficients[k + 1]) / std::abs(coefficients[0]);

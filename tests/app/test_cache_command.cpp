@@ -11,6 +11,7 @@ namespace {
 using test_command_line::expect_error_lines;
 using test_command_line::Outcome;
 using test_command_line::run_executable;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
@@ -21,8 +22,8 @@ TEST(CacheCommand, SaysWhereTheCacheIsAndWhatItHolds) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "");
   EXPECT_THAT(outcome.output, HasSubstr("Cache in " + cache + "\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("field            1  1.5 MB\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("all              1  1.5 MB\n"));
+  EXPECT_THAT(outcome.output, ContainsRegex("\nfield +1 +1\\.5 MB\n"));
+  EXPECT_THAT(outcome.output, ContainsRegex("\nall +1 +1\\.5 MB\n"));
 }
 
 TEST(CacheCommand, ClearsItAndAnEmptyOneToo) {

@@ -31,7 +31,7 @@ EvaluationOptions under(Protocol protocol, int minimum_class_size = 2) {
   return options;
 }
 
-Evaluation evaluate(const EvaluationCase& data, Ties ties = Ties::index) {
+Evaluation scores_of(const EvaluationCase& data, Ties ties = Ties::index) {
   EvaluationOptions options = under(data.protocol);
   options.measures = measures_of(naive::measure_names());
   options.ties = ties;
@@ -84,7 +84,7 @@ TEST(Evaluation, GradesAreThoseOfTheRow) {
 
 RC_GTEST_PROP(Evaluation, EachQueryAgreesWithTheLiteralFormulas, ()) {
   const EvaluationCase data = *cases_with_ties();
-  const Evaluation result = evaluate(data);
+  const Evaluation result = scores_of(data);
   for (std::size_t i = 0; i < result.queries.size(); ++i) {
     const auto expected =
         naive::measures_of(data.distances, data.labels, static_cast<int>(result.queries[i]), data.protocol);
@@ -132,7 +132,7 @@ RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
 
 RC_GTEST_PROP(Evaluation, AveragesAreThoseOfTheQueries, ()) {
   const EvaluationCase data = *cases_with_ties();
-  const Evaluation result = evaluate(data);
+  const Evaluation result = scores_of(data);
   RC_ASSERT((result.micro - result.per_query.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);
   RC_ASSERT((result.macro - result.per_class.colwise().mean().transpose()).cwiseAbs().maxCoeff() <= rounding);
   for (std::size_t c = 0; c < result.classes.size(); ++c) {
@@ -172,7 +172,7 @@ std::vector<double> naive_curve(const EvaluationCase& data, const Evaluation& re
 
 RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
   const EvaluationCase data = *cases_with_ties();
-  const Evaluation result = evaluate(data);
+  const Evaluation result = scores_of(data);
   for (const bool macro : {false, true}) {
     const auto expected = naive_curve(data, result, macro);
     const auto& actual = (macro ? result.macro_curve : result.micro_curve).precision;
@@ -185,7 +185,7 @@ RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
 }
 
 RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
-  const Evaluation result = evaluate(*cases_with_ties());
+  const Evaluation result = scores_of(*cases_with_ties());
   // Written so that a NaN fails too.
   RC_ASSERT((result.per_query.array() >= 0 && result.per_query.array() <= 1).all());
   RC_ASSERT((result.per_class.array() >= 0 && result.per_class.array() <= 1 + rounding).all());
@@ -199,14 +199,14 @@ RC_GTEST_PROP(Evaluation, OnlyTheOrderOfDistancesMatters, ()) {
   EvaluationCase transformed = data;
   // Distances are 0, 0.25, ... 7.25 and infinity; cubes of those are exact, so ties stay and nothing else becomes one.
   transformed.distances = data.distances.unaryExpr([](double d) { return d * d * d - 5; });
-  RC_ASSERT(same_results(evaluate(data), evaluate(transformed)));
+  RC_ASSERT(same_results(scores_of(data), scores_of(transformed)));
 }
 
 RC_GTEST_PROP(Evaluation, TheDiagonalPlaysNoPart, ()) {
   const EvaluationCase data = *cases_with_ties();
   EvaluationCase changed = data;
   changed.distances.diagonal().setConstant(std::numeric_limits<double>::infinity());
-  RC_ASSERT(same_results(evaluate(data), evaluate(changed)));
+  RC_ASSERT(same_results(scores_of(data), scores_of(changed)));
 }
 
 RC_GTEST_PROP(Evaluation, PermutedModelsGivePermutedResults, ()) {
@@ -223,8 +223,8 @@ RC_GTEST_PROP(Evaluation, PermutedModelsGivePermutedResults, ()) {
           data.distances(static_cast<Eigen::Index>(order[i]), static_cast<Eigen::Index>(order[j]));
     }
   }
-  const Evaluation before = evaluate(data);
-  const Evaluation after = evaluate(permuted);
+  const Evaluation before = scores_of(data);
+  const Evaluation after = scores_of(permuted);
   std::map<Eigen::Index, Eigen::RowVectorXd> row_of_model;
   for (std::size_t i = 0; i < before.queries.size(); ++i) {
     row_of_model[before.queries[i]] = before.per_query.row(static_cast<Eigen::Index>(i));

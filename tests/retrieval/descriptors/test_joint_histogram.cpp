@@ -59,6 +59,13 @@ TEST(JointHistogram, SumsOverAnAxisAreTheOtherFieldsHistogram) {
   }
 }
 
+TEST(JointHistogram, SquareRootsAreTakenLast) {
+  const std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  const std::vector<JointAxis> axes = {{.bins = 7, .smoothing_bins = 1.5}, {.bins = 5}};
+  const Eigen::VectorXf roots = joint_histogram(fields, axes, {.square_roots = true});
+  EXPECT_LT((roots.cwiseAbs2() - joint_histogram(fields, axes)).cwiseAbs().maxCoeff(), 1e-6);
+}
+
 TEST(JointHistogram, DividedByTheMeanNoScaleMatters) {
   std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
   const std::vector<JointAxis> axes = {{.bins = 8}, {.bins = 8, .divide_by_mean = true, .low = 0.5, .high = 2}};
