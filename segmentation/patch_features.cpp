@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 
@@ -12,25 +13,42 @@ namespace shapegauge {
 
 namespace {
 
+/// Of each value the share of the weight that lies below it, those like it by half: from 0 to 1. NaN where the value is
+/// not finite.
+std::vector<double> ranks(const ScalarField& field) {
+  std::vector<Eigen::Index> order;
+  double whole = 0;
+  for (Eigen::Index i = 0; i < field.values.size(); ++i) {
+    if (!std::isfinite(field.values[i])) continue;
+    order.push_back(i);
+    whole += field.weights[i];
+  }
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index i) { return field.values[i]; });
+  std::vector<double> result(static_cast<std::size_t>(field.values.size()), std::numeric_limits<double>::quiet_NaN());
+  double below = 0;
+  for (auto first = order.begin(); first != order.end();) {
+    double alike = 0;
+    auto last = first;
+    for (; last != order.end() && field.values[*last] == field.values[*first]; ++last) alike += field.weights[*last];
+    for (; first != last; ++first) {
+      result[static_cast<std::size_t>(*first)] = whole > 0 ? (below + alike / 2) / whole : 0;
+    }
+    below += alike;
+  }
+  return result;
+}
+
 /// Patches x levels; the last row is the whole surface's.
 Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::Index patches, const ScalarField& field,
                                   int levels) {
-  double least = std::numeric_limits<double>::infinity();
-  double greatest = -least;
-  for (const double value : field.values) {
-    if (!std::isfinite(value)) continue;
-    least = std::min(least, value);
-    greatest = std::max(greatest, value);
-  }
+  const std::vector<double> places = ranks(field);
   Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(patches + 1, levels);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(patches + 1);
   for (std::size_t i = 0; i < patch.size(); ++i) {
-    const double value = field.values[static_cast<Eigen::Index>(i)];
-    if (!std::isfinite(value)) continue;
+    if (std::isnan(places[i])) continue;
     const double weight = field.weights[static_cast<Eigen::Index>(i)];
-    const double place = greatest > least ? (value - least) / (greatest - least) : 0;
     // The least level (k + 1/2) / n that is not below the place.
-    const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil(place * levels - 0.5)));
+    const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil(places[i] * levels - 0.5)));
     for (const Eigen::Index row : {Eigen::Index{patch[i]}, patches}) {
       weights[row] += weight;
       if (first < levels) sums.row(row).tail(levels - first).array() += weight;

@@ -9,9 +9,10 @@
 namespace shapegauge {
 
 /// A vector for each patch from the distribution of fields on it: patches x (fields x levels). Of each field, level k
-/// of n is the share of the patch's weight with a value at most (k + 1/2) / n of the way from the field's least to its
-/// greatest value: a cumulative histogram, which small changes of the values change little. Values that are not finite
-/// do not count; a patch without any has the whole surface's distribution.
+/// of n is the share of the patch's weight with a value among the least (k + 1/2) / n of the whole surface's weight: a
+/// cumulative histogram whose bins hold equal shares of the surface. A few extreme values change it little, and any
+/// increasing function of the field has the same. Values that are not finite do not count; a patch without any has the
+/// whole surface's distribution.
 ///
 /// `patch[i]`, from 0 on, is the patch of sample i. Throws InputError for less than one level, and
 /// std::invalid_argument for no fields and a field that has not one value and one weight a sample.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fmt/format.h>
@@ -14,21 +13,35 @@ namespace shapegauge {
 
 namespace {
 
+/// Without scripts, so that the theme is the reader's system's.
 constexpr std::string_view style = R"(
-body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em; color: #222; }
-table { border-collapse: collapse; margin: 1em 0; }
-th, td { padding: .25em .8em; text-align: right; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; }
+:root { color-scheme: light; --paper: #fff; --raised: #f6f7f8; --ink: #1c2227; --muted: #57616a; --rule: #d9dee2;
+  --method-0: #0b62ad; --method-1: #c44e00; --method-2: #007d5c; --method-3: #a23b8c; --method-4: #80630a;
+  --method-5: #5b6168; }
+@media (prefers-color-scheme: dark) {
+  :root { color-scheme: dark; --paper: #14181b; --raised: #1d2327; --ink: #e8ebee; --muted: #a3aeb7; --rule: #39424a;
+    --method-0: #63b1f5; --method-1: #ff9349; --method-2: #40cf9f; --method-3: #ea8fd5; --method-4: #dfc04a;
+    --method-5: #b9c1c8; }
+}
+body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em;
+  background: var(--paper); color: var(--ink); }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; margin: 1em 0; font-variant-numeric: tabular-nums; }
+th, td { padding: .25em .8em; text-align: right; border-bottom: 1px solid var(--rule); }
+th:first-child, td:first-child, .pairs td:nth-child(2), .pairs th:nth-child(2) { text-align: left; }
 .bars { display: grid; grid-template-columns: max-content 1fr; gap: .15em .8em; align-items: center; }
 .bars b { grid-column: 1 / -1; margin-top: .6em; }
 .bar { height: .85em; min-width: 1px; display: inline-block; vertical-align: middle; margin-right: .5em; }
 .shapes { display: flex; flex-wrap: wrap; gap: 1em; }
-figure { margin: 0; border: 1px solid #ddd; border-radius: 6px; padding: .5em; }
-figure div { display: inline-block; text-align: center; font-size: 12px; color: #555; }
-figure img { display: block; }
+figure { margin: 0; border: 1px solid var(--rule); border-radius: 6px; padding: .5em; background: var(--raised);
+  max-width: 100%; box-sizing: border-box; }
+figcaption { font-weight: 600; }
+.views { display: flex; flex-wrap: wrap; gap: .5em; }
+.views div { text-align: center; font-size: 12px; color: var(--muted); }
+figure img { display: block; max-width: 100%; background: #fff; border-radius: 4px; margin-bottom: .2em; }
 )";
 
-constexpr std::array<std::string_view, 6> colours = {"#3b6fb6", "#d9822b", "#4d9a4d", "#b04a5a", "#7b5ea7", "#777777"};
+constexpr std::size_t bar_colours = 6;
 
 std::string html_text(std::string_view text) {
   std::string result;
@@ -60,9 +73,10 @@ std::string html_row(const std::vector<std::string>& cells, std::string_view tag
 }
 
 std::string html_table(const Table& table) {
-  std::string html = "<table>\n" + html_row(table.header, "th");
+  std::string html = fmt::format("<div class=\"wide\"><table{}>\n", table.text_columns == 2 ? " class=\"pairs\"" : "") +
+                     html_row(table.header, "th");
   for (const auto& row : table.rows) html += html_row(row, "td");
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 /// The mean Rand errors of all methods, class by class.
@@ -74,8 +88,9 @@ std::string class_bars(const SegmentationScores& scores) {
       const double error = scores.mean(m, &SegmentationErrors::rand_index, static_cast<int>(c));
       if (std::isnan(error)) continue;
       html += fmt::format(
-          "<span>{}</span><span><span class=\"bar\" style=\"width:{:.1f}%;background:{}\"></span>{:.3f}</span>\n",
-          html_text(scores.methods[m]), 90 * error, colours.at(m % colours.size()), error);
+          "<span>{}</span><span><span class=\"bar\" "
+          "style=\"width:{:.1f}%;background:var(--method-{})\"></span>{:.3f}</span>\n",
+          html_text(scores.methods[m]), 90 * error, m % bar_colours, error);
     }
   }
   return html + "</div>\n";
@@ -89,15 +104,15 @@ std::string picture(std::string_view png, std::string_view caption) {
 std::string shape_figure(const SegmentationResults& results, std::size_t shape) {
   const SegmentationScores& scores = results.scores;
   const auto label = static_cast<std::size_t>(scores.labels[shape]);
-  std::string html = fmt::format("<figure><figcaption>{} ({})</figcaption>", html_text(scores.ids[shape]),
-                                 html_text(scores.classes[label]));
+  std::string html = fmt::format("<figure><figcaption>{} ({})</figcaption><div class=\"views\">",
+                                 html_text(scores.ids[shape]), html_text(scores.classes[label]));
   const std::vector<std::string>& pictures = results.shapes[shape].pictures;
   html += picture(pictures.front(), results.experiment.generator ? "as made" : "a person");
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
     html += picture(pictures[m + 1],
                     fmt::format("{}: {:.3f}", results.experiment.methods[m].name, scores.errors[m][shape].rand_index));
   }
-  return html + "</figure>\n";
+  return html + "</div></figure>\n";
 }
 
 /// The shapes' indices, of greatest error of the first method first.

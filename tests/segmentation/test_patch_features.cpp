@@ -20,7 +20,7 @@ ScalarField field(std::vector<double> values, std::vector<double> weights) {
 
 TEST(PatchFeatures, AreSharesOfWeightBelowEachLevel) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 1};
-  // Levels at 1/8, 3/8, 5/8, 7/8 of the way from 2 to 10: at 3, 5, 7 and 9.
+  // In order, 2, 5, 6 and 10 are at 0.5, 1.5, 3.5 and 5.5 sixths of the weight; levels are at 1/8, 3/8, 5/8 and 7/8.
   const std::vector<ScalarField> fields = {field({2, 6, 10, 5}, {1, 3, 1, 1})};
   Eigen::MatrixXd expected(2, 4);
   expected << 0.25, 0.25, 1, 1, 0, 0.5, 0.5, 0.5;
@@ -31,8 +31,18 @@ TEST(PatchFeatures, LeaveOutWhatIsMissing) {
   const std::vector<std::int32_t> patch = {0, 0, 1, 2};
   const std::vector<ScalarField> fields = {field({0, nan, 1, nan}, {1, 1, 3, 1})};
   Eigen::MatrixXd expected(3, 2);
-  expected << 1, 1, 0, 0, 0.25, 0.25;  // the last patch has the distribution of the whole
+  expected << 1, 1, 0, 1, 0.25, 1;  // the last patch has the distribution of the whole
   EXPECT_TRUE(patch_features(patch, fields, 2).isApprox(expected, 1e-12));
+}
+
+TEST(PatchFeatures, OfAnIncreasingFunctionAreTheSame) {
+  const std::vector<std::int32_t> patch = {0, 0, 0, 1, 1, 1};
+  const std::vector<double> weights = {1, 2, 1, 3, 1, 1};
+  const std::vector<ScalarField> fields = {field({1, 2, 3, 2, 4, 5}, weights)};
+  const std::vector<ScalarField> others = {field({1, 2, 3, 2, 4, 1e9}, weights)};  // one value far away
+  const Eigen::MatrixXd features = patch_features(patch, fields, 16);
+  EXPECT_EQ(features, patch_features(patch, others, 16));
+  EXPECT_FALSE(features.row(0).isApprox(features.row(1)));
 }
 
 TEST(PatchFeatures, OfSeveralFieldsStandSideBySide) {
