@@ -25,8 +25,8 @@ namespace {
 
 namespace processing = CGAL::Polygon_mesh_processing;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using HalfedgeMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using SolidKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using HalfedgeMesh = CGAL::Surface_mesh<SolidKernel::Point_3>;
 
 /// Values at the points of a grid, of which those far from the surface are not exact.
 struct Grid {
@@ -162,7 +162,7 @@ class MarchingTetrahedra {
   std::unordered_map<std::size_t, HalfedgeMesh::Vertex_index> vertices_;
 };
 
-Shape to_shape(const HalfedgeMesh& mesh) {
+Shape shape_of(const HalfedgeMesh& mesh) {
   Shape shape;
   shape.vertices.resize(static_cast<Eigen::Index>(mesh.number_of_vertices()), 3);
   shape.triangles.resize(static_cast<Eigen::Index>(mesh.number_of_faces()), 3);
@@ -220,7 +220,7 @@ std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces) {
     mesh.collect_garbage();
     const double excess = static_cast<double>(mesh.number_of_faces()) / faces;
     const bool right = excess > 1 - tolerance && (excess < 1 + tolerance || length < (1 - tolerance) * wanted);
-    if (right && is_sound(mesh)) return with_labels(to_shape(mesh), object);
+    if (right && is_sound(mesh)) return with_labels(shape_of(mesh), object);
     length *= right ? 0.97 : std::sqrt(excess);
   }
   return std::nullopt;
