@@ -16,6 +16,7 @@
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/runner/build_information.h"
+#include "shapegauge/experiments/view/coarse_view.h"
 
 namespace shapegauge {
 
@@ -166,6 +167,11 @@ std::string picture_key(const std::string& field, const PictureOptions& options)
                                      {"version", picture_version}});
 }
 
+std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces) {
+  return key_of(EntryKind::view,
+                {{"fields", fields}, {"faces", faces}, {"versions", {model_view_version, coarse_shape_version}}});
+}
+
 std::string distances_key(const Signatures& signatures, const std::string& distance) {
   const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
@@ -244,6 +250,9 @@ std::string read_picture(const Json& record) {
   const auto& bytes = record.get_binary();
   return {bytes.begin(), bytes.end()};
 }
+
+Json view_record(const std::string& view) { return view; }
+std::string read_view(const Json& record) { return record.get<std::string>(); }
 
 Json distances_record(const DistanceMatrix& distances) {
   return {{"rows", distances.rows()}, {"numbers", binary(distances.data(), distances.size())}};

@@ -182,6 +182,28 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
   return ranges;
 }
 
+namespace {
+
+/// The fields of the views, on the scales of the pictures and of the histograms.
+std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
+                                          const Configuration& configuration) {
+  std::vector<ViewedField> viewed;
+  for (const std::size_t i : viewed_fields(plan, configuration)) {
+    const bool pictured = is_pictured(plan[i], configuration);
+    const std::size_t signature = pictured ? configuration.report.pictured_signature : plan[i].signatures.front();
+    ViewedField& field =
+        viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
+    if (pictured)
+      field.colours = configuration.report.picture_options.range;
+    else if (configuration.signatures[signature].histogram.range != HistogramRange::per_shape) {
+      field.colours = computed.histogram_ranges[signature].front();
+    }
+  }
+  return viewed;
+}
+
+}  // namespace
+
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
                                       const RunControl& control, Cache& cache) {
   const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
@@ -194,6 +216,7 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
     models.push_back(&*described.models[i]);
     computed.shapes.push_back(report_shape(*described.models[i]));
     if (!described.models[i]->picture.empty()) computed.pictures.push_back(described.models[i]->picture);
+    if (!described.models[i]->view.empty()) computed.views.push_back(described.models[i]->view);
   }
   computed.signatures = assemble_signatures(models, plan, configuration.signatures);
   computed.histogram_ranges.resize(configuration.signatures.size());
@@ -202,6 +225,7 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
       computed.histogram_ranges[i] = histogram_ranges(models, configuration.signatures[i].histogram, field);
     }
   }
+  if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, plan, configuration);
   computed.fields = report_fields(models, plan);
   computed.failures = std::move(described.failures);
   return computed;

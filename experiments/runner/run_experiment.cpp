@@ -133,6 +133,8 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   results.fields = std::move(computed.fields);
   results.shapes = std::move(computed.shapes);
   results.pictures = std::move(computed.pictures);
+  results.views = std::move(computed.views);
+  results.viewed = std::move(computed.viewed);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   std::vector<DistanceMatrix> distances = all_distances(configuration, computed.signatures, control, cache);

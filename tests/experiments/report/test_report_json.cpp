@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "shapegauge/experiments/report/report_json.h"
+#include "shapegauge/experiments/view/html_page.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/experiments/report/sample_reports.h"
 
@@ -14,23 +15,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::Not;
-
-TEST(Base64, AsInTheRfc) {
-  // RFC 4648, section 10.
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
-TEST(Base64, ALongTextIsEncodedInOnePiece) {
-  const std::string text = base64(std::string(7 << 20, '\0'));
-  EXPECT_EQ(text.size(), 4U * (((7 << 20) + 2) / 3));
-  EXPECT_EQ(text.find('='), text.size() - 2);
-}
 
 TEST(PackedValues, TwoBytesEachOfTheLargest) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -43,12 +27,6 @@ TEST(PackedValues, TwoBytesEachOfTheLargest) {
 TEST(PackedValues, AllZeroOrNothing) {
   EXPECT_EQ(packed(Eigen::VectorXd{{0, 0}})["scale"], 1);
   EXPECT_EQ(packed(Eigen::VectorXd(0))["values"], "");
-}
-
-TEST(Rounded, KeepsTheLeadingDigits) {
-  EXPECT_EQ(rounded(0.123456789, 3), 0.123);
-  EXPECT_EQ(rounded(98765.4321, 3), 98800);
-  EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
 }
 
 TEST(OrderByClass, ClassByClassInTheModelsOrder) {
