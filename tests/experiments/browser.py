@@ -88,22 +88,28 @@ class Page:
         self.driver.execute_async_script(
             "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(() => done()))")
 
-    def pixels(self, canvas):
-        """How many pixels of a canvas show something, their mean colour, and a text that tells pictures apart."""
+    def read(self, canvas, script, *arguments):
+        """What a script answers that has the canvas' width, height and data (as of an ImageData), and arguments."""
         return self.run("""
-            const canvas = arguments[0];
-            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-            const sum = [0, 0, 0];
+            const [canvas, ...given] = arguments;
+            const { width, height } = canvas;
+            const context = Object.assign(document.createElement('canvas'), { width, height })
+              .getContext('2d', { willReadFrequently: true });
+            context.drawImage(canvas, 0, 0);
+            const { data } = context.getImageData(0, 0, width, height);
+            """ + script, canvas, *arguments)
+
+    def pixels(self, canvas):
+        """How many pixels of a canvas show something, and a text that tells pictures apart."""
+        return self.read(canvas, """
             let covered = 0;
             let hash = 0;
             for (let i = 0; i < data.length; i += 4) {
               hash = (31 * hash + data[i] + 256 * data[i + 1] + 65536 * data[i + 2] + data[i + 3]) % 4294967291;
-              if (data[i + 3] < 255) continue;
-              ++covered;
-              for (let k = 0; k < 3; ++k) sum[k] += data[i + k];
+              if (data[i + 3] === 255) ++covered;
             }
-            return { share: 4 * covered / data.length, mean: sum.map((x) => x / Math.max(1, covered)), hash: String(hash) };
-            """, canvas)
+            return { share: 4 * covered / data.length, hash: String(hash) };
+            """)
 
 
 def expect(condition, message):

@@ -129,7 +129,7 @@ class ShapeView {
   }
 
   reset() {
-    this.camera.turn.identity();
+    this.camera.turn.set(0, 0, 0, 1);
     this.camera.zoom = 1;
     this.camera.shift.set(0, 0);
     this.schedule();
@@ -147,8 +147,9 @@ class ShapeView {
 
   // Draws everything anew: after another channel, theme or scale.
   show() {
-    const dim = d3.rgb(getComputedStyle(document.body).getPropertyValue('--grid').trim());
-    const ink = d3.rgb(getComputedStyle(document.body).getPropertyValue('--ink').trim());
+    const colour = (name) => getComputedStyle(document.body).getPropertyValue(name).trim();
+    const dim = d3.rgb(d3.interpolateRgb(colour('--rule'), colour('--muted'))(0.3));
+    const ink = d3.rgb(colour('--ink'));
     for (const cell of this.cells) {
       const { shape, drawn } = cell;
       const data = this.channel.of(shape);

@@ -31,12 +31,15 @@ function valueHistogram(place, { shares, low, high, label, width, colourOf, tick
   const marked = area.append('line').attr('class', 'level').attr('y1', 0).attr('y2', height).style('display', 'none');
 
   let selected = null;
+  let moving = false; // the brush, by show()
   const brushed = area.append('g').attr('class', 'brush');
   const brush = d3.brushX().extent([[0, 0], [wide, height]]);
   const show = (first, last) => {
     selected = first === undefined ? null : [first, last];
     bars.style('opacity', (_, bin) => (selected && (bin < first || bin > last) ? 0.25 : 1));
+    moving = true;
     brushed.call(brush.move, selected && [edge(first), edge(last + 1)]);
+    moving = false;
   };
   const choose = (first, last) => {
     show(first, last);
@@ -44,7 +47,7 @@ function valueHistogram(place, { shares, low, high, label, width, colourOf, tick
   };
   const binAt = (at) => Math.max(0, Math.min(bins - 1, Math.floor((bins * at) / wide)));
   const follow = () => {
-    if (!d3.event.sourceEvent || d3.event.sourceEvent.type === 'end') return; // moved by show()
+    if (moving || !d3.event.sourceEvent) return;
     const ended = d3.event.type === 'end';
     if (d3.event.selection) {
       const [from, to] = d3.event.selection;
