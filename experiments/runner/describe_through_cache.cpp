@@ -27,7 +27,7 @@ class DescribedModel {
   /// view_faces: of its view; 0: none is wanted.
   DescribedModel(const Configuration& configuration, std::span<const PlannedField> plan, std::string shape_key,
                  Eigen::Index view_faces, Cache& cache)
-      : configuration_(&configuration), shape_key_(std::move(shape_key)), view_faces_(view_faces), cache_(&cache) {
+      : configuration_(&configuration), shape_key_(std::move(shape_key)), cache_(&cache), view_faces_(view_faces) {
     histograms_.resize(configuration.signatures.size());
     for (const PlannedField& field : plan) {
       fields_.push_back({.rest = field, .key = field_key(shape_key_, field.field), .found = {}});
