@@ -63,6 +63,16 @@ constexpr std::array<std::string_view, 2> scales{"area", "tube_area"};
 
 }  // namespace
 
+const Parameter& on_error_parameter() {
+  static const Parameter parameter{
+      .name = "on_error",
+      .kind = ParameterKind::choice,
+      .default_value = reactions[0],
+      .choices = reactions,
+      .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."};
+  return parameter;
+}
+
 std::span<const Parameter> experiment_parameters() {
   static const std::array parameters{
       Parameter{.name = "seed",
@@ -71,12 +81,7 @@ std::span<const Parameter> experiment_parameters() {
                 .bounds = seed_bounds,
                 .description = "Of the perturbations: what is drawn for a model depends on it and on the model's id "
                                "(of a comparison: the shape's name)."},
-      Parameter{
-          .name = "on_error",
-          .kind = ParameterKind::choice,
-          .default_value = reactions[0],
-          .choices = reactions,
-          .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."}};
+      on_error_parameter()};
   return parameters;
 }
 

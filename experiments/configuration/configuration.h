@@ -82,6 +82,9 @@ struct Configuration {
   ReportConfiguration report;
 };
 
+/// The setting "on_error", which experiments of every kind have.
+const Parameter& on_error_parameter();
+
 /// The settings that are parameters, by the section of the configuration that has them: of the experiment itself, of a
 /// signature's "histogram", and of "evaluation" and "preparation". Those of "generate" are the generator's.
 /// @{

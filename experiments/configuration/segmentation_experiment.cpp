@@ -24,7 +24,6 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 2> algorithms{"best", "paper"};
 constexpr std::array<std::string_view, 2> fields{"offset", "cone"};
 constexpr std::array<std::string_view, 2> weights{"faces", "area"};
-constexpr std::array<std::string_view, 2> on_error_words{"stop", "skip"};
 
 SegmentationMethod method_of(const Json& settings) {
   const ParameterValues values = read_parameters(segmentation_method_parameters(), settings);
@@ -73,7 +72,7 @@ SegmentationExperiment checked_experiment(const Json& document, const fs::path& 
   experiment.by_area = values.word("by") == "area";
   experiment.cuts = values.boolean("cuts");
   experiment.pictures = values.boolean("pictures");
-  experiment.on_error = values.word("on_error") == "skip" ? OnError::skip : OnError::stop;
+  experiment.on_error = read_on_error(document);
   experiment.methods = at("segmentation", [&] { return methods_of(document.at("segmentation")); });
   return experiment;
 }
@@ -120,11 +119,7 @@ std::span<const Parameter> segmentation_experiment_parameters() {
                 .kind = ParameterKind::boolean,
                 .default_value = true,
                 .description = "Pictures of the parts in the report."},
-      Parameter{.name = "on_error",
-                .kind = ParameterKind::choice,
-                .default_value = on_error_words[0],
-                .choices = on_error_words,
-                .description = "A shape that cannot be used: stop the run, or skip it and name it at the end."}};
+      on_error_parameter()};
   return parameters;
 }
 
@@ -143,7 +138,7 @@ Json to_json(const SegmentationExperiment& experiment) {
             {"by", weights.at(experiment.by_area ? 1 : 0)},
             {"cuts", experiment.cuts},
             {"pictures", experiment.pictures},
-            {"on_error", on_error_words.at(experiment.on_error == OnError::skip ? 1 : 0)}};
+            {"on_error", experiment.on_error == OnError::stop ? "stop" : "skip"}};
   if (!experiment.description.empty()) json["description"] = experiment.description;
   if (experiment.generator) {
     json["dataset"]["generate"] = to_json(*experiment.generator);
