@@ -34,11 +34,7 @@ std::string absolute_text(const std::filesystem::path& path) {
 
 Json dataset_to_json(const Configuration& configuration) {
   if (configuration.generator) return {{"generate", to_json(*configuration.generator)}};
-  const DatasetLocation& location = configuration.location.value();
-  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
-  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
-  if (location.layout == "folders") json["split"] = location.split;
-  return json;
+  return to_json(configuration.location.value());
 }
 
 Json report_to_json(const Configuration& configuration) {
@@ -63,16 +59,6 @@ constexpr std::array<std::string_view, 2> scales{"area", "tube_area"};
 
 }  // namespace
 
-const Parameter& on_error_parameter() {
-  static const Parameter parameter{
-      .name = "on_error",
-      .kind = ParameterKind::choice,
-      .default_value = reactions[0],
-      .choices = reactions,
-      .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."};
-  return parameter;
-}
-
 std::span<const Parameter> experiment_parameters() {
   static const std::array parameters{
       Parameter{.name = "seed",
@@ -81,7 +67,12 @@ std::span<const Parameter> experiment_parameters() {
                 .bounds = seed_bounds,
                 .description = "Of the perturbations: what is drawn for a model depends on it and on the model's id "
                                "(of a comparison: the shape's name)."},
-      on_error_parameter()};
+      Parameter{
+          .name = "on_error",
+          .kind = ParameterKind::choice,
+          .default_value = reactions[0],
+          .choices = reactions,
+          .description = "A model or shape that cannot be used: stop the run, or skip it and name it at the end."}};
   return parameters;
 }
 
@@ -207,6 +198,13 @@ Json to_json(const Configuration& configuration) {
             {"report", report_to_json(configuration)}};
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
+  return json;
+}
+
+Json to_json(const DatasetLocation& location) {
+  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
+  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
+  if (location.layout == "folders") json["split"] = location.split;
   return json;
 }
 

@@ -82,9 +82,6 @@ struct Configuration {
   ReportConfiguration report;
 };
 
-/// The setting "on_error", which experiments of every kind have.
-const Parameter& on_error_parameter();
-
 /// The settings that are parameters, by the section of the configuration that has them: of the experiment itself, of a
 /// signature's "histogram", and of "evaluation" and "preparation". Those of "generate" are the generator's.
 /// @{
@@ -111,6 +108,9 @@ nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 
 /// The generator's settings as JSON, in the form of a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
+
+/// A data set on disk, in the form of a configuration's "dataset", with absolute paths.
+nlohmann::json to_json(const DatasetLocation& location);
 
 /// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
 /// absolute.
