@@ -147,6 +147,20 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
   throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be told apart");
 }
 
+/// Of the mesh whose nodes the matrix has entries between.
+int component_count(const SparseMatrix& matrix) {
+  DisjointSets sets;
+  sets.grow_to(static_cast<std::size_t>(matrix.rows()));
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      sets.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
+    }
+  }
+  int count = 0;
+  for (std::int32_t i = 0; i < matrix.rows(); ++i) count += sets.find(i) == i ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 Laplacian cotangent_laplacian(const Shape& mesh) {
@@ -196,6 +210,12 @@ Laplacian cotangent_laplacian(const Shape& mesh) {
 Spectrum laplacian_spectrum(const Shape& mesh, int count) {
   if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
   const Laplacian laplacian = cotangent_laplacian(mesh);
+  const int components = component_count(laplacian.stiffness);
+  if (components > count) {
+    throw InputError(fmt::format("the mesh is {} pieces that share no vertices, so that the first {} eigenvalues of its "
+                                 "Laplacian are 0 and say nothing; join the pieces, or use a descriptor without it",
+                                 components, count));
+  }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
   SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
   // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.

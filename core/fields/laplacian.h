@@ -32,7 +32,7 @@ struct Spectrum {
 /// The `count` smallest eigenvalues with their eigenvectors, by Lanczos iteration about a shift below zero (Spectra),
 /// none of them left out, multiple ones neither; fewer where there are fewer nodes. The signs of eigenvectors and the
 /// basis of a multiple eigenvalue are arbitrary, but the same for the same shape. Throws InputError as above, for a
-/// count below 1, and where the iteration does not converge.
+/// count below 1, a mesh of more components than `count`, and where the iteration does not converge.
 Spectrum laplacian_spectrum(const Shape& mesh, int count);
 
 }  // namespace shapegauge

@@ -124,6 +124,19 @@ TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
   EXPECT_TRUE(spectrum.eigenvectors.row(unused).array().isNaN().all());
 }
 
+TEST(Laplacian, HasAsManyZerosAsComponentsAndRefusesMore) {
+  std::vector<Shape> spheres;
+  for (int i = 0; i < 4; ++i) {
+    spheres.push_back(test::transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3.0 * i, 0, 0}));
+  }
+  const Shape four = test::joined(spheres);
+  const Eigen::VectorXd eigenvalues = laplacian_spectrum(four, 5).eigenvalues;
+  EXPECT_LT(eigenvalues.head(4).maxCoeff(), 1e-9);
+  EXPECT_GT(eigenvalues[4], 1);  // 2 of the unit sphere
+  EXPECT_EQ(laplacian_spectrum(four, 4).eigenvalues.size(), 4);
+  EXPECT_THROW(laplacian_spectrum(four, 3), InputError);
+}
+
 TEST(Laplacian, RefusesCloudsAndWhatHasNoArea) {
   EXPECT_THROW(laplacian_spectrum(Shape{sphere(1, 1).vertices, {}}, 5), InputError);
   Shape line = test::box({1, 1, 1}, 1);
