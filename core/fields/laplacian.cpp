@@ -22,6 +22,9 @@ namespace shapegauge {
 
 namespace {
 
+/// Each of a mesh's components adds an eigenvalue 0, which all take time.
+constexpr int most_components = 1000;
+
 /// What a triangle contributes.
 struct Element {
   double area;
@@ -211,19 +214,21 @@ Spectrum laplacian_spectrum(const Shape& mesh, int count) {
   if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
   const Laplacian laplacian = cotangent_laplacian(mesh);
   const int components = component_count(laplacian.stiffness);
-  if (components > count) {
-    throw InputError(fmt::format("the mesh is {} pieces that share no vertices, so that the first {} eigenvalues of its "
-                                 "Laplacian are 0 and say nothing; join the pieces, or use a descriptor without it",
-                                 components, count));
+  if (components > most_components) {
+    throw InputError(
+        fmt::format("the mesh is {} pieces that share no vertices; its Laplacian's eigenvalues are sought for "
+                    "at most {}: join the pieces, or use a descriptor without them",
+                    components, most_components));
   }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
   SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
   // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.
   const double area = laplacian.mass.sum();
   matrix *= area;
-  const Eigen::Index most = std::min<Eigen::Index>(count, matrix.rows());
+  const Eigen::Index most = std::min<Eigen::Index>(components - 1 + count, matrix.rows());
   const auto [eigenvalues, eigenvectors] = smallest_eigenpairs(matrix, most, -1);
   Spectrum spectrum;
+  spectrum.components = components;
   spectrum.eigenvalues = eigenvalues.cwiseMax(0) / area;
   const Eigen::MatrixXd at_nodes = inverse_root.asDiagonal() * eigenvectors;
   spectrum.eigenvectors =
