@@ -69,7 +69,8 @@ bool is_pictured(const PlannedField& planned, const Configuration& configuration
 
 std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const Configuration& configuration) {
   std::vector<std::size_t> fields;
-  if (!configuration.report.wanted || !configuration.report.views) return fields;
+  const ReportConfiguration& report = configuration.report;
+  if (!report.wanted || !report.pictures || !report.views) return fields;
   for (const bool pictured : {true, false}) {
     for (std::size_t i = 0; i < plan.size(); ++i) {
       if (is_pictured(plan[i], configuration) != pictured || (!pictured && plan[i].signatures.empty())) continue;

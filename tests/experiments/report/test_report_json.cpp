@@ -132,6 +132,17 @@ TEST(ReportJson, PicturesAreThereOrNot) {
   EXPECT_TRUE(report_json(test_report::plain_report().report)["pictures"].is_null());
 }
 
+TEST(ReportJson, ViewsAreThereOrNot) {
+  const test_report::SampleReport& sample = test_report::hostile_report();
+  const auto views = report_json(sample.report)["views"];
+  ASSERT_EQ(views["shapes"].size(), sample.report.ids.size());
+  EXPECT_EQ(views["shapes"][7].dump(), sample.report.views.shapes[7]);
+  ASSERT_EQ(views["fields"].size(), views["shapes"][7]["fields"].size());
+  EXPECT_EQ(views["fields"][0]["colours"]["to"], sample.report.views.fields[0].colours->high);
+  EXPECT_FALSE(views["fields"][1].contains("colours"));
+  EXPECT_TRUE(report_json(test_report::plain_report().report)["views"].is_null());
+}
+
 }  // namespace
 
 }  // namespace shapegauge
