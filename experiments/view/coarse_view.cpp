@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <nanoflann.hpp>
@@ -59,9 +60,21 @@ Shape clustered(const Shape& mesh, double side) {
 }
 
 /// The side of the cells with which a mesh of that area comes to about so many faces: a surface meets about 1.5 cells
-/// for each square of their side, and a vertex goes with two faces.
+/// for each square of their side, and a vertex goes with two faces. Not so large that a tangle of large faces, whose
+/// area is no measure of its extent, falls into a few cells.
 double side_for(const Shape& mesh, Eigen::Index faces) {
-  return std::max(std::sqrt(3 * surface_area(mesh) / static_cast<double>(faces)), 1e-6 * bounding_box_diagonal(mesh));
+  const double diagonal = bounding_box_diagonal(mesh);
+  return std::clamp(std::sqrt(3 * surface_area(mesh) / static_cast<double>(faces)), 1e-6 * diagonal, diagonal / 16);
+}
+
+Shape largest_faces(const Shape& mesh, Eigen::Index faces) {
+  const Eigen::VectorXd areas = sample_shape(mesh, SampleSite::faces).weights;
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(areas.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater{}, [&](Eigen::Index face) { return areas[face]; });
+  order.resize(static_cast<std::size_t>(faces));
+  std::ranges::sort(order);
+  return {.vertices = mesh.vertices, .triangles = mesh.triangles(order, Eigen::all)};
 }
 
 Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
@@ -77,7 +90,7 @@ Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
   for (double side = side_for(collapsed, faces); coarse.triangles.rows() > faces; side *= 1.25) {
     coarse = clustered(collapsed, side);
   }
-  return coarse;
+  return coarse.triangles.rows() > 0 ? coarse : largest_faces(collapsed, faces);
 }
 
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;

@@ -54,7 +54,7 @@ function openShape(model) {
   visited.push(model);
   drawShape(dialog, model);
   if (!dialog.open) dialog.showModal();
-  dialog.onclose = closeView;
+  dialog.onclose = () => { if (!dialog.open) closeView(); }; // the event may come when the next shape is open
   dialog.scrollTop = 0;
 }
 

@@ -19,7 +19,9 @@ TEST(CoarseShape, LooksLikeTheShapeWithFewFaces) {
     EXPECT_LE(coarse.triangles.rows(), faces);
     EXPECT_GE(coarse.triangles.rows(), faces / 2);
     EXPECT_NEAR(surface_area(coarse), surface_area(torus), 0.1 * surface_area(torus));
-    EXPECT_NEAR(test::signed_volume(coarse), test::signed_volume(torus), 0.15 * test::signed_volume(torus));
+    // An inscribed torus of 20 by 5 quads has 24 % less volume than the round one, and four times the faces a quarter
+    // of that.
+    EXPECT_NEAR(test::signed_volume(coarse) / test::signed_volume(torus), 1, 50.0 / static_cast<double>(faces));
   }
 }
 
@@ -38,6 +40,21 @@ TEST(CoarseShape, StaysWithinItsLimitWhateverTheMesh) {
   const Shape coarse = coarse_shape(scattered, 200);
   EXPECT_LE(coarse.triangles.rows(), 200);
   EXPECT_GE(coarse.triangles.rows(), 50);
+}
+
+/// Needles, each in one column of any grid: merging their vertices leaves none.
+TEST(CoarseShape, KeepsTheLargestFacesWhereNoGridKeepsAny) {
+  constexpr std::int32_t count = 1000;
+  Shape needles{.vertices = Points(3 * count, 3), .triangles = Triangles(count, 3)};
+  for (std::int32_t f = 0; f < count; ++f) {
+    needles.vertices.row(3 * f) << 0.1 * f, 0, 0;
+    needles.vertices.row(3 * f + 1) << 0.1 * f + 1e-3, 0, 0;
+    needles.vertices.row(3 * f + 2) << 0.1 * f, 1e-3 + 1e-6 * f, 0;
+    needles.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+  }
+  const Shape coarse = coarse_shape(needles, 200);
+  EXPECT_EQ(coarse.triangles.rows(), 200);
+  EXPECT_GT(surface_area(coarse), 0.2 * surface_area(needles));
 }
 
 TEST(CoarseShape, ASmallShapeStaysAsItIs) {
@@ -75,7 +92,8 @@ TEST(CarriedValues, TheTwoSidesOfASheetStayApart) {
   const Samples others = sample_shape(shifted, SampleSite::faces);
   const Eigen::VectorXd carried = CarriedValues(places, others).means(side);
   for (Eigen::Index i = 0; i < carried.size(); ++i) {
-    if (std::abs(others.normals(i, 2)) > 0.5) EXPECT_EQ(carried[i], others.normals(i, 2)) << i;
+    if (others.points.row(i).cwiseAbs().maxCoeff() > 0.4) continue;  // the rim is near
+    EXPECT_NEAR(carried[i], others.normals(i, 2), 1e-12) << i;
   }
 }
 
@@ -85,7 +103,7 @@ TEST(CarriedValues, ValuesThatAreMissingAreLeftOutAndStayMissingWhereThereIsNoOt
   const CarriedValues carried(from, to);
   Eigen::VectorXd values = Eigen::VectorXd::Constant(from.points.rows(), 3);
   for (Eigen::Index i = 0; i < values.size(); i += 2) values[i] = std::nan("");
-  EXPECT_TRUE((carried.means(values).array() == 3).all());
+  EXPECT_NEAR((carried.means(values).array() - 3).abs().maxCoeff(), 0, 1e-12);
   values.setConstant(std::nan(""));
   EXPECT_TRUE(carried.means(values).array().isNaN().all());
 }
