@@ -48,7 +48,6 @@ function pictureScale() {
 const visited = [];
 
 function openShape(model) {
-  tooltip.hide();
   const dialog = byId('shape');
   if (!dialog.open) visited.length = 0;
   visited.push(model);
@@ -83,6 +82,7 @@ function portraitOf(model) {
 
 // Puts the model into the dialog; focus: the part of it that has the keyboard then.
 function drawShape(dialog, model, focus = '.close') {
+  tooltip.hide();
   const back = () => { visited.pop(); drawShape(dialog, visited[visited.length - 1]); };
   const head = make('div', { class: 'dialog-head' }, make('h2', { id: 'shape-title' }, `${report.ids[model]}, ${className(model)}`),
     visited.length > 1 ? make('button', { type: 'button', click: back }, 'Back') : null,

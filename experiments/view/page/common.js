@@ -29,7 +29,7 @@ function choice(label, options, selected, chosen) {
   return make('label', {}, label, select);
 }
 
-// It is where the keyboard is: behind a dialog nothing would show.
+// It is where the keyboard is, as behind a dialog nothing would show, and goes back before the dialog changes.
 const tooltip = {
   show(x, y, ...children) {
     const box = byId('tooltip');
@@ -41,7 +41,11 @@ const tooltip = {
     box.style.left = `${x + 16 + width > window.innerWidth ? Math.max(4, x - width - 12) : x + 16}px`;
     box.style.top = `${Math.max(4, Math.min(y + 14, window.innerHeight - height - 4))}px`;
   },
-  hide() { byId('tooltip').hidden = true; },
+  hide() {
+    const box = byId('tooltip');
+    box.hidden = true;
+    if (box.parentNode !== document.body) document.body.append(box);
+  },
 };
 const tipHead = (text) => make('div', { class: 'head' }, text);
 const tipLine = (name, value) => make('div', { class: 'line' }, make('span', {}, ...name), make('span', {}, value));
