@@ -317,8 +317,7 @@ FinishedRun run_configuration(const fs::path& configuration, const std::vector<s
       configuration_from_json(document, configuration.string(), configuration.parent_path());
   prepare_result_folder(output, to_json(experiment), replace);
   Cache cache(cache_folder.value_or(default_cache_folder()), false);
-  const ExperimentResults results = run_experiment(experiment, output / "dataset", control, cache);
-  with_threads(threads, [&] { write_results(output, results); });
+  const ExperimentResults results = run_into_folder(output, experiment, control, cache, *single_process());
   if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
   finished = {.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
   for (const FailedModel& failure : results.failures) {
