@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/distributed/mpi_module.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <exception>
@@ -191,11 +192,10 @@ class MpiFile : public SharedFile {
   }
   void check(int error) const {
     if (error == MPI_SUCCESS) return;
-    std::string reason(MPI_MAX_ERROR_STRING, '\0');
+    std::array<char, MPI_MAX_ERROR_STRING> reason{};
     int length = 0;
     MPI_Error_string(error, reason.data(), &length);
-    reason.resize(static_cast<std::size_t>(length));
-    fail(reason);
+    fail(std::string_view(reason.data(), static_cast<std::size_t>(length)));
   }
 
   std::string path_;
@@ -237,8 +237,8 @@ class MpiRanks : public Communicator {
   }
 
   std::vector<std::string> gather(std::string bytes) override {
-    std::vector<std::string> to_ranks(static_cast<std::size_t>(size_));
-    to_ranks.front() = std::move(bytes);
+    std::vector<std::string> to_ranks{std::move(bytes)};
+    to_ranks.resize(static_cast<std::size_t>(size_));
     std::vector<std::string> all = exchange(std::move(to_ranks));
     if (rank_ != 0) all.clear();
     return all;

@@ -2,29 +2,30 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 /// Numbers and texts as bytes, for another process of the same program on the same kind of machine.
 
 namespace shapegauge {
 
+/// What is copied byte by byte.
+template <typename Value>
+concept Plain = std::is_trivially_copyable_v<Value> && !std::is_array_v<Value> && !std::is_pointer_v<Value>;
+
 /// Appends values to bytes.
 class Packer {
  public:
-  template <typename Number>
-    requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   Packer& add(const Number& number) {
     return add_bytes(&number, sizeof(number));
   }
   Packer& add(std::string_view text) { return add(text.size()).add_bytes(text.data(), text.size()); }
-  Packer& add(const std::string& text) { return add(std::string_view(text)); }
-  template <typename Number>
-    requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   Packer& add(const std::vector<Number>& numbers) {
     return add(numbers.size()).add_bytes(numbers.data(), numbers.size() * sizeof(Number));
   }
@@ -50,8 +51,7 @@ class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
 
-  template <typename Number>
-    requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   Unpacker& take(Number& number) {
     return take_bytes(&number, sizeof(number));
   }
@@ -59,8 +59,7 @@ class Unpacker {
     text.resize(take_value<std::size_t>());
     return take_bytes(text.data(), text.size());
   }
-  template <typename Number>
-    requires std::is_trivially_copyable_v<Number>
+  template <Plain Number>
   Unpacker& take(std::vector<Number>& numbers) {
     numbers.resize(take_value<std::size_t>());
     return take_bytes(numbers.data(), numbers.size() * sizeof(Number));

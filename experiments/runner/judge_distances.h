@@ -56,6 +56,11 @@ struct Judgement {
 class DistanceJudge {
  public:
   DistanceJudge(std::span<const int> labels, const Range& own, const JudgedMethod& wanted, Communicator& ranks);
+  DistanceJudge(const DistanceJudge&) = delete;
+  DistanceJudge& operator=(const DistanceJudge&) = delete;
+  DistanceJudge(DistanceJudge&&) = delete;
+  DistanceJudge& operator=(DistanceJudge&&) = delete;
+  ~DistanceJudge() = default;
 
   /// Takes rows, from the row `first` on. In parallel.
   void add(Eigen::Index first, const DistanceTable& rows);

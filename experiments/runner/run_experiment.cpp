@@ -232,7 +232,8 @@ class MethodsRun {
     Judgement judgement = judge.finish();
     method.evaluations = std::move(judgement.evaluations);
     if (judgement.overview) method.overview = std::move(*judgement.overview);
-    if (keeps_matrices()) method.distances = std::move(whole_[i]);
+    DistanceMatrix matrix = std::move(whole_[i]);
+    if (keeps_matrices()) method.distances = std::move(matrix);
     return judge.seconds();
   }
 
