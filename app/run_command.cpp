@@ -384,9 +384,11 @@ int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
   } catch (const Interrupted&) {
     notice.end();
     ranks.abort(interruption_status());
+    return interruption_status();
   } catch (const std::exception& error) {
     fmt::print(stderr, "shapegauge: error: rank {}: {}\n", ranks.rank(), error.what());
     ranks.abort(exit_unusable_input);
+    return exit_unusable_input;
   }
 }
 

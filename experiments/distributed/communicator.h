@@ -77,8 +77,8 @@ class Communicator {
   virtual std::string pass_on(std::string_view bytes, const std::function<void()>& meanwhile) = 0;
   /// Collective. A new file of so many bytes, in place of one that is there.
   virtual std::unique_ptr<SharedFile> create_file(const std::filesystem::path& path, std::uint64_t bytes) = 0;
-  /// Ends all processes at once, this one with the status.
-  [[noreturn]] virtual void abort(int status) = 0;
+  /// Ends all processes at once, this one with the status; does not return.
+  virtual void abort(int status) = 0;
 
  protected:
   void waiting() const {
