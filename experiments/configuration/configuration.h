@@ -110,6 +110,9 @@ nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 /// The generator's settings as JSON, in the form of a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
 
+/// A data set on disk, in the form of a configuration's "dataset", with absolute paths.
+nlohmann::json to_json(const DatasetLocation& location);
+
 /// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
 /// absolute.
 nlohmann::json to_json(const Configuration& configuration);

@@ -104,13 +104,18 @@ FieldDescription read_facts(const Json& record) {
 
 }  // namespace
 
-std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version) {
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version,
+                             std::uint64_t seed) {
   Json settings = to_json(method);
   settings.erase("name");
-  return key_of(EntryKind::segmentation, {{"file", source.sha256},
-                                          {"extension", lower_case(source.file.extension().string())},
-                                          {"method", std::move(settings)},
-                                          {"versions", {shape_reading_version, version}}});
+  Json depends_on{{"file", source.sha256},
+                  {"extension", lower_case(source.file.extension().string())},
+                  {"method", std::move(settings)},
+                  {"versions", {shape_reading_version, version}}};
+  if (!method.perturbations.empty()) {
+    depends_on["perturbed"] = {versions_of(method.perturbations), seed, sha256(source.id), source.index};
+  }
+  return key_of(EntryKind::segmentation, std::move(depends_on));
 }
 
 std::string shape_key(const ModelSource& source, const Configuration& configuration) {
