@@ -329,8 +329,8 @@ int run_request(const RunArguments& arguments, Communicator& ranks) {
   on_all_ranks(ranks, [&] {
     request = requested_run(arguments.source);
     if (ranks.size() == 1 || !(is_comparison(request.document) || is_segmentation(request.document))) return;
-    throw InputError(fmt::format("{}: comparisons and segmentations run in one process, without mpirun or srun",
-                                 request.source));
+    throw InputError(
+        fmt::format("{}: comparisons and segmentations run in one process, without mpirun or srun", request.source));
   });
   if (is_comparison(request.document)) return run_shapes(arguments, request);
   return is_segmentation(request.document) ? run_parts(arguments, request) : run_retrieval(arguments, request, ranks);

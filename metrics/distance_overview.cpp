@@ -142,9 +142,9 @@ DistanceOverview overview_of(std::span<const SeenRows> parts) {
   for (std::size_t i = 0; i < sums.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i) / any.side;
     const auto column = static_cast<Eigen::Index>(i) % any.side;
-    overview.cells(row, column) =
-        sums[i].count > 0 ? static_cast<double>(sums[i].sum) / static_cast<double>(sums[i].count) * any.unit
-                          : std::numeric_limits<double>::infinity();
+    overview.cells(row, column) = sums[i].count > 0
+                                      ? static_cast<double>(sums[i].sum) / static_cast<double>(sums[i].count) * any.unit
+                                      : std::numeric_limits<double>::infinity();
   }
   return overview;
 }

@@ -39,10 +39,10 @@ struct SeenRows {
   double unit = 1;
   std::vector<std::int32_t> places;  ///< by model, its place in order_by_class()
   Eigen::Index block = 1;
-  Eigen::Index side = 0;            ///< cells along a side
-  std::vector<Cell> sums;           ///< row by row; empty where a cell is one entry
-  std::vector<double> entries;      ///< instead of sums: of the rows from `first` on, in the models' order
-  NearestIndices nearest;           ///< of the rows from `first` on
+  Eigen::Index side = 0;        ///< cells along a side
+  std::vector<Cell> sums;       ///< row by row; empty where a cell is one entry
+  std::vector<double> entries;  ///< instead of sums: of the rows from `first` on, in the models' order
+  NearestIndices nearest;       ///< of the rows from `first` on
   DistanceTableRows nearest_distances;
 };
 
@@ -53,8 +53,8 @@ std::vector<Eigen::Index> order_by_class(std::span<const int> labels);
 double largest_finite(std::span<const double> row, Eigen::Index itself);
 
 /// Begins to look at the rows from `first` to before `last` of the matrix between models of these labels. `largest`:
-/// largest_finite() of the first row, by which it is decided how fine the sums are; where cells are entries, it does not
-/// matter.
+/// largest_finite() of the first row, by which it is decided how fine the sums are; where cells are entries, it does
+/// not matter.
 SeenRows begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last);
 
 /// Looks at rows of the matrix, from the row `first` on. In parallel, the same for any number of threads.

@@ -96,9 +96,9 @@ class RowJudge {
 
   const RetrievalTask* task_;
   std::vector<Measure> measures_;
-  Evaluation blank_;               ///< without figures
-  std::size_t largest_ = 0;        ///< number of relevant models of a query
-  std::size_t first_query_ = 0;    ///< of those among its rows
+  Evaluation blank_;             ///< without figures
+  std::size_t largest_ = 0;      ///< number of relevant models of a query
+  std::size_t first_query_ = 0;  ///< of those among its rows
   QueryScores scores_;
 };
 

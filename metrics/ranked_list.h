@@ -10,10 +10,10 @@
 
 namespace shapegauge {
 
-/// The first `count` of all models but the query, the nearest first: by distance, and models at equal distance by index.
-/// `distances` are the query's to all models, `query` its own index. Infinite distances rank last. The query is left out
-/// by its index, so a duplicate of it at distance 0 stays, and its own distance to itself plays no part. No distance may
-/// be NaN. All of them where there are no more.
+/// The first `count` of all models but the query, the nearest first: by distance, and models at equal distance by
+/// index. `distances` are the query's to all models, `query` its own index. Infinite distances rank last. The query is
+/// left out by its index, so a duplicate of it at distance 0 stays, and its own distance to itself plays no part. No
+/// distance may be NaN. All of them where there are no more.
 std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count);
 
 /// Consecutive ranks, `size` of them with `hits` relevant models. Where both kinds are among them their order is open:

@@ -22,8 +22,7 @@ void check_finite(const SignatureBlock& block) {
     for (Eigen::Index column = 0; column < signatures.cols(); ++column) {
       if (std::isfinite(signatures(row, column))) continue;
       throw std::invalid_argument("entry " + std::to_string(column) + " of signature " +
-                                  std::to_string(block.first + row) +
-                                  " (both counted from 0) is not a finite number");
+                                  std::to_string(block.first + row) + " (both counted from 0) is not a finite number");
     }
   }
 }
@@ -54,7 +53,8 @@ struct Stretch {
 /// Those signatures of the block, as one span.
 std::span<const float> numbers_of(const SignatureBlock& block, const Stretch& some) {
   const Eigen::Index length = block.signatures.cols();
-  return {block.signatures.data() + (some.first - block.first) * length, static_cast<std::size_t>(some.size() * length)};
+  return {block.signatures.data() + (some.first - block.first) * length,
+          static_cast<std::size_t>(some.size() * length)};
 }
 
 std::span<const float> numbers_of(const SignatureBlock& block, Eigen::Index signature) {

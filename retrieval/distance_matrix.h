@@ -34,8 +34,8 @@ struct SignatureBlock {
 /// defined.
 void check_signatures(const SignatureBlock& block, const NamedDistance& distance);
 
-/// A part of a distance matrix: the distances from each of `some` to each of `others`, the same bits as in the whole. In
-/// parallel. The signatures must have passed check_signatures().
+/// A part of a distance matrix: the distances from each of `some` to each of `others`, the same bits as in the whole.
+/// In parallel. The signatures must have passed check_signatures().
 DistanceMatrix distances_between(const NamedDistance& distance, const SignatureBlock& some,
                                  const SignatureBlock& others);
 

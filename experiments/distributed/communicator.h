@@ -98,7 +98,6 @@ std::unique_ptr<Communicator> single_process();
 /// or knows of other processes than the environment says.
 std::unique_ptr<Communicator> started_processes();
 
-
 /// Consecutive numbers from first to before last.
 struct Range {
   std::size_t first = 0;

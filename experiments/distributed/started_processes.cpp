@@ -76,8 +76,8 @@ std::unique_ptr<Communicator> started_processes() {
   if (ranks->size() != processes) {
     const int joined = ranks->size();
     ranks.reset();
-    fail(processes, fmt::format("MPI knows of {} only; under Slurm, start it with srun --mpi=pmix, pmi2 or by mpirun",
-                                joined));
+    fail(processes,
+         fmt::format("MPI knows of {} only; under Slurm, start it with srun --mpi=pmix, pmi2 or by mpirun", joined));
   }
   return ranks;
 }

@@ -79,8 +79,7 @@ std::vector<std::size_t> models_without(const std::vector<ModelFailure>& failure
 Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
                           std::span<const PlannedField> plan, Cache& cache, Communicator& ranks) {
   Described described;
-  described.failures =
-      failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
+  described.failures = failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
   stop_if_told(dataset, described.failures, configuration.on_error);
   const std::vector<std::size_t> remaining = models_without(described.failures, dataset.models.size());
   // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
@@ -130,6 +129,12 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
 }
 
 }  // namespace
+
+std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
+  std::vector<Interval> ranges;
+  for (std::size_t field = 0; field < fields; ++field) ranges.push_back(common_range(models, field));
+  return ranges;
+}
 
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,
@@ -216,9 +221,7 @@ namespace {
 std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
                                            Communicator& ranks) {
   Packer packer;
-  for (const ModelDescription* model : own) {
-    for (const FieldDescription& field : model->fields) packer.add(field.range);
-  }
+  for (const Interval& range : own.empty() ? std::vector<Interval>() : field_ranges(own, fields)) packer.add(range);
   const std::string told = on_first_rank(ranks, [parts = ranks.gather(std::move(packer).bytes()), fields] {
     std::vector<std::vector<Interval>> by_field(fields);
     for (const std::string& part : parts) {
@@ -336,12 +339,12 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
   std::vector<std::size_t> places;
   for (const auto& [index, model] : described.models) {
     models.push_back(&model);
-    places.push_back(static_cast<std::size_t>(std::ranges::lower_bound(computed.models, index) -
-                                              computed.models.begin()));
+    places.push_back(
+        static_cast<std::size_t>(std::ranges::lower_bound(computed.models, index) - computed.models.begin()));
   }
   const std::vector<Interval> ranges = ranges_over_data_set(models, plan.size(), ranks);
-  const std::vector<Signatures> tables = on_all_ranks(
-      ranks, [&] { return assemble_signatures(models, plan, configuration.signatures, ranges); });
+  const std::vector<Signatures> tables =
+      on_all_ranks(ranks, [&] { return assemble_signatures(models, plan, configuration.signatures, ranges); });
   computed.signatures = rows_of_rank(tables, places, computed.models.size(), ranks);
   std::vector<ModelDescription> told = told_of_all(models, places, computed.models.size(), ranks);
   if (ranks.rank() == 0) report(std::move(told), configuration, plan, computed);

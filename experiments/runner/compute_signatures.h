@@ -33,9 +33,12 @@ struct ShapeReport {
   std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
 };
 
+/// By field of the plan its range over these models, of which there is one at least.
+std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
+
 /// The signatures, in the configuration's order, of all models: row i is of models[i]. Those that are derived from
-/// distances are empty. `data_set_ranges`: by field of the plan that over the whole data set, where a histogram asks for
-/// it. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features of different
+/// distances are empty. `data_set_ranges`: by field of the plan that over the whole data set, where a histogram asks
+/// for it. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features of different
 /// lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,

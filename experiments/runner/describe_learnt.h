@@ -22,8 +22,8 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 /// from the fields of all; each describes its own models. Models that are absent take no part. Returns the models that
 /// cannot be described, in order, the same on all ranks; those after the first may be left out. Without them the others
 /// learn something else: where there are any, nothing is complete, and it has to be called again without them. Throws
-/// InputError or std::invalid_argument where nothing can be learnt, and Interrupted. Collective. Runs in the calling TBB
-/// arena.
+/// InputError or std::invalid_argument where nothing can be learnt, and Interrupted. Collective. Runs in the calling
+/// TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
                                           Communicator& ranks);

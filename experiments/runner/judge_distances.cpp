@@ -33,8 +33,8 @@ Eigen::Map<const Signatures> rows_in(const std::string& bytes, Eigen::Index leng
 /// How many rows are computed together: enough to be worth passing signatures by, few enough to stay within memory.
 Eigen::Index rows_together(std::size_t all) {
   constexpr std::size_t most_bytes = std::size_t{128} << 20;
-  return static_cast<Eigen::Index>(std::clamp<std::size_t>(most_bytes / sizeof(double) / std::max<std::size_t>(all, 1),
-                                                           1, 4096));
+  return static_cast<Eigen::Index>(
+      std::clamp<std::size_t>(most_bytes / sizeof(double) / std::max<std::size_t>(all, 1), 1, 4096));
 }
 
 /// The distances of some of the own signatures to all, while those of the other ranks pass by.
@@ -90,12 +90,8 @@ QueryScores together(const std::vector<std::string>& parts) {
 }
 
 std::string packed(const SeenRows& seen) {
-  return std::move(Packer()
-                       .add(seen.first)
-                       .add(seen.sums)
-                       .add(seen.entries)
-                       .add(seen.nearest)
-                       .add(seen.nearest_distances))
+  return std::move(
+             Packer().add(seen.first).add(seen.sums).add(seen.entries).add(seen.nearest).add(seen.nearest_distances))
       .bytes();
 }
 
@@ -123,8 +119,8 @@ void visit_distances(const NamedDistance& distance, const SharedSignatures& sign
   for (Eigen::Index first = 0; first < rounds; first += at_once) {
     const Eigen::Index begin = std::min(first, signatures.rows.rows());
     const Eigen::Index count = std::min(at_once, signatures.rows.rows() - begin);
-    const DistanceMatrix rows = rows_of_distances(
-        distance, {signatures.rows.middleRows(begin, count), own_first + begin}, signatures, ranks);
+    const DistanceMatrix rows =
+        rows_of_distances(distance, {signatures.rows.middleRows(begin, count), own_first + begin}, signatures, ranks);
     if (count > 0) visit(own_first + begin, rows);
   }
 }

@@ -91,8 +91,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature,
 /// The distance between two signatures of that kind.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
   if (!signature.descriptor) return distance_named(configuration.distance);
-  return {.name = distance_of(signature.descriptor->descriptor),
-          .function = signature.descriptor->descriptor.distance};
+  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
 }
 
 /// By signature whether distances are derived from it, or it from others: that takes whole matrices.
@@ -261,7 +260,7 @@ class MethodsRun {
   const RunControl* control_;
   Cache* cache_;
   Communicator* ranks_;
-  std::vector<bool> in_derived_;        ///< by signature
+  std::vector<bool> in_derived_;       ///< by signature
   std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
 };
 
@@ -353,8 +352,8 @@ DistanceMatrix distances_through_cache(const Signatures& features, const Descrip
                           [&] { return descriptor_distances(descriptor, features); });
 }
 
-ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places,
-                                 const RunControl& control, Cache& cache, Communicator& ranks) {
+ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
+                                 Cache& cache, Communicator& ranks) {
   ExperimentResults results;
   results.processes = ranks.size();
   results.configuration = configuration;

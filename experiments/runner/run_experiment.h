@@ -47,7 +47,7 @@ struct ExperimentResults {
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
   CacheReport cache;
-  int threads = 1;    ///< of each process
+  int threads = 1;  ///< of each process
   int processes = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
@@ -85,8 +85,8 @@ struct RunPlaces {
 /// derived from others, or others from them; where the results have them; and up to 2,900 models, by way of the cache.
 /// Of several processes rank 0 has those of the first kind; of more than most_models_of_derived_distances models it
 /// does not, which is an InputError. Collective.
-ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places,
-                                 const RunControl& control, Cache& cache, Communicator& ranks);
+ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
+                                 Cache& cache, Communicator& ranks);
 
 /// The same in this process alone, with the matrices in the results.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,

@@ -57,8 +57,16 @@ class RunProcesses : public SmallRun {
   }
 
   [[nodiscard]] std::vector<std::string> arguments(int ranks, const std::string& output) const {
-    return {"--oversubscribe", "-n", std::to_string(ranks), SHAPEGAUGE_EXECUTABLE, "run", at("small.json").string(),
-            "--output", at(output).string(), "--cache", at("cache").string()};
+    return {"--oversubscribe",
+            "-n",
+            std::to_string(ranks),
+            SHAPEGAUGE_EXECUTABLE,
+            "run",
+            at("small.json").string(),
+            "--output",
+            at(output).string(),
+            "--cache",
+            at("cache").string()};
   }
   /// mpirun's own words are among the errors.
   [[nodiscard]] Outcome run_ranks(int ranks, const std::string& output, const std::string& more = "") const {

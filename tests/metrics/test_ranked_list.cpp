@@ -37,7 +37,8 @@ TEST(FirstRanked, TheQueryIsRemovedByItsIndexNotByItsDistance) {
 }
 
 TEST(FirstRanked, InfinityRanksLastAndMinusInfinityFirst) {
-  EXPECT_THAT(first_ranked(std::vector<double>{0, infinity, 1e308, -infinity, infinity}, 0, 9), ElementsAre(3, 2, 1, 4));
+  EXPECT_THAT(first_ranked(std::vector<double>{0, infinity, 1e308, -infinity, infinity}, 0, 9),
+              ElementsAre(3, 2, 1, 4));
 }
 
 TEST(FirstRanked, BothZerosAreEqual) {

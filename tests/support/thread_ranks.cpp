@@ -70,8 +70,8 @@ class ThreadRank : public Communicator {
     table_->all_here.arrive_and_wait();
   }
   std::vector<std::string> gather(std::string bytes) override {
-    std::vector<std::string> to_ranks(table_->letters.size());
-    to_ranks.front() = std::move(bytes);
+    std::vector<std::string> to_ranks{std::move(bytes)};
+    to_ranks.resize(table_->letters.size());
     std::vector<std::string> all = exchange(std::move(to_ranks));
     if (rank_ != 0) all.clear();
     return all;
