@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
+#include <tbb/parallel_for.h>
 #include <utility>
 
 #include "shapegauge/experiments/distributed/agreement.h"
@@ -37,29 +38,38 @@ Eigen::Index rows_together(std::size_t all) {
       std::clamp<std::size_t>(most_bytes / sizeof(double) / std::max<std::size_t>(all, 1), 1, 4096));
 }
 
+/// Computes the distances a few rows at a time, so that what is computed is at hand when it is put in its place.
+void compute_rows(const NamedDistance& distance, const SignatureBlock& some, const SignatureBlock& others,
+                  Eigen::Ref<DistanceMatrix> distances) {
+  constexpr Eigen::Index together = 32;
+  tbb::parallel_for(Eigen::Index{0}, (distances.rows() + together - 1) / together, [&](Eigen::Index group) {
+    const Eigen::Index first = group * together;
+    const Eigen::Index count = std::min(together, distances.rows() - first);
+    distances.middleRows(first, count) =
+        distances_between(distance, {some.signatures.middleRows(first, count), some.first + first}, others);
+  });
+}
+
 /// The distances of some of the own signatures to all, while those of the other ranks pass by.
-DistanceMatrix rows_of_distances(const NamedDistance& distance, const SignatureBlock& some,
-                                 const SharedSignatures& signatures, Communicator& ranks) {
-  const auto all = static_cast<Eigen::Index>(signatures.all);
-  if (ranks.size() == 1) return distances_between(distance, some, {signatures.rows, 0});
-  DistanceMatrix rows(some.signatures.rows(), all);
-  const auto compute = [&](int from, const Eigen::Ref<const Signatures>& others) {
-    const Range part = part_of_rank(signatures.all, from, ranks.size());
-    if (rows.rows() == 0 || part.size() == 0) return;
-    const auto first = static_cast<Eigen::Index>(part.first);
-    rows.middleCols(first, others.rows()) = distances_between(distance, some, {others, first});
-  };
+void compute_while_passing(const NamedDistance& distance, const SignatureBlock& some,
+                           const SharedSignatures& signatures, Communicator& ranks,
+                           Eigen::Ref<DistanceMatrix> distances) {
+  if (ranks.size() == 1) return compute_rows(distance, some, {signatures.rows, 0}, distances);
   std::string passing(bytes_of(signatures.rows));
   for (int step = 0; step < ranks.size(); ++step) {
     const int from = (ranks.rank() - step + ranks.size()) % ranks.size();
-    const auto now = [&] { compute(from, rows_in(passing, signatures.rows.cols())); };
+    const auto now = [&] {
+      const auto others = rows_in(passing, signatures.rows.cols());
+      if (distances.rows() == 0 || others.rows() == 0) return;
+      const auto first = static_cast<Eigen::Index>(part_of_rank(signatures.all, from, ranks.size()).first);
+      compute_rows(distance, some, {others, first}, distances.middleCols(first, others.rows()));
+    };
     if (step + 1 == ranks.size()) {
       now();
     } else {
       passing = ranks.pass_on(passing, now);
     }
   }
-  return rows;
 }
 
 std::string packed(const QueryScores& scores) {
@@ -116,12 +126,13 @@ void visit_distances(const NamedDistance& distance, const SharedSignatures& sign
   const Eigen::Index at_once = rows_together(signatures.all);
   // All ranks go as many rounds as the first, which has no fewer rows than any.
   const auto rounds = static_cast<Eigen::Index>(part_of_rank(signatures.all, 0, ranks.size()).size());
+  DistanceMatrix rows(std::min(at_once, signatures.rows.rows()), static_cast<Eigen::Index>(signatures.all));
   for (Eigen::Index first = 0; first < rounds; first += at_once) {
     const Eigen::Index begin = std::min(first, signatures.rows.rows());
     const Eigen::Index count = std::min(at_once, signatures.rows.rows() - begin);
-    const DistanceMatrix rows =
-        rows_of_distances(distance, {signatures.rows.middleRows(begin, count), own_first + begin}, signatures, ranks);
-    if (count > 0) visit(own_first + begin, rows);
+    compute_while_passing(distance, {signatures.rows.middleRows(begin, count), own_first + begin}, signatures, ranks,
+                          rows.topRows(count));
+    if (count > 0) visit(own_first + begin, rows.topRows(count));
   }
 }
 
