@@ -99,7 +99,7 @@ TEST_F(RunOnRanks, TheFirstModelThatFailsIsTheErrorOfAll) {
       Cache none;
       run_into_folder(at("out"), configuration(), {.threads = 1}, none, ranks);
     } catch (const SharedError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("model T3: "));
+      EXPECT_THAT(error.what(), HasSubstr("model 3: "));
       const std::scoped_lock lock(mutex);
       ++errors;
     }
