@@ -140,12 +140,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
                        " learns from a whole data set: describe one by a configuration, with run()");
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
-    std::vector<ScalarField> fields;
-    FieldSource source(shape);
-    for (const Field& wanted : choice.fields) {
-      const Samples samples = take_samples(shape, wanted.samples);
-      fields.push_back({.values = wanted.compute(source, samples, true).values, .weights = samples.weights});
-    }
+    const std::vector<ScalarField> fields = compute_fields(choice, shape);
     return choice.descriptor.describe({.shape = shape, .fields = fields}, {}, choice.values);
   }));
 }
