@@ -27,35 +27,10 @@ constexpr std::array<std::string_view, 2> weights{"faces", "area"};
 constexpr std::array<std::string_view, 3> settings_of_best{"patches", "least_probability", "border_width"};
 constexpr std::array<std::string_view, 2> settings_of_paper{"field", "offset"};
 
-SegmentationMethod method_of(const Json& settings) {
-  const ParameterValues values = read_parameters(segmentation_method_parameters(), settings);
-  SegmentationMethod method;
-  method.name = settings.at("name");
-  method.paper = values.word("method") == "paper";
-  method.parts = static_cast<int>(values.integer("parts"));
-  using Names = std::span<const std::string_view>;
-  const Names foreign = method.paper ? Names(settings_of_best) : Names(settings_of_paper);
-  for (const std::string_view key : foreign) {
-    if (!settings.contains(key)) continue;
-    throw ConfigurationError{std::string(key), fmt::format("goes with the method \"{}\" only; remove it",
-                                                           algorithms.at(method.paper ? 0 : 1))};
-  }
-  method.patches = static_cast<int>(values.integer("patches"));
-  method.least_probability = values.number("least_probability");
-  method.border_width = values.number("border_width");
-  method.offset_field = values.word("field") == "offset";
-  if (!method.offset_field && settings.contains("offset")) {
-    throw ConfigurationError{"offset", "does not go with the field \"cone\"; remove it"};
-  }
-  method.offset = values.number("offset");
-  if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);
-  return method;
-}
-
 std::vector<SegmentationMethod> methods_of(const Json& settings) {
   std::vector<SegmentationMethod> methods;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    SegmentationMethod method = at(std::to_string(i), [&] { return method_of(settings[i]); });
+    SegmentationMethod method = at(std::to_string(i), [&] { return segmentation_method(settings[i]); });
     const auto earlier = std::ranges::find(methods, method.name, &SegmentationMethod::name);
     if (earlier != methods.end()) {
       throw ConfigurationError{fmt::format("{}.name", i), fmt::format("\"{}\" is the name of segmentation.{} already",
@@ -158,6 +133,31 @@ std::span<const Parameter> segmentation_experiment_parameters() {
     return all;
   }();
   return parameters;
+}
+
+SegmentationMethod segmentation_method(const Json& settings) {
+  const ParameterValues values = read_parameters(segmentation_method_parameters(), settings);
+  SegmentationMethod method;
+  method.name = settings.at("name");
+  method.paper = values.word("method") == "paper";
+  method.parts = static_cast<int>(values.integer("parts"));
+  using Names = std::span<const std::string_view>;
+  const Names foreign = method.paper ? Names(settings_of_best) : Names(settings_of_paper);
+  for (const std::string_view key : foreign) {
+    if (!settings.contains(key)) continue;
+    throw ConfigurationError{std::string(key), fmt::format("goes with the method \"{}\" only; remove it",
+                                                           algorithms.at(method.paper ? 0 : 1))};
+  }
+  method.patches = static_cast<int>(values.integer("patches"));
+  method.least_probability = values.number("least_probability");
+  method.border_width = values.number("border_width");
+  method.offset_field = values.word("field") == "offset";
+  if (!method.offset_field && settings.contains("offset")) {
+    throw ConfigurationError{"offset", "does not go with the field \"cone\"; remove it"};
+  }
+  method.offset = values.number("offset");
+  if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);
+  return method;
 }
 
 bool is_segmentation(const Json& document) { return document.is_object() && document.contains("segmentation"); }

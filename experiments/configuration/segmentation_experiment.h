@@ -54,6 +54,10 @@ std::span<const Parameter> segmentation_method_parameters();
 std::span<const Parameter> segmentation_experiment_parameters();
 /// @}
 
+/// The method that an entry of "segmentation" describes, which the schema has accepted. Throws ConfigurationError for
+/// settings that do not go together.
+SegmentationMethod segmentation_method(const nlohmann::json& settings);
+
 /// Whether the document is one of a segmentation experiment.
 bool is_segmentation(const nlohmann::json& document);
 
