@@ -67,6 +67,9 @@ Json field_settings_of(const std::string& text, const std::string& source) {
 WantedField wanted_field(const std::string& text) {
   const std::string source = fmt::format("--field {}", text);
   Json settings = field_settings_of(text, source);
+  const bool chooses_offset =
+      settings.contains("type") && settings["type"] == "offset_sdf" && !settings.contains("offset");
+  if (chooses_offset) settings["offset"] = "auto";
   check_against_schema(settings, "field", source);
   if (settings.contains("at")) {
     throw InputError(fmt::format("{}: a view has values at the faces of a mesh and the points of a cloud", source));
@@ -77,9 +80,9 @@ WantedField wanted_field(const std::string& text) {
   if (type == "offset_sdf") name = "SDF of the offset surface";
   if (type == "cone_sdf") name = "Conventional SDF";
   for (const auto& [key, value] : settings.items()) {
-    if (key != "type") name += fmt::format(", {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
+    if (key == "type" || (key == "offset" && chooses_offset)) continue;
+    name += fmt::format(", {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
-  const bool chooses_offset = type == "offset_sdf" && !settings.contains("offset");
   return {.name = std::move(name), .settings = std::move(settings), .chooses_offset = chooses_offset};
 }
 

@@ -140,12 +140,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
                        " learns from a whole data set: describe one by a configuration, with run()");
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
-    std::vector<ScalarField> fields;
-    FieldSource source(shape);
-    for (const Field& wanted : choice.fields) {
-      const Samples samples = take_samples(shape, wanted.samples);
-      fields.push_back({.values = wanted.compute(source, samples, true).values, .weights = samples.weights});
-    }
+    const std::vector<ScalarField> fields = compute_fields(choice, shape);
     return choice.descriptor.describe({.shape = shape, .fields = fields}, {}, choice.values);
   }));
 }
@@ -322,8 +317,7 @@ FinishedRun run_configuration(const fs::path& configuration, const std::vector<s
       configuration_from_json(document, configuration.string(), configuration.parent_path());
   prepare_result_folder(output, to_json(experiment), replace);
   Cache cache(cache_folder.value_or(default_cache_folder()), false);
-  const ExperimentResults results = run_experiment(experiment, output / "dataset", control, cache);
-  with_threads(threads, [&] { write_results(output, results); });
+  const ExperimentResults results = run_into_folder(output, experiment, control, cache, *single_process());
   if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
   finished = {.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
   for (const FailedModel& failure : results.failures) {

@@ -196,6 +196,7 @@ Json to_json(const Configuration& configuration) {
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance},
+            {"keep_distances", configuration.keep_distances},
             {"report", report_to_json(configuration)}};
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));

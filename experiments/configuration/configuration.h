@@ -80,6 +80,7 @@ struct Configuration {
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";
+  bool keep_distances = true;  ///< as files of the results
   ReportConfiguration report;
 };
 

@@ -237,6 +237,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
     at("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
   configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
+  configuration.keep_distances = document.value("keep_distances", configuration.keep_distances);
   configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
   configuration.report =
       at("report", [&] { return read_report(document.value("report", Json(true)), configuration.signatures); });

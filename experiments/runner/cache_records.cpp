@@ -230,6 +230,30 @@ CachedHistogram read_histogram_record(const Json& record) {
   return {.facts = read_facts(record.at("facts")), .bins = read_binary<Eigen::VectorXf>(record.at("bins"))};
 }
 
+std::string described_bytes(const ModelDescription& model) {
+  Json record{{"sha256", model.sha256},
+              {"shape", shape_record(model)},
+              {"picture", picture_record(model.picture)},
+              {"view", view_record(model.view)}};
+  for (const FieldDescription& field : model.fields) record["fields"].push_back(facts_record(field));
+  for (const FeatureDescription& features : model.features) record["seconds"].push_back(features.seconds);
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(record);
+  return {bytes.begin(), bytes.end()};
+}
+
+ModelDescription read_described(std::string_view bytes) {
+  const Json record = Json::from_cbor(bytes);
+  ModelDescription model = read_shape_record(record.at("shape"));
+  model.sha256 = record.at("sha256");
+  model.picture = read_picture(record.at("picture"));
+  model.view = read_view(record.at("view"));
+  for (const Json& facts : record.value("fields", Json::array())) model.fields.push_back(read_facts(facts));
+  for (const Json& seconds : record.value("seconds", Json::array())) {
+    model.features.push_back({.features = {}, .seconds = seconds});
+  }
+  return model;
+}
+
 Json features_record(const FeatureDescription& features) {
   return {{"features", binary(features.features.data(), features.features.size())}, {"seconds", features.seconds}};
 }

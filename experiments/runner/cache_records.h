@@ -97,6 +97,12 @@ struct CachedHistogram {
 nlohmann::json histogram_record(const CachedHistogram& histogram);
 CachedHistogram read_histogram_record(const nlohmann::json& record);
 
+/// What one process tells another of a model: all but values, histograms and features.
+/// @{
+std::string described_bytes(const ModelDescription& model);
+ModelDescription read_described(std::string_view bytes);
+/// @}
+
 /// The features of a descriptor.
 nlohmann::json features_record(const FeatureDescription& features);
 FeatureDescription read_features(const nlohmann::json& record);
