@@ -1,11 +1,14 @@
-# cpack -G DEB: the Debian packages shapegauge, libshapegauge-dev and python3-shapegauge (docs/install.md). Included last,
-# as the variables must be there before CPack.
+# cpack -G DEB: the Debian packages shapegauge, shapegauge-mpi, libshapegauge-dev and python3-shapegauge
+# (docs/install.md). Included last, as the variables must be there before CPack.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL program development)
 if(SHAPEGAUGE_BUILD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
+if(SHAPEGAUGE_MPI)
+  list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -23,6 +26,21 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
  into parts, and evaluates any retrieval method the way the SHREC contests do.
  .
  This package has the program, its documentation and its configurations.")
+
+if(SHAPEGAUGE_MPI)
+  set(CPACK_DEBIAN_MPI_PACKAGE_NAME shapegauge-mpi)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "shapegauge (= ${PROJECT_VERSION}), openmpi-bin")
+  set(CPACK_COMPONENT_MPI_DESCRIPTION
+      "shape diameter function, signatures and retrieval evaluation (MPI)
+ shapegauge measures the shape diameter function (thickness) of meshes and
+ point clouds, turns it into signatures, compares shapes by them, cuts shapes
+ into parts, and evaluates any retrieval method the way the SHREC contests do.
+ .
+ This package has the module with which a run of the program spreads over many
+ processes and machines, under mpirun or Slurm.")
+endif()
 
 # Who wants measures needs Eigen and TBB; the other libraries want more: find_package(shapegauge) says what is missing.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapegauge-dev)

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 Eigen::Index faces_of_views(std::size_t models) {
-  constexpr Eigen::Index of_all = 360'000;
+  constexpr Eigen::Index of_all = 240'000;
   return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1)), Eigen::Index{200},
                     Eigen::Index{3000});
 }
