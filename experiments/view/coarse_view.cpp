@@ -19,12 +19,26 @@ namespace shapegauge {
 
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+/// A cell of a grid, and the octant of a direction.
+using Cell = std::array<std::int64_t, 4>;
 
-/// The mesh with the vertices in each cell of a grid made one. Faces with two corners in one cell are dropped, and of
-/// several with the same corners all but the first.
+/// Sums of the normals of the faces around each vertex, as long as twice their area.
+Points normal_sums(const Shape& mesh) {
+  Points sums = Points::Zero(mesh.vertices.rows(), 3);
+  for (const auto& face : mesh.triangles.rowwise()) {
+    const Eigen::RowVector3d first = mesh.vertices.row(face[0]);
+    const Eigen::RowVector3d normal = (mesh.vertices.row(face[1]) - first).cross(mesh.vertices.row(face[2]) - first);
+    for (const std::int32_t vertex : face) sums.row(vertex) += normal;
+  }
+  return sums;
+}
+
+/// The mesh with the vertices in each cell of a grid made one, where their normals are in one octant: the sides of what
+/// is thinner than a cell stay apart. Faces with two corners in one place are dropped, and of several with the same
+/// corners all but the first.
 Shape clustered(const Shape& mesh, double side) {
   const Eigen::Vector3d low = bounding_box(mesh).min();
+  const Points normals = normal_sums(mesh);
   std::map<Cell, std::int32_t> cells;
   std::vector<std::int32_t> cell_of(static_cast<std::size_t>(mesh.vertices.rows()), -1);
   std::vector<Eigen::Vector4d> sums;  // of the vertices in a cell, and how many
@@ -33,7 +47,10 @@ Shape clustered(const Shape& mesh, double side) {
     if (cell >= 0) continue;
     const Eigen::Vector3d point = mesh.vertices.row(vertex);
     Cell key{};
-    for (int k = 0; k < 3; ++k) key[static_cast<std::size_t>(k)] = std::llround(std::floor((point[k] - low[k]) / side));
+    for (int k = 0; k < 3; ++k) {
+      key[static_cast<std::size_t>(k)] = std::llround(std::floor((point[k] - low[k]) / side));
+      key[3] = 2 * key[3] + (normals(vertex, k) < 0 ? 1 : 0);
+    }
     cell = cells.emplace(key, static_cast<std::int32_t>(sums.size())).first->second;
     if (cell == static_cast<std::int32_t>(sums.size())) sums.emplace_back(Eigen::Vector4d::Zero());
     sums[static_cast<std::size_t>(cell)] += point.homogeneous();
@@ -79,7 +96,7 @@ Shape largest_faces(const Shape& mesh, Eigen::Index faces) {
 
 Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
   // Edge collapses keep the form best, but take 100 times as long as a grid: they begin with a few faces too many.
-  constexpr Eigen::Index enough = 6;
+  constexpr Eigen::Index enough = 12;
   Shape coarse = mesh.triangles.rows() > 2 * enough * faces ? clustered(mesh, side_for(mesh, enough * faces)) : mesh;
   try {
     coarse = decimate(coarse, faces);
