@@ -3,19 +3,37 @@
 // The width of a drawing: what there is room for, up to a limit.
 const widthIn = (place, largest) => Math.max(420, Math.min(largest, place.clientWidth || largest));
 
-// A button for each method that hides it in the charts or shows it again.
+// A button for each method that hides it in the charts or shows it again, and lights it up where the pointer or the
+// keyboard is; and two for all of them where there are many.
 function drawLegend(place) {
   const legend = make('div', { class: 'legend', role: 'group', 'aria-label': 'Methods shown' });
-  report.methods.forEach(({ name }, index) => {
-    const toggle = () => {
-      const hidden = new Set(state.hidden);
-      if (!hidden.delete(index)) hidden.add(index);
-      change({ hidden });
-      place.querySelectorAll('button')[index].focus();
+  const add = (attributes, hiddenNext, ...content) => {
+    const number = legend.children.length;
+    const click = () => {
+      change({ hidden: hiddenNext() });
+      place.querySelectorAll('button')[number].focus();
     };
-    legend.append(make('button', { type: 'button', 'aria-pressed': String(!state.hidden.has(index)), click: toggle }, swatch(index), name));
-  });
+    legend.append(make('button', { type: 'button', click, ...attributes }, ...content));
+  };
+  const all = report.methods.map((_, index) => index);
+  for (const index of all) {
+    const on = () => light(state.hidden.has(index) ? null : index);
+    const off = () => light(null);
+    const toggled = () => new Set(all.filter((other) => state.hidden.has(other) !== (other === index)));
+    add({ 'aria-pressed': String(!state.hidden.has(index)), pointerenter: on, focus: on, pointerleave: off, blur: off }, toggled, swatch(index), report.methods[index].name);
+  }
+  if (all.length > methodColours) {
+    add({ class: 'quiet' }, () => new Set(), 'Show all');
+    add({ class: 'quiet' }, () => new Set(all), 'Hide all');
+  }
   place.replaceChildren(legend);
+}
+
+// Fades what charts show of all methods but one; null: of none.
+function light(method) {
+  for (const element of document.querySelectorAll('[data-method]')) {
+    element.classList.toggle('faded', method !== null && Number(element.dataset.method) !== method);
+  }
 }
 
 const keptProperties = ['fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-dasharray', 'stroke-opacity', 'opacity',

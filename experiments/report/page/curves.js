@@ -1,7 +1,5 @@
 // Precision against recall, a curve a method.
 
-const signs = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolStar, d3.symbolWye];
-
 drawCurves.whole = true;
 
 // Where the axis of precision begins: at 0, or at the tenth below all that is shown.
@@ -47,7 +45,7 @@ function drawCurve(area, x, y, index) {
   group.append('path').attr('class', 'curve').attr('d', d3.line()(points))
     .style('stroke', colourOf(index)).style('stroke-dasharray', dashesOf(index));
   group.selectAll('.sign').data(points).enter().append('path').attr('class', 'sign')
-    .attr('transform', (point) => `translate(${point})`).attr('d', d3.symbol().type(signs[index % 7]).size(34)()).style('fill', colourOf(index));
+    .attr('transform', (point) => `translate(${point})`).attr('d', signOf(index)).style('fill', colourOf(index));
 }
 
 // A rule at the level of recall nearest to the pointer, or moved by the arrow keys, with the values there.

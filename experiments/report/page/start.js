@@ -36,15 +36,20 @@ function stamp(section, words, ...hints) {
   byId(section).querySelector('.stamp').textContent = sentences.join(' ');
 }
 
-// A method's colour, dashes and sign: alike in all charts.
+// A method's colour, dashes and sign: alike in all charts. Methods of one colour differ in both others.
+const methodColours = 7;
 const dashes = ['none', '7 3', '2 3', '9 3 2 3', '12 4', '5 2 1 2 1 2', '3 2'];
-const colourOf = (index) => `var(--method-${index % 7})`;
-const dashesOf = (index) => dashes[(index + Math.floor(index / 7)) % 7];
+const signs = [d3.symbolCircle, d3.symbolSquare, d3.symbolTriangle, d3.symbolDiamond, d3.symbolCross, d3.symbolStar, d3.symbolWye];
+const shifted = (index) => (index + Math.floor(index / methodColours)) % methodColours;
+const colourOf = (index) => `var(--method-${index % methodColours})`;
+const dashesOf = (index) => dashes[shifted(index)];
+const signOf = (index) => d3.symbol().type(signs[shifted(index)]).size(34)();
 
 function swatch(index) {
-  const svg = d3.create('svg').attr('class', 'swatch').attr('viewBox', '0 0 22 10').attr('aria-hidden', 'true');
-  svg.append('line').attr('x1', 0).attr('x2', 22).attr('y1', 5).attr('y2', 5)
+  const svg = d3.create('svg').attr('class', 'swatch').attr('viewBox', '0 0 34 10').attr('aria-hidden', 'true');
+  svg.append('line').attr('x1', 0).attr('x2', 34).attr('y1', 5).attr('y2', 5)
     .style('stroke', colourOf(index)).style('stroke-dasharray', dashesOf(index));
+  svg.append('path').attr('transform', 'translate(17,5)').attr('d', signOf(index)).style('fill', colourOf(index));
   return svg.node();
 }
 

@@ -21,7 +21,7 @@ function sortableTable(place, { caption, columns, rows, sort = null, sorted = ()
       place.querySelectorAll('th button')[index].focus();
     };
     return make('th', { scope: 'col', class: column.numeric && 'number', 'aria-sort': current ? (sort.ascending ? 'ascending' : 'descending') : null },
-      make('button', { type: 'button', click: toggle, title: `Sort by ${column.title}` }, column.title));
+      make('button', { type: 'button', class: column.title.length > 16 && 'long', click: toggle, title: `Sort by ${column.title}` }, column.title));
   }
 
   function bodyCell(column, index, row) {

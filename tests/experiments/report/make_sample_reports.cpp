@@ -16,5 +16,6 @@ int main(int argument_count, char** arguments) {
   using namespace shapegauge;
   write_file_atomically(folder / "hostile.html", report_page(test_report::hostile_report().report));
   write_file_atomically(folder / "plain.html", report_page(test_report::plain_report().report));
+  write_file_atomically(folder / "crowded.html", report_page(test_report::crowded_report().report));
   return 0;
 }

@@ -79,21 +79,52 @@ SampleReport make_hostile_report() {
   return sample;
 }
 
-SampleReport make_plain_report() {
-  SampleReport sample;
+/// Distances that tell classes apart the less the more of them is of no meaning.
+DistanceMatrix distances_with_errors(double size) {
   DistanceMatrix distances(models, models);
   for (int i = 0; i < models; ++i) {
-    for (int j = 0; j < models; ++j) distances(i, j) = std::abs(labels[i] - labels[j]) + 0.1 * ((7 * i + 3 * j) % 11);
+    for (int j = 0; j < models; ++j) distances(i, j) = std::abs(labels[i] - labels[j]) + size * ((7 * i + 3 * j) % 11);
   }
-  distances(2, 5) = std::numeric_limits<double>::infinity();
-  sample.distances = {distances};
-  sample.overviews = {overview_of(distances, labels)};
-  sample.evaluations = {{evaluate(distances, labels, {})}};
-  sample.report.title = "plain";
+  return distances;
+}
+
+/// A report of these distance matrices and nothing else.
+SampleReport report_of(std::string title, std::vector<DistanceMatrix> distances) {
+  SampleReport sample;
+  sample.distances = std::move(distances);
+  for (const DistanceMatrix& matrix : sample.distances) {
+    sample.overviews.push_back(overview_of(matrix, labels));
+    sample.evaluations.push_back({evaluate(matrix, labels, {})});
+  }
+  sample.report.title = std::move(title);
   sample.report.classes = {"a", "b", "c"};
   for (int i = 0; i < models; ++i) sample.report.ids.push_back(fmt::format("{}", i));
   sample.report.labels = labels;
   return sample;
+}
+
+SampleReport make_plain_report() {
+  DistanceMatrix distances = distances_with_errors(0.1);
+  distances(2, 5) = std::numeric_limits<double>::infinity();
+  return report_of("plain", {distances});
+}
+
+SampleReport make_crowded_report() {
+  constexpr int methods = 16;
+  std::vector<DistanceMatrix> distances;
+  for (int i = 0; i < methods; ++i) distances.push_back(distances_with_errors(0.03 * i));
+  return report_of("crowded", std::move(distances));
+}
+
+/// Adds methods without histograms.
+void add_methods(SampleReport& sample, const std::vector<std::string>& names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    sample.report.methods.push_back({.name = names[i],
+                                     .description = {},
+                                     .distances = &sample.overviews[i],
+                                     .evaluations = sample.evaluations[i],
+                                     .histograms = {}});
+  }
 }
 
 }  // namespace
@@ -119,12 +150,18 @@ const SampleReport& hostile_report() {
 
 const SampleReport& plain_report() {
   static SampleReport sample = make_plain_report();
+  if (sample.report.methods.empty()) add_methods(sample, {"plain"});
+  return sample;
+}
+
+const SampleReport& crowded_report() {
+  static SampleReport sample = make_crowded_report();
   if (!sample.report.methods.empty()) return sample;
-  sample.report.methods.push_back({.name = "plain",
-                                   .description = {},
-                                   .distances = &sample.overviews[0],
-                                   .evaluations = sample.evaluations[0],
-                                   .histograms = {}});
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < sample.distances.size(); ++i) {
+    names.push_back(fmt::format("errors {}{}", i, i % 3 == 0 ? " of a method that takes many words to name" : ""));
+  }
+  add_methods(sample, names);
   return sample;
 }
 

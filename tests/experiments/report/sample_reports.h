@@ -22,4 +22,7 @@ const SampleReport& hostile_report();
 /// A report of one distance matrix and nothing else, not symmetric and with an infinite entry.
 const SampleReport& plain_report();
 
+/// A report of sixteen methods, some of long names: more than there are colours.
+const SampleReport& crowded_report();
+
 }  // namespace shapegauge::test_report
