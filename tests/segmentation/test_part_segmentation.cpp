@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
@@ -7,7 +8,6 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
@@ -101,17 +101,32 @@ TEST(PartSegmentation, CracksAreNoBorders) {
   EXPECT_EQ(count_of(part_segmentation(cracked, {})), 1U);
 }
 
-TEST(PartSegmentation, ACoarseMeshHasThePartsOfAFineOne) {
-  // The dumbbell in a fourth of the triangles, whose parts are compared at the places of its own triangles.
-  const Shape coarse = test::dumbbell(3);
-  const Shape fine = test::dumbbell(4);
-  const std::vector<std::int32_t> fine_parts = part_segmentation(fine, {.parts = 3});
-  std::vector<std::int32_t> expected;
-  for (const std::int32_t i :
-       nearest_points(sample_shape(coarse, SampleSite::faces).points, sample_shape(fine, SampleSite::faces).points)) {
-    expected.push_back(fine_parts[static_cast<std::size_t>(i)]);
+/// The part of the triangle whose centroid is nearest to this height.
+std::int32_t part_at(double height, const Labels& parts, const Points& centroids) {
+  Eigen::Index nearest = 0;
+  (centroids.col(2).array() - height).abs().minCoeff(&nearest);
+  return parts[static_cast<std::size_t>(nearest)];
+}
+
+TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
+  // Borders are where patches meet, so that they are found to within the width of a patch.
+  const double bar = 2.5 - std::sqrt(1 - 0.25 * 0.25);
+  for (const int subdivisions : {3, 4}) {  // 1,280 and 5,120 triangles: both are cut by a stand-in
+    const Shape shape = test::dumbbell(subdivisions);
+    const double patch = std::sqrt(surface_area(shape) / PartSegmentationOptions{}.patches);
+    const Points centroids = sample_shape(shape, SampleSite::faces).points;
+    const Labels parts = part_segmentation(shape, {.parts = 3});
+    const std::int32_t low = part_at(-2.5, parts, centroids);
+    const std::int32_t middle = part_at(0, parts, centroids);
+    const std::int32_t high = part_at(2.5, parts, centroids);
+    EXPECT_EQ((std::set{low, middle, high}.size()), 3U);
+    for (Eigen::Index i = 0; i < centroids.rows(); ++i) {
+      const double height = centroids(i, 2);
+      if (std::abs(std::abs(height) - bar) < patch) continue;
+      const std::int32_t expected = std::abs(height) < bar ? middle : height < 0 ? low : high;
+      EXPECT_EQ(parts[static_cast<std::size_t>(i)], expected) << height << " of " << parts.size() << " triangles";
+    }
   }
-  EXPECT_LT(disagreement(part_segmentation(coarse, {.parts = 3}), expected), 0.1);  // unrelated parts: 0.4
 }
 
 TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {
