@@ -8,7 +8,7 @@
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {
 
@@ -32,8 +32,10 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
                   "(default: of the file where it is a list, else natural)")
       ->check(CLI::IsMember({"natural", "file", "classification"}));
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "The matrix is of similarities");
-  command.add_option("--distance", files.distance, "The file holds features, a row a model: the distance between them")
-      ->check(CLI::IsMember(distance_names()))
+  command
+      .add_option("--distance", files.distance,
+                  "The file holds features, a row a model: the distance between them, or the descriptor whose they are")
+      ->check(CLI::IsMember(feature_distance_names()))
       ->excludes(similarity);
 }
 

@@ -163,15 +163,14 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
 }
 
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
-                             const std::string& distance) {
-  const NamedDistance between = distance_named(distance);
+                             const NamedDistance& distance) {
   if (first < 0 || count < 0 || first > signatures.rows() - count) {
     throw std::invalid_argument("there are no rows " + std::to_string(first) + " to " + std::to_string(first + count) +
                                 " in a distance matrix of " + std::to_string(signatures.rows()));
   }
   const SignatureBlock all{signatures, 0};
-  check_signatures(all, between);
-  return distances_between(between, {signatures.middleRows(first, count), first}, all);
+  check_signatures(all, distance);
+  return distances_between(distance, {signatures.middleRows(first, count), first}, all);
 }
 
 }  // namespace shapegauge

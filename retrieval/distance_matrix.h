@@ -40,8 +40,8 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
                                  const SignatureBlock& others);
 
 /// Streaming version of distance_matrix(): its rows from `first` on, `count` of them, the same to the bit. In parallel.
-/// Throws as distance_matrix does, and where there are no such rows.
+/// Throws std::invalid_argument as check_signatures() does, and where there are no such rows.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
-                             const std::string& distance = "l1");
+                             const NamedDistance& distance);
 
 }  // namespace shapegauge

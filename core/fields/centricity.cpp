@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/point_cloud.h"
 
 namespace shapegauge {
 
@@ -95,6 +96,18 @@ Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const 
   return weights.cwiseMax(0) / weights.cwiseMax(0).sum();
 }
 
+[[noreturn]] void refuse(const Shape& shape, const Samples& samples, Eigen::Index expected) {
+  throw InputError(fmt::format("the samples are not those of the shape: {} points, but {} sites, of {} vertices",
+                               samples.points.rows(), expected, shape.vertices.rows()));
+}
+
+/// The same at some of a cloud's points.
+Eigen::MatrixXd at_points(const Shape& cloud, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
+  const std::vector<std::int32_t> points = nearest_points(samples.points, cloud.vertices);
+  if (cloud.vertices(points, Eigen::all) != samples.points) refuse(cloud, samples, cloud.vertices.rows());
+  return at_vertices(points, Eigen::all);
+}
+
 }  // namespace
 
 Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
@@ -103,10 +116,11 @@ Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eig
   const Eigen::Index expected = at_faces       ? shape.triangles.rows()
                                 : on_triangles ? std::ssize(samples.triangles)
                                                : shape.vertices.rows();
-  if (samples.points.rows() != expected || at_vertices.rows() != shape.vertices.rows()) {
-    throw InputError(fmt::format("the samples are not those of the shape: {} points, but {} sites, of {} vertices",
-                                 samples.points.rows(), expected, shape.vertices.rows()));
+  const bool some_points = is_cloud(shape) && samples.points.rows() < expected;
+  if ((samples.points.rows() != expected && !some_points) || at_vertices.rows() != shape.vertices.rows()) {
+    refuse(shape, samples, expected);
   }
+  if (some_points) return at_points(shape, samples, at_vertices);
   if (!at_faces && !on_triangles) return at_vertices;
   Eigen::MatrixXd values(expected, at_vertices.cols());
   for (Eigen::Index i = 0; i < expected; ++i) {

@@ -38,7 +38,8 @@ struct CentricityOptions {
 /// geodesic_distances().
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options = {});
 
-/// Values at a shape's vertices, brought to samples of it: by barycentric coordinates where those lie inside triangles.
+/// Values at a shape's vertices, brought to samples of it: by barycentric coordinates where those lie inside triangles,
+/// as they are where those are some of a cloud's points.
 /// Throws InputError for samples that are not the shape's.
 Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices);
 

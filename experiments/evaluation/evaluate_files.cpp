@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/files/compressed_files.h"
 #include "shapegauge/experiments/files/ranked_answers.h"
 #include "shapegauge/metrics/matrix_checks.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
@@ -37,9 +38,9 @@ std::vector<std::string> read_ids(const fs::path& path) {
 OpenMatrix open_features(const EvaluationFiles& files) {
   const LabelledTable table = read_number_table(files.matrix);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
-  const std::string distance = files.distance;
+  const NamedDistance distance = feature_distance(files.distance);
   try {
-    distance_rows(*features, 0, 0, distance);  // none, but throws now where rows would later
+    distance_rows(*features, 0, std::min<Eigen::Index>(features->rows(), 1), distance);  // throws what others would
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }

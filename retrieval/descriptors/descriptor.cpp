@@ -77,4 +77,17 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
   return matrix;
 }
 
+std::vector<std::string> feature_distance_names() {
+  std::vector<std::string> names = distance_names();
+  for (const Descriptor& one : descriptors()) names.emplace_back(one.name);
+  return names;
+}
+
+NamedDistance feature_distance(const std::string& name) {
+  const auto known = descriptors();
+  const auto found = std::ranges::find(known, name, &Descriptor::name);
+  if (found == known.end()) return distance_named(name);
+  return {.name = name, .function = found->distance};
+}
+
 }  // namespace shapegauge

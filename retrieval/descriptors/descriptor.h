@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -72,5 +73,12 @@ const Descriptor& descriptor(std::string_view name);
 /// All distances between shapes with such features, one shape a row; in parallel, the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
 DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features);
+
+/// The names that feature_distance() understands: those of distances(), then of descriptors().
+std::vector<std::string> feature_distance_names();
+
+/// The distance of that name between features; by a descriptor's name that descriptor's own. Throws
+/// std::invalid_argument, naming those there are.
+NamedDistance feature_distance(const std::string& name);
 
 }  // namespace shapegauge

@@ -153,7 +153,9 @@ Bytes bytes_of(std::span<const float> features) {
   Bytes bytes{};
   for (std::size_t view = 0; view < light_field_sets * light_field_views; ++view) {
     for (std::size_t k = 0; k < silhouette_feature_count; ++k) {
-      bytes[view * view_size + k] = static_cast<std::uint8_t>(features[view * silhouette_feature_count + k]);
+      const float feature = features[view * silhouette_feature_count + k];
+      if (!(feature >= 0 && feature <= 255)) throw std::invalid_argument("a light field has features from 0 to 255");
+      bytes[view * view_size + k] = static_cast<std::uint8_t>(feature);
     }
   }
   return bytes;

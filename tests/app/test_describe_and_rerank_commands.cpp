@@ -85,6 +85,27 @@ TEST_F(DescribeCommand, ListsTheDescriptorsAndTheirSettings) {
   EXPECT_THAT(outcome.output, HasSubstr("axes.N.smoothing_bins"));
 }
 
+TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {
+  std::filesystem::create_directory(at("matrix"));
+  test::write_text(at("classes.txt"), "a\na\nb\n");
+  EXPECT_EQ(describe(fmt::format("--descriptor light_field --set pixels=16 -o '{}'", at("x.npy").string())).status, 0);
+  const Signatures features = read_number_table(at("x.npy")).numbers.cast<float>();
+  write_npy(at("matrix/x.npy"), descriptor_distances(descriptor("light_field"), features));
+  const auto evaluate = [&](const std::string& matrix, const std::string& distance) {
+    return run_executable(fmt::format("evaluate '{}' {} --labels '{}' --per-query '{}'", at(matrix).string(), distance,
+                                      at("classes.txt").string(), at(matrix + ".csv").string()));
+  };
+  const Outcome by_features = evaluate("x.npy", "--distance light_field");
+  const Outcome by_matrix = evaluate("matrix/x.npy", "");
+  EXPECT_EQ(by_features.status, 0) << by_features.errors;
+  EXPECT_EQ(by_matrix.status, 0) << by_matrix.errors;
+  EXPECT_EQ(by_features.output, by_matrix.output);
+  EXPECT_EQ(test::text_of(at("x.npy.csv")), test::text_of(at("matrix/x.npy.csv")));
+  expect_error_lines({{fmt::format("evaluate '{}' --distance light_field --labels '{}'", at("matrix/x.npy").string(),
+                                   at("classes.txt").string()),
+                       "4500 features, not 3"}});
+}
+
 /// Distances of ten places on a line.
 DistanceMatrix line() {
   DistanceMatrix distances(10, 10);

@@ -50,11 +50,12 @@ TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
   const Signatures signatures = random_signatures(101, 43, 11);
   for (const std::string& distance : distance_names()) {
     const DistanceMatrix whole = distance_matrix(signatures, distance);
-    EXPECT_EQ(distance_rows(signatures, 0, 101, distance), whole) << distance;
-    EXPECT_EQ(distance_rows(signatures, 37, 40, distance), whole.middleRows(37, 40)) << distance;
+    const NamedDistance named = distance_named(distance);
+    EXPECT_EQ(distance_rows(signatures, 0, 101, named), whole) << distance;
+    EXPECT_EQ(distance_rows(signatures, 37, 40, named), whole.middleRows(37, 40)) << distance;
   }
-  EXPECT_EQ(distance_rows(signatures, 101, 0).size(), 0);
-  EXPECT_THROW(distance_rows(signatures, 100, 2), std::invalid_argument);
+  EXPECT_EQ(distance_rows(signatures, 101, 0, distance_named("l1")).size(), 0);
+  EXPECT_THROW(distance_rows(signatures, 100, 2, distance_named("l1")), std::invalid_argument);
 }
 
 TEST(DistanceMatrix, UnknownNameSaysWhatIsKnown) {

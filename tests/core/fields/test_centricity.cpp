@@ -120,6 +120,14 @@ TEST(Centricity, InterpolationIsExactForWhatIsLinear) {
   EXPECT_LT((at_samples(shape, surface, shape.vertices) - surface.points).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+TEST(Centricity, SomeOfACloudsPointsHaveTheValuesOfAll) {
+  const Shape cloud = test::random_points(sphere(1, 2), 300, 1);
+  const Samples some = sample_surface_of(cloud, 40);
+  EXPECT_EQ(at_samples(cloud, some, cloud.vertices), some.points);
+  EXPECT_EQ(centricity(cloud, some), at_samples(cloud, some, at_vertices(cloud)));
+  EXPECT_THROW(centricity(test::random_points(sphere(1, 2), 300, 2), some), InputError);
+}
+
 TEST(Centricity, CloudsAndSeveralComponentsHaveFiniteValues) {
   const Shape ball = sphere(1, 3);
   EXPECT_NEAR(at_vertices(Shape{ball.vertices, {}}).mean(), std::numbers::pi / 2, 0.1 * std::numbers::pi / 2);

@@ -105,6 +105,23 @@ TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
   EXPECT_EQ(method_named(results, "again").evaluations.size(), 2U);
 }
 
+TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
+  Json all = document();
+  const Json more = Json::parse(R"([
+    {"name": "ranks", "fuse_ranks": ["d2", "joint"]},
+    {"name": "k", "rerank": {"of": "sum", "method": "k_reciprocal", "neighbours": 3, "expansion_neighbours": 2}},
+    {"name": "query", "rerank": {"of": "sum", "method": "query_expansion"}}])");
+  all["signatures"].insert(all["signatures"].end(), more.begin(), more.end());
+  const ExperimentResults results = run(all, false);
+  test::write_text(data() / "test.cla", "PSB 1\n3 9\n\na 0 3\n0\n3\n8\n\nb 0 3\n1\n4\n6\n\nc 0 3\n2\n5\n7\n");
+  const ExperimentResults shuffled = run(all, false);
+  EXPECT_NE(method_named(results, "sum").evaluations[0].per_query,
+            method_named(shuffled, "sum").evaluations[0].per_query);
+  for (const MethodResults& method : results.methods) {
+    EXPECT_EQ(method_named(shuffled, method.name).distances, method.distances) << method.name;
+  }
+}
+
 TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
   const auto fresh = files_of(run(document(), false, 1));
   EXPECT_TRUE(fresh.contains("features/joint.npy"));

@@ -96,5 +96,13 @@ TEST(DescriptorDistances, AreThoseOfAllPairs) {
   EXPECT_THROW(descriptor_distances(descriptor("d2"), features), InputError);
 }
 
+TEST(FeatureDistance, IsADistanceOrADescriptorsOwn) {
+  EXPECT_EQ(feature_distance("chi2").function, distance_named("chi2").function);
+  for (const Descriptor& one : descriptors()) EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);
+  for (const std::string& name : feature_distance_names()) EXPECT_EQ(feature_distance(name).name, name);
+  EXPECT_EQ(std::ssize(feature_distance_names()), std::ssize(distances()) + std::ssize(descriptors()));
+  EXPECT_THROW(feature_distance("l3"), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace shapegauge

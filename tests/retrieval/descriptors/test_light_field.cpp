@@ -73,6 +73,10 @@ TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
   line.vertices.rightCols<2>().setZero();
   EXPECT_THROW(light_field(line), InputError);
   EXPECT_THROW(distance_of_light_fields(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), std::invalid_argument);
+  const Eigen::VectorXf zeros = Eigen::VectorXf::Zero(4500);
+  for (const float no_byte : {-1.0F, 256.0F, std::nanf("")}) {
+    EXPECT_THROW(distance_of_light_fields(zeros, zeros.array() + no_byte), std::invalid_argument) << no_byte;
+  }
 }
 
 }  // namespace
