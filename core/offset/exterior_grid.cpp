@@ -1,0 +1,207 @@
+#include "shapegauge/core/offset/exterior_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/offset/block_distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Cells = std::uint64_t;
+constexpr Cells all_cells = ~Cells{0};
+constexpr Cells low_x = 0x1111111111111111;
+constexpr Cells high_x = low_x << 3U;
+constexpr Cells low_y = 0x000F000F000F000F;
+constexpr Cells high_y = low_y << 12U;
+constexpr Cells low_z = 0x000000000000FFFF;
+constexpr Cells high_z = low_z << 48U;
+
+/// Spreads cells through the free ones of their block, across faces.
+Cells fill(Cells cells, Cells free) {
+  cells &= free;
+  while (true) {
+    Cells wider = cells | ((cells & ~high_x) << 1U) | ((cells & ~low_x) >> 1U) | ((cells & ~high_y) << 4U) |
+                  ((cells & ~low_y) >> 4U) | (cells << 16U) | (cells >> 16U);
+    wider &= free;
+    if (wider == cells) return cells;
+    cells = wider;
+  }
+}
+
+/// The cells of the neighbour on side 0 to 5 (-x, +x, -y, +y, -z, +z) that touch cells of a block.
+Cells across(Cells cells, int side) {
+  switch (side) {
+    case 0:
+      return (cells & low_x) << 3U;
+    case 1:
+      return (cells & high_x) >> 3U;
+    case 2:
+      return (cells & low_y) << 12U;
+    case 3:
+      return (cells & high_y) >> 12U;
+    case 4:
+      return (cells & low_z) << 48U;
+    default:
+      return (cells & high_z) >> 48U;
+  }
+}
+
+Eigen::Vector3i neighbour(const Eigen::Vector3i& block, int side) {
+  Eigen::Vector3i result = block;
+  result[side / 2] += side % 2 == 0 ? -1 : 1;
+  return result;
+}
+
+constexpr std::int32_t unknown = -3;
+
+}  // namespace
+
+ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
+    : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
+  std::vector<std::uint8_t> near_surface(grid.block_count());
+  for (std::size_t i = 0; i < near_surface.size(); ++i) near_surface[i] = surface.first[i] != surface.first[i + 1];
+  dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
+  flood(near_surface, band, parallel);
+  near_.resize(state_.size());
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    if (state_[i] == unknown) state_[i] = none_exterior;
+    near_[i] =
+        state_[i] == all_exterior || (state_[i] >= 0 && boundary_[static_cast<std::size_t>(state_[i])].exterior != 0);
+  }
+  dilate(grid, near_, 1);
+}
+
+/// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
+/// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
+void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
+  struct Reached {
+    std::uint32_t block;
+    Cells seeds;
+  };
+  std::vector<std::uint32_t> passing;  // exterior blocks whose neighbours have not been told
+  std::vector<Reached> reached;        // the state of the k-th is unknown - 1 - k until it has been looked at
+  std::vector<Cells> seeds;            // of each boundary block, that have not spread
+  std::vector<std::int32_t> spreading;
+  const auto pass_on = [&](std::uint32_t index, Cells cells) {
+    const Eigen::Vector3i block = grid_.block_at(index);
+    for (int side = 0; side < 6; ++side) {
+      const Cells touched = across(cells, side);
+      const Eigen::Vector3i next = neighbour(block, side);
+      if (touched == 0 || !grid_.has_block(next)) continue;
+      const auto next_index = static_cast<std::uint32_t>(grid_.block_index(next));
+      std::int32_t& state = state_[next_index];
+      if (state == all_exterior || state == none_exterior) continue;
+      if (state >= 0) {
+        const auto place = static_cast<std::size_t>(state);
+        const Cells added = touched & boundary_[place].free & ~boundary_[place].exterior;
+        if (added != 0 && seeds[place] == 0) spreading.push_back(state);
+        seeds[place] |= added;
+      } else if (state < unknown) {
+        reached[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
+      } else if (near_surface[next_index] == 0) {
+        state = all_exterior;
+        passing.push_back(next_index);
+      } else {
+        state = unknown - 1 - static_cast<std::int32_t>(reached.size());
+        reached.push_back({next_index, touched});
+      }
+    }
+  };
+  const auto look_at = [&](const std::vector<Reached>& blocks) {
+    std::vector<BlockDistances> found(blocks.size());
+    const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
+      thread_local NearbyPoints nearby;
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        found[i] = block_distances(grid_, surface_, grid_.block_at(blocks[i].block), band, nearby);
+      }
+    };
+    const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
+    if (parallel) {
+      tbb::parallel_for(all, look);
+    } else {
+      look(all);
+    }
+    return found;
+  };
+  state_[0] = all_exterior;
+  passing.push_back(0);
+  while (!passing.empty() || !reached.empty()) {
+    const std::vector<Reached> blocks = std::move(reached);
+    reached.clear();
+    const std::vector<BlockDistances> found = look_at(blocks);
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      std::int32_t& state = state_[blocks[i].block];
+      if (found[i].kind == BlockDistances::Kind::free) {
+        state = all_exterior;
+        passing.push_back(blocks[i].block);
+      } else if (found[i].kind == BlockDistances::Kind::covered) {
+        state = none_exterior;
+      } else {
+        state = static_cast<std::int32_t>(boundary_.size());
+        boundary_.push_back({0, found[i].free_cells, found[i].nearest, blocks[i].block});
+        seeds.push_back(blocks[i].seeds & found[i].free_cells);
+        if (seeds.back() != 0) spreading.push_back(state);
+      }
+    }
+    while (!passing.empty() || !spreading.empty()) {
+      if (!passing.empty()) {
+        const std::uint32_t index = passing.back();
+        passing.pop_back();
+        pass_on(index, all_cells);
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(spreading.back());
+      spreading.pop_back();
+      BoundaryBlock& block = boundary_[place];
+      const Cells wider = fill(block.exterior | seeds[place], block.free);
+      const Cells added = wider & ~block.exterior;
+      seeds[place] = 0;
+      block.exterior = wider;
+      pass_on(block.index, added);
+    }
+  }
+}
+
+CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  CellsAround result;
+  const BlockGrid& grid = exterior.grid();
+  // Of the lower and the upper cell along each axis the block's part of the index, and the place in the block.
+  std::array<std::array<std::size_t, 2>, 3> block;
+  std::array<std::array<unsigned, 2>, 3> place;
+  std::size_t stride = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const int last = block_edge * grid.blocks[axis] - 1;
+    const int low = std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int cell = low + static_cast<int>(i);
+      block[k][i] = static_cast<std::size_t>(cell >> 2) * stride;
+      place[k][i] = static_cast<unsigned>(cell & 3) << (2 * k);
+    }
+    stride *= static_cast<std::size_t>(grid.blocks[axis]);
+  }
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const std::size_t i = corner & 1U;
+    const std::size_t j = corner >> 1U & 1U;
+    const std::size_t k = corner >> 2U;
+    const std::int32_t state = exterior.block(block[0][i] + block[1][j] + block[2][k]);
+    if (state < 0) {
+      result.touches_exterior |= state == ExteriorGrid::all_exterior;
+      continue;
+    }
+    const BoundaryBlock& cells = exterior.boundary()[static_cast<std::size_t>(state)];
+    const unsigned bit = place[0][i] | place[1][j] | place[2][k];
+    result.touches_exterior |= (cells.exterior >> bit & 1U) != 0;
+    result.triangles[static_cast<std::size_t>(result.count++)] = cells.nearest[bit];
+  }
+  std::fill(result.triangles.begin() + result.count, result.triangles.end(), result.triangles[0]);
+  return result;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,65 @@
+#include "shapegauge/core/offset/offset_exit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "shapegauge/core/offset/triangle_table.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Where the ray leaves the cube of so many cells that holds x.
+double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, double edge, double shift) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    const double place = (x[k] - shift) / edge;
+    const double low = std::floor(place);
+    const double way = inverse[k] > 0 ? low + 1 - place : low - place;
+    const double t = way * edge * inverse[k];
+    if (t < least) least = t;
+  }
+  return std::max(least, 0.0) + 1e-6;
+}
+
+}  // namespace
+
+double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
+  const BlockGrid& grid = exterior.grid();
+  const Eigen::Vector3d inverse = direction.cwiseInverse();
+  const double r = grid.r;
+  const double outside = r * (1 + 1e-4);
+  TriangleTable::Vectors vectors;
+  double t = r;
+  for (int step = 0; step < 100000; ++step) {
+    const Eigen::Vector3d x = origin + t * direction;
+    const Eigen::Vector3i block = grid.block_of(x);
+    if (!grid.has_block(block)) return t;
+    const std::size_t index = grid.block_index(block);
+    if (!exterior.is_near_exterior(index)) {
+      t += leave_cube(x, inverse, block_edge, 0);
+      continue;
+    }
+    const CellsAround around = cells_around(exterior, x);
+    if (!around.touches_exterior) {
+      t += leave_cube(x, inverse, 1, 0.5);
+      continue;
+    }
+    // Balls about the closest points of the triangles around cover a stretch of the ray; the farthest end counts.
+    if (!vectors_around(exterior, around, x, vectors)) return t;
+    double covered = 0;
+    for (std::size_t i = 0; i < TriangleTable::at_once; ++i) {
+      const double squared = static_cast<double>(vectors.squared[i]);
+      if (squared >= r * r) continue;
+      const double along = vectors.vector(i).dot(direction);
+      covered = std::max(covered, std::sqrt(along * along + outside * outside - squared) - along);
+    }
+    if (covered == 0) return t;
+    t += std::max(covered, 1e-4 * r);
+  }
+  return t;
+}
+
+}  // namespace shapegauge
