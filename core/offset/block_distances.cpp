@@ -5,6 +5,7 @@
 #include "shapegauge/core/offset/block_distances.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
@@ -46,14 +47,14 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
 
 std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   const hn::CappedTag<float, 16> d;
-  const hn::RebindToUnsigned<decltype(d)> du;
   std::size_t count = 0;
   std::size_t i = 0;
   for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
-    const auto within = hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit));
-    const auto mask = hn::RebindMask(du, within);
-    hn::StoreU(hn::Compress(hn::Iota(du, static_cast<std::uint32_t>(i)), mask), du, indices + count);
-    count += hn::CountTrue(du, mask);
+    std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)), bytes.data());
+    for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
+      indices[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(bits));
+    }
   }
   for (; i < n; ++i) {
     if (numbers[i] <= limit) indices[count++] = static_cast<std::uint32_t>(i);
@@ -128,18 +129,33 @@ namespace {
 /// From the centre of a block to the centre of its farthest cell.
 const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
 
-/// Collects the points of the blocks around, with squared distances from the block's centre; returns the smallest.
-float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, int reach,
+/// How many blocks away, along an axis, one may be whose points are within a distance of a block, if along the other
+/// axes they are so far apart already (squared).
+int blocks_within(double distance, double squared_apart) {
+  const double rest2 = distance * distance - squared_apart;
+  return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
+}
+
+/// The distance along an axis between blocks so many apart.
+double gap_between(int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); }
+
+/// Collects the points of the blocks within the distance, with squared distances from the block's centre; returns the
+/// smallest.
+float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, double distance,
               NearbyPoints& nearby) {
   auto& runs = nearby.runs;
   runs.clear();
-  const Eigen::Vector3i low = (block.array() - reach).max(0);
-  const Eigen::Vector3i high = (block.array() + reach).min(grid.blocks.array() - 1);
   std::size_t count = 0;
-  for (int k = low.z(); k <= high.z(); ++k) {
-    for (int j = low.y(); j <= high.y(); ++j) {
-      const std::uint32_t begin = surface.first[grid.block_index({low.x(), j, k})];
-      const std::uint32_t end = surface.first[grid.block_index({high.x(), j, k}) + 1];
+  const int reach = blocks_within(distance, 0);
+  for (int k = std::max(-reach, -block.z()); k <= std::min(reach, grid.blocks.z() - 1 - block.z()); ++k) {
+    for (int j = std::max(-reach, -block.y()); j <= std::min(reach, grid.blocks.y() - 1 - block.y()); ++j) {
+      const int along = blocks_within(distance, std::pow(gap_between(j), 2) + std::pow(gap_between(k), 2));
+      if (along < 0) continue;
+      const int low = std::max(block.x() - along, 0);
+      const int high = std::min(block.x() + along, grid.blocks.x() - 1);
+      const std::size_t row = grid.block_index({0, block.y() + j, block.z() + k});
+      const std::uint32_t begin = surface.first[row + static_cast<std::size_t>(low)];
+      const std::uint32_t end = surface.first[row + static_cast<std::size_t>(high) + 1];
       if (begin == end) continue;
       runs.emplace_back(begin, end);
       count += end - begin;
@@ -157,29 +173,8 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
   return smallest;
 }
 
-}  // namespace
-
-float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
-                        float* squared) {
-  return HWY_DYNAMIC_DISPATCH(squared_distances_to)(x, y, z, n, from, squared);
-}
-
-std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
-  return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
-}
-
-BlockDistances block_distances(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block,
-                               double band, NearbyPoints& nearby) {
-  BlockDistances result;
-  const int reach = static_cast<int>(std::ceil((grid.r + band) / block_edge));
-  const double nearest = std::sqrt(static_cast<double>(collect(grid, surface, block, reach, nearby)));
-  if (nearest > grid.r + band + block_radius) return result;
-  if (nearest + block_radius < grid.r) {
-    result.kind = BlockDistances::Kind::covered;
-    result.free_cells = 0;
-    return result;
-  }
-  const auto limit = static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6));
+/// Keeps the points within the squared distance.
+void keep_within(const GridSurface& surface, float limit, NearbyPoints& nearby) {
   nearby.x.clear();
   nearby.y.clear();
   nearby.z.clear();
@@ -198,18 +193,38 @@ BlockDistances block_distances(const BlockGrid& grid, const GridSurface& surface
     }
     squared_of_run += count;
   }
+}
+
+}  // namespace
+
+float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
+                        float* squared) {
+  return HWY_DYNAMIC_DISPATCH(squared_distances_to)(x, y, z, n, from, squared);
+}
+
+std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+  return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
+}
+
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
+                        NearbyPoints& nearby, BoundaryBlock& found) {
+  const Eigen::Vector3i place = grid.block_at(block);
+  const double nearest = std::sqrt(static_cast<double>(collect(grid, surface, place, grid.r + band, nearby)));
+  if (nearest > grid.r + band + block_radius) return BlockKind::free;
+  if (nearest + block_radius < grid.r) return BlockKind::covered;
+  keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
   alignas(64) std::array<float, cells_per_block> squared;
   alignas(64) std::array<std::int32_t, cells_per_block> index;
-  const Eigen::Vector3f first = (block.cast<float>().array() * block_edge + 0.5F).matrix();
+  const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, squared.data(), index.data());
-  result.kind = BlockDistances::Kind::mixed;
-  result.free_cells = 0;
+  found.index = block;
+  found.free = 0;
   const auto r2 = static_cast<float>(grid.r * grid.r);
   for (std::size_t i = 0; i < cells_per_block; ++i) {
-    if (squared[i] > r2) result.free_cells |= std::uint64_t{1} << i;
-    result.nearest[i] = nearby.triangle[static_cast<std::size_t>(index[i])];
+    found.free |= std::uint64_t{squared[i] > r2 ? 1U : 0U} << i;
+    found.nearest[i] = nearby.triangle[static_cast<std::size_t>(index[i])];
   }
-  return result;
+  return BlockKind::mixed;
 }
 
 }  // namespace shapegauge

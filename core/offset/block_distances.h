@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,13 +9,9 @@
 
 namespace shapegauge {
 
-/// What is around a block's cells.
-struct BlockDistances {
-  /// Whether all centres are free and farther from the surface than the band, all covered, or neither.
-  enum class Kind : std::uint8_t { free, covered, mixed } kind = Kind::free;
-  std::uint64_t free_cells = ~std::uint64_t{0};         ///< whose centres are farther than r from the surface
-  std::array<std::int32_t, cells_per_block> nearest{};  ///< triangle of each cell, where mixed
-};
+/// Whether the centres of a block's cells are all free and farther from the surface than the band, all covered, or
+/// neither.
+enum class BlockKind : std::uint8_t { free, covered, mixed };
 
 /// Which points are near; kept from block to block so as not to allocate anew.
 struct NearbyPoints {
@@ -26,9 +21,10 @@ struct NearbyPoints {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
 };
 
-/// Distances of the centres of a block's cells to the surface's points, by all points within r + band of any.
-BlockDistances block_distances(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block,
-                               double band, NearbyPoints& nearby);
+/// Looks at the distances of the centres of a block's cells to the surface's points, by all points within r + band of
+/// any. Where they are mixed, fills in which are free, and the triangle nearest to each.
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
+                        NearbyPoints& nearby, BoundaryBlock& found);
 
 /// The smallest squared distance from x to the n points, and how far away each is.
 float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/spatial/closest_point.h"
 
@@ -41,10 +42,6 @@ struct Columns {
     count = std::max(1, static_cast<int>(std::ceil(std::sqrt(longest2) / spacing)));
   }
 
-  [[nodiscard]] std::size_t number_of_points() const {
-    return static_cast<std::size_t>(count) * static_cast<std::size_t>(1 + height / (2 * spacing));
-  }
-
   template <typename Visit>
   void for_each_point(const Visit& visit) const {
     for (int column = 0; column < count; ++column) {
@@ -59,7 +56,8 @@ struct Columns {
 }  // namespace
 
 BlockGrid::BlockGrid(const Eigen::AlignedBox3d& bounds, double offset, double h) : cell(h), r(offset / h) {
-  const double margin = offset + (block_edge + 2) * h;
+  // Two cells above r are as far as anybody looks for points, and whole blocks are looked at.
+  const double margin = block_edge * h * (std::ceil((r + 2) / block_edge) + 1);
   origin = bounds.min() - Eigen::Vector3d::Constant(margin);
   const Eigen::Vector3d extent = bounds.sizes() + Eigen::Vector3d::Constant(2 * margin);
   blocks = (extent / (block_edge * h)).array().ceil().cast<int>();
@@ -93,53 +91,71 @@ void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach)
   }
 }
 
-std::size_t GridSurface::count_points(const BlockGrid& grid, const Shape& shape, double spacing) {
-  if (is_cloud(shape)) return static_cast<std::size_t>(shape.vertices.rows());
-  std::size_t count = 0;
+SurfaceExtent::SurfaceExtent(const Shape& shape)
+    : pieces(static_cast<double>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    count += Columns(triangle_of(grid, shape, f), spacing).number_of_points();
+    const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };
+    const Eigen::Vector3d ab = corner(1) - corner(0);
+    const Eigen::Vector3d ac = corner(2) - corner(0);
+    lengths += std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
+    area += ab.cross(ac).norm() / 2;
   }
-  return count;
 }
 
-GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart) : spacing(apart) {
+GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel) : spacing(apart) {
   const bool cloud = is_cloud(shape);
-  const Eigen::Index n = cloud ? shape.vertices.rows() : shape.triangles.rows();
-  triangles.reserve(static_cast<std::size_t>(n));
+  const auto n = static_cast<std::size_t>(cloud ? shape.vertices.rows() : shape.triangles.rows());
+  triangles.resize(n);
   struct Point {
     float x, y, z;
     std::int32_t triangle;
     std::uint32_t block;
   };
-  std::vector<Point> points;
-  first.assign(grid.block_count() + 1, 0);
-  for (Eigen::Index f = 0; f < n; ++f) {
-    Triangle t;
-    if (cloud) {
-      t.a = t.b = t.c = grid.to_cells(shape.vertices.row(f).transpose());
-    } else {
-      t = triangle_of(grid, shape, f);
+  constexpr std::size_t chunk_size = 2048;
+  std::vector<std::vector<Point>> chunks((n + chunk_size - 1) / chunk_size);
+  const auto fill = [&](std::size_t chunk) {
+    std::vector<Point>& points = chunks[chunk];
+    const std::size_t end = std::min(n, (chunk + 1) * chunk_size);
+    points.reserve(2 * (end - chunk * chunk_size));
+    for (std::size_t f = chunk * chunk_size; f < end; ++f) {
+      const auto row = static_cast<Eigen::Index>(f);
+      Triangle t;
+      if (cloud) {
+        t.a = t.b = t.c = grid.to_cells(shape.vertices.row(row).transpose());
+      } else {
+        t = triangle_of(grid, shape, row);
+      }
+      triangles.set(f, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+      Columns(t, spacing).for_each_point([&](const Eigen::Vector3d& at) {
+        points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()),
+                          static_cast<std::int32_t>(f),
+                          static_cast<std::uint32_t>(grid.block_index(grid.block_of(at)))});
+      });
     }
-    triangles.add(t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
-    Columns(t, spacing).for_each_point([&](const Eigen::Vector3d& at) {
-      const std::size_t block = grid.block_index(grid.block_of(at));
-      ++first[block + 1];
-      points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()),
-                        static_cast<std::int32_t>(f), static_cast<std::uint32_t>(block)});
-    });
+  };
+  if (parallel) {
+    tbb::parallel_for(std::size_t{0}, chunks.size(), fill);
+  } else {
+    for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) fill(chunk);
+  }
+  first.assign(grid.block_count() + 1, 0);
+  for (const auto& points : chunks) {
+    for (const Point& point : points) ++first[point.block + 1];
   }
   for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
-  x.resize(points.size());
-  y.resize(points.size());
-  z.resize(points.size());
-  triangle.resize(points.size());
+  x.resize(first.back());
+  y.resize(first.back());
+  z.resize(first.back());
+  triangle.resize(first.back());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (const Point& point : points) {
-    const std::uint32_t place = next[point.block]++;
-    x[place] = point.x;
-    y[place] = point.y;
-    z[place] = point.z;
-    triangle[place] = point.triangle;
+  for (const auto& points : chunks) {
+    for (const Point& point : points) {
+      const std::uint32_t place = next[point.block]++;
+      x[place] = point.x;
+      y[place] = point.y;
+      z[place] = point.z;
+      triangle[place] = point.triangle;
+    }
   }
 }
 

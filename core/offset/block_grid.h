@@ -49,6 +49,14 @@ struct BlockGrid {
   }
 };
 
+/// The cells of a block near the boundary of the offset solid.
+struct BoundaryBlock {
+  std::uint64_t exterior = 0;                           ///< the cells whose centres belong to E(r)
+  std::uint64_t free = 0;                               ///< those whose centres lie outside of O(r)
+  std::array<std::int32_t, cells_per_block> nearest{};  ///< the triangle closest to each cell's centre, about
+  std::uint32_t index = 0;                              ///< the block's, in the grid
+};
+
 /// Marks all blocks within so many blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
 
@@ -63,10 +71,21 @@ struct GridSurface {
   double spacing;  ///< of the points, in cells
 
   /// The points are so many cells apart.
-  GridSurface(const BlockGrid& grid, const Shape& shape, double apart);
+  GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
+};
 
-  /// How many points there would be.
-  static std::size_t count_points(const BlockGrid& grid, const Shape& shape, double spacing);
+/// How much surface there is, in the shape's unit.
+struct SurfaceExtent {
+  explicit SurfaceExtent(const Shape& shape);
+
+  double pieces = 0;   ///< triangles or points
+  double lengths = 0;  ///< of the triangles' longest edges
+  double area = 0;
+
+  /// No fewer than the points of a GridSurface of this spacing.
+  [[nodiscard]] double most_points(double spacing) const {
+    return pieces + 2 * lengths / spacing + area / (spacing * spacing);
+  }
 };
 
 }  // namespace shapegauge

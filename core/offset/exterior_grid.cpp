@@ -71,21 +71,131 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
   near_.resize(state_.size());
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (state_[i] == unknown) state_[i] = none_exterior;
-    near_[i] =
-        state_[i] == all_exterior || (state_[i] >= 0 && boundary_[static_cast<std::size_t>(state_[i])].exterior != 0);
+    near_[i] = has_exterior(i) ? 1 : 0;
   }
   dilate(grid, near_, 1);
+}
+
+namespace {
+
+/// Rows of blocks along x as bits, for whole rows to be flooded at once.
+class BlockRows {
+ public:
+  using Word = std::uint64_t;
+  static constexpr int bits = 64;
+
+  explicit BlockRows(const BlockGrid& grid)
+      : words_((static_cast<std::size_t>(grid.blocks.x()) + bits - 1) / bits),
+        rows_(words_ * static_cast<std::size_t>(grid.blocks.y()) * static_cast<std::size_t>(grid.blocks.z())) {}
+
+  [[nodiscard]] std::size_t words() const { return words_; }
+  [[nodiscard]] Word* row(std::size_t index) { return rows_.data() + index * words_; }
+  [[nodiscard]] const Word* row(std::size_t index) const { return rows_.data() + index * words_; }
+
+  void set(std::size_t row_index, std::size_t x) { row(row_index)[x / bits] |= Word{1} << (x % bits); }
+
+ private:
+  std::size_t words_;
+  std::vector<Word> rows_;
+};
+
+/// Spreads bits through the open ones of their word, in both directions.
+BlockRows::Word spread(BlockRows::Word reached, BlockRows::Word open) {
+  reached &= open;
+  BlockRows::Word up = open;
+  BlockRows::Word down = open;
+  BlockRows::Word left = reached;
+  BlockRows::Word right = reached;
+  for (unsigned shift = 1; shift < BlockRows::bits; shift *= 2) {
+    left |= up & (left << shift);
+    up &= up << shift;
+    right |= down & (right >> shift);
+    down &= down >> shift;
+  }
+  return left | right;
+}
+
+/// Spreads the bits of a row through its open ones.
+void spread_row(BlockRows::Word* reached, const BlockRows::Word* open, std::size_t words) {
+  for (std::size_t i = 0; i < words; ++i) {
+    if (i > 0) reached[i] |= reached[i - 1] >> (BlockRows::bits - 1);
+    reached[i] = spread(reached[i], open[i]);
+  }
+  for (std::size_t i = words; i-- > 0;) {
+    if (i + 1 < words) reached[i] |= reached[i + 1] << (BlockRows::bits - 1);
+    reached[i] = spread(reached[i], open[i]);
+  }
+}
+
+}  // namespace
+
+/// From the grid's border through the blocks that are not near the surface. Returns the others that it touches.
+std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vector<std::uint8_t>& near_surface) {
+  const auto size_x = static_cast<std::size_t>(grid_.blocks.x());
+  const int size_y = grid_.blocks.y();
+  const int size_z = grid_.blocks.z();
+  BlockRows open(grid_);
+  BlockRows far(grid_);
+  const std::size_t words = open.words();
+  for (std::size_t i = 0; i < near_surface.size(); ++i) {
+    if (near_surface[i] == 0) open.set(i / size_x, i % size_x);
+  }
+  std::vector<std::size_t> waiting{0};
+  far.set(0, 0);
+  spread_row(far.row(0), open.row(0), words);
+  const auto for_each_side = [&](std::size_t row, const auto& visit) {
+    const int y = static_cast<int>(row) % size_y;
+    const int z = static_cast<int>(row) / size_y;
+    if (y > 0) visit(row - 1, 2);
+    if (y + 1 < size_y) visit(row + 1, 3);
+    if (z > 0) visit(row - static_cast<std::size_t>(size_y), 4);
+    if (z + 1 < size_z) visit(row + static_cast<std::size_t>(size_y), 5);
+  };
+  while (!waiting.empty()) {
+    const std::size_t row = waiting.back();
+    waiting.pop_back();
+    for_each_side(row, [&](std::size_t next, int /*side*/) {
+      bool is_new = false;
+      for (std::size_t i = 0; i < words; ++i) {
+        const BlockRows::Word added = far.row(row)[i] & open.row(next)[i] & ~far.row(next)[i];
+        far.row(next)[i] |= added;
+        is_new |= added != 0;
+      }
+      if (!is_new) return;
+      spread_row(far.row(next), open.row(next), words);
+      waiting.push_back(next);
+    });
+  }
+  std::vector<Reached> touched;
+  for (std::size_t i = 0; i < near_surface.size(); ++i) {
+    const std::size_t row = i / size_x;
+    const std::size_t x = i % size_x;
+    const auto is_far = [&](std::size_t at_row, std::size_t at) {
+      return (far.row(at_row)[at / BlockRows::bits] >> (at % BlockRows::bits) & 1U) != 0;
+    };
+    if (near_surface[i] == 0) {
+      if (is_far(row, x)) state_[i] = all_exterior;
+      continue;
+    }
+    Cells seeds = 0;
+    if (x > 0 && is_far(row, x - 1)) seeds |= low_x;
+    if (x + 1 < size_x && is_far(row, x + 1)) seeds |= high_x;
+    for_each_side(row, [&](std::size_t next, int side) {
+      constexpr std::array<Cells, 6> touching{low_x, high_x, low_y, high_y, low_z, high_z};
+      if (is_far(next, x)) seeds |= touching[static_cast<std::size_t>(side)];
+    });
+    if (seeds != 0) touched.push_back({static_cast<std::uint32_t>(i), seeds});
+  }
+  return touched;
 }
 
 /// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
 /// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
 void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
-  struct Reached {
-    std::uint32_t block;
-    Cells seeds;
-  };
   std::vector<std::uint32_t> passing;  // exterior blocks whose neighbours have not been told
-  std::vector<Reached> reached;        // the state of the k-th is unknown - 1 - k until it has been looked at
+  std::vector<Reached> reached = flood_far_blocks(near_surface);
+  // The state of the k-th that was reached is unknown - 1 - k until it has been looked at.
+  for (std::size_t k = 0; k < reached.size(); ++k) state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
   std::vector<Cells> seeds;            // of each boundary block, that have not spread
   std::vector<std::int32_t> spreading;
   const auto pass_on = [&](std::uint32_t index, Cells cells) {
@@ -113,12 +223,18 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       }
     }
   };
-  const auto look_at = [&](const std::vector<Reached>& blocks) {
-    std::vector<BlockDistances> found(blocks.size());
+  using Kind = BlockKind;
+  boundary_.reserve(static_cast<std::size_t>(std::count(near_surface.begin(), near_surface.end(), 1)));
+  while (!passing.empty() || !reached.empty()) {
+    const std::vector<Reached> blocks = std::move(reached);
+    reached.clear();
+    std::size_t next = boundary_.size();
+    boundary_.resize(next + blocks.size());
+    std::vector<Kind> kinds(blocks.size());
     const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
       thread_local NearbyPoints nearby;
       for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        found[i] = block_distances(grid_, surface_, grid_.block_at(blocks[i].block), band, nearby);
+        kinds[i] = look_at_block(grid_, surface_, blocks[i].block, band, nearby, boundary_[next + i]);
       }
     };
     const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
@@ -127,28 +243,23 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
     } else {
       look(all);
     }
-    return found;
-  };
-  state_[0] = all_exterior;
-  passing.push_back(0);
-  while (!passing.empty() || !reached.empty()) {
-    const std::vector<Reached> blocks = std::move(reached);
-    reached.clear();
-    const std::vector<BlockDistances> found = look_at(blocks);
+    const std::size_t first = next;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       std::int32_t& state = state_[blocks[i].block];
-      if (found[i].kind == BlockDistances::Kind::free) {
+      if (kinds[i] == Kind::free) {
         state = all_exterior;
         passing.push_back(blocks[i].block);
-      } else if (found[i].kind == BlockDistances::Kind::covered) {
+      } else if (kinds[i] == Kind::covered) {
         state = none_exterior;
       } else {
-        state = static_cast<std::int32_t>(boundary_.size());
-        boundary_.push_back({0, found[i].free_cells, found[i].nearest, blocks[i].block});
-        seeds.push_back(blocks[i].seeds & found[i].free_cells);
+        if (next != first + i) boundary_[next] = boundary_[first + i];
+        state = static_cast<std::int32_t>(next);
+        seeds.push_back(blocks[i].seeds & boundary_[next].free);
         if (seeds.back() != 0) spreading.push_back(state);
+        ++next;
       }
     }
+    boundary_.resize(next);
     while (!passing.empty() || !spreading.empty()) {
       if (!passing.empty()) {
         const std::uint32_t index = passing.back();

@@ -9,14 +9,6 @@
 
 namespace shapegauge {
 
-/// The cells of a block near the boundary of the offset solid.
-struct BoundaryBlock {
-  std::uint64_t exterior = 0;                           ///< the cells whose centres belong to E(r)
-  std::uint64_t free = 0;                               ///< those whose centres lie outside of O(r)
-  std::array<std::int32_t, cells_per_block> nearest{};  ///< the triangle closest to each cell's centre, about
-  std::uint32_t index = 0;                              ///< the block's, in the grid
-};
-
 /// The exterior E(r) of a shape, to the resolution of a grid: cells whose centres are farther than r from the surface
 /// and that a way through such cells joins to the grid's border, from cell to cell across faces.
 ///
@@ -37,10 +29,23 @@ class ExteriorGrid {
   static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
 
+  /// Whether the block has exterior cells.
+  [[nodiscard]] bool has_exterior(std::size_t index) const {
+    const std::int32_t state = state_[index];
+    return state == all_exterior || (state >= 0 && boundary_[static_cast<std::size_t>(state)].exterior != 0);
+  }
+
   /// Whether the block or one next to it has exterior cells.
   [[nodiscard]] bool is_near_exterior(std::size_t index) const { return near_[index] != 0; }
 
  private:
+  /// A block near the surface that the flood came to, and its cells that touch what is exterior.
+  struct Reached {
+    std::uint32_t block;
+    std::uint64_t seeds;
+  };
+
+  std::vector<Reached> flood_far_blocks(const std::vector<std::uint8_t>& near_surface);
   void flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel);
 
   const BlockGrid& grid_;

@@ -1,17 +1,14 @@
 #include "shapegauge/core/offset/nearest_offset_point.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 
 namespace shapegauge {
 
 namespace {
-
-constexpr std::size_t most_contacts = 5;
 
 /// A triangle, and the half-space that the ball of radius r about a point of it leaves free: normal . x >= height.
 struct Contact {
@@ -21,61 +18,97 @@ struct Contact {
 };
 
 struct Contacts {
-  std::array<Contact, most_contacts> list;
+  static constexpr std::size_t most = 5;
+  std::array<Contact, most> list;
   std::size_t count = 0;
+
+  void add(const Contact& contact) {
+    if (count < most) list[count++] = contact;
+  }
 };
 
-/// Whether x lies in all half-spaces.
-bool satisfies(const Contacts& contacts, const Eigen::Vector3d& x, double tolerance) {
-  for (std::size_t i = 0; i < contacts.count; ++i) {
-    if (contacts.list[i].normal.dot(x) < contacts.list[i].height - tolerance) return false;
-  }
-  return true;
-}
-
-/// The point nearest to p that lies on the planes of up to three contacts, where it is held by all of them.
-template <int N>
-std::optional<Eigen::Vector3d> held_by(const Eigen::Vector3d& p, const std::array<const Contact*, N>& contacts) {
-  Eigen::Matrix<double, 3, N> normals;
-  Eigen::Matrix<double, N, 1> missing;
-  for (int i = 0; i < N; ++i) {
-    normals.col(i) = contacts[static_cast<std::size_t>(i)]->normal;
-    missing[i] = contacts[static_cast<std::size_t>(i)]->height - normals.col(i).dot(p);
-  }
-  const Eigen::Matrix<double, N, N> gram = normals.transpose() * normals;
-  if (std::abs(gram.determinant()) < 1e-9) return std::nullopt;
-  const Eigen::Matrix<double, N, 1> push = gram.inverse() * missing;
-  if (push.minCoeff() < 0) return std::nullopt;
-  return p + normals * push;
-}
-
-/// The point of all half-spaces nearest to p: by the conditions of Karush, Kuhn and Tucker it is the one that one, two
-/// or three of them hold and that lies in the others.
-std::optional<Eigen::Vector3d> project(const Eigen::Vector3d& p, const Contacts& contacts) {
-  constexpr double tolerance = 1e-7;
-  const auto& list = contacts.list;
-  const std::size_t n = contacts.count;
-  if (satisfies(contacts, p, tolerance)) return p;
-  for (std::size_t i = 0; i < n; ++i) {
-    const auto x = held_by<1>(p, {&list[i]});
-    if (x && satisfies(contacts, *x, tolerance)) return x;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto x = held_by<2>(p, {&list[i], &list[j]});
-      if (x && satisfies(contacts, *x, tolerance)) return x;
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      for (std::size_t k = 0; k < j; ++k) {
-        const auto x = held_by<3>(p, {&list[i], &list[j], &list[k]});
-        if (x && satisfies(contacts, *x, tolerance)) return x;
+/// The point of the half-spaces nearest to p. By the conditions of Karush, Kuhn and Tucker it is p + the sum of push_i
+/// normal_i, with a push >= 0 for one, two or three of them, on the planes of which it lies, and 0 for the others.
+class Projection {
+ public:
+  Projection(const Eigen::Vector3d& p, const Contacts& contacts) : p_(p), contacts_(contacts) {
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      missing_[i] = contacts.list[i].height - contacts.list[i].normal.dot(p);
+      for (std::size_t j = 0; j <= i; ++j) {
+        gram_[i][j] = gram_[j][i] = contacts.list[i].normal.dot(contacts.list[j].normal);
       }
     }
   }
-  return std::nullopt;
-}
+
+  /// Nothing where they have no point in common.
+  std::optional<Eigen::Vector3d> find() {
+    const std::size_t n = contacts_.count;
+    const auto worst = static_cast<std::size_t>(std::max_element(missing_.begin(), missing_.begin() + n) -
+                                                missing_.begin());
+    if (missing_[worst] <= tolerance) return p_;
+    // Alone only the plane farthest from p can do: seen from it, all others are nearer.
+    if (const auto x = held_by<1>({worst}, {missing_[worst]})) return x;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (const auto x = held_by_two(i, j)) return x;
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+          if (const auto x = held_by_three(i, j, k)) return x;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr double tolerance = 1e-6;
+  static constexpr double least_determinant = 1e-6;
+
+  /// Where the pushes lead, if none is negative and the other half-spaces hold it.
+  template <std::size_t count>
+  std::optional<Eigen::Vector3d> held_by(const std::array<std::size_t, count>& which,
+                                         const std::array<double, count>& push) const {
+    if (*std::min_element(push.begin(), push.end()) < 0) return std::nullopt;
+    for (std::size_t i = 0; i < contacts_.count; ++i) {
+      double missing = missing_[i];
+      for (std::size_t k = 0; k < count; ++k) missing -= push[k] * gram_[i][which[k]];
+      if (missing > tolerance) return std::nullopt;
+    }
+    Eigen::Vector3d x = p_;
+    for (std::size_t k = 0; k < count; ++k) x += push[k] * contacts_.list[which[k]].normal;
+    return x;
+  }
+
+  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_two(std::size_t i, std::size_t j) const {
+    const double determinant = 1 - gram_[i][j] * gram_[i][j];
+    if (determinant < least_determinant) return std::nullopt;
+    return held_by<2>({i, j}, {(missing_[i] - gram_[i][j] * missing_[j]) / determinant,
+                               (missing_[j] - gram_[i][j] * missing_[i]) / determinant});
+  }
+
+  /// By Cramer's rule.
+  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_three(std::size_t i, std::size_t j, std::size_t k) const {
+    const double a = gram_[i][j];
+    const double b = gram_[i][k];
+    const double c = gram_[j][k];
+    const double determinant = 1 + 2 * a * b * c - a * a - b * b - c * c;
+    if (determinant < least_determinant) return std::nullopt;
+    const double mi = missing_[i];
+    const double mj = missing_[j];
+    const double mk = missing_[k];
+    return held_by<3>({i, j, k}, {((1 - c * c) * mi + (b * c - a) * mj + (a * c - b) * mk) / determinant,
+                                  ((b * c - a) * mi + (1 - b * b) * mj + (a * b - c) * mk) / determinant,
+                                  ((a * c - b) * mi + (a * b - c) * mj + (1 - a * a) * mk) / determinant});
+  }
+
+  const Eigen::Vector3d& p_;
+  const Contacts& contacts_;
+  std::array<double, Contacts::most> missing_;
+  std::array<std::array<double, Contacts::most>, Contacts::most> gram_;
+};
 
 /// The half-space that the ball about x - v leaves free.
 Contact contact(std::int32_t triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& v, double r) {
@@ -120,6 +153,63 @@ bool leads_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eige
 
 }  // namespace
 
+namespace {
+
+/// Triangles, and the vectors from their closest points to a point.
+struct Surroundings {
+  std::array<std::int32_t, 2 * TriangleTable::at_once> triangles;
+  std::size_t count = 0;
+  std::array<TriangleTable::Vectors, 2> vectors;
+
+  void add(std::int32_t triangle) {
+    if (std::find(triangles.begin(), triangles.begin() + count, triangle) == triangles.begin() + count) {
+      triangles[count++] = triangle;
+    }
+  }
+  void look_from(const Eigen::Vector3d& x, const TriangleTable& table) {
+    constexpr std::size_t eight = TriangleTable::at_once;
+    std::fill(triangles.begin() + count, triangles.begin() + (count > eight ? 2 * eight : eight), triangles[0]);
+    table.vectors_to(x, triangles.data(), vectors[0]);
+    if (count > eight) table.vectors_to(x, triangles.data() + eight, vectors[1]);
+  }
+  [[nodiscard]] Eigen::Vector3d vector(std::size_t i) const {
+    return vectors[i / TriangleTable::at_once].vector(i % TriangleTable::at_once);
+  }
+  [[nodiscard]] float squared(std::size_t i) const {
+    return vectors[i / TriangleTable::at_once].squared[i % TriangleTable::at_once];
+  }
+};
+
+/// The contacts for the next step: of the given ones, which come first among those around x, those that are kept, laid
+/// anew, and up to two that cover x and were not among them, the closest and the closest of another direction.
+Contacts contacts_for(const Surroundings& around, const Contacts& before, const std::array<bool, Contacts::most>& kept,
+                      const Eigen::Vector3d& x, double r, double covering) {
+  constexpr double same_direction = 0.985;
+  Contacts contacts;
+  for (std::size_t i = 0; i < before.count; ++i) {
+    if (kept[i]) contacts.add(contact(around.triangles[i], x, around.vector(i), r));
+  }
+  const std::size_t old = contacts.count;
+  while (contacts.count < Contacts::most && contacts.count < old + 2) {
+    std::size_t closest = around.count;
+    auto least = static_cast<float>(covering * covering);
+    for (std::size_t i = before.count; i < around.count; ++i) {
+      if (around.squared(i) >= least) continue;
+      if (contacts.count > old &&
+          around.vector(i).dot(contacts.list[old].normal) > same_direction * std::sqrt(static_cast<double>(around.squared(i)))) {
+        continue;
+      }
+      least = around.squared(i);
+      closest = i;
+    }
+    if (closest == around.count) break;
+    contacts.add(contact(around.triangles[closest], x, around.vector(closest), r));
+  }
+  return contacts;
+}
+
+}  // namespace
+
 std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
                                                     const Eigen::Vector3d& site, std::int32_t triangle) {
   constexpr int most_steps = 8;
@@ -128,62 +218,39 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
   constexpr double tolerance = 1e-3;  // of the distance, in parts of r
   const double r = exterior.grid().r;
   const TriangleTable& table = exterior.surface().triangles;
-  // First the contacts' triangles, then those around.
-  std::array<std::int32_t, 2 * TriangleTable::at_once> triangles;
-  triangles.fill(triangle);
-  std::array<TriangleTable::Vectors, 2> vectors;
-  const auto vector = [&](std::size_t i) {
-    return vectors[i / TriangleTable::at_once].vector(i % TriangleTable::at_once);
-  };
-  const auto squared_at = [&](std::size_t i) {
-    return vectors[i / TriangleTable::at_once].squared[i % TriangleTable::at_once];
-  };
+  Surroundings around;
+  around.add(triangle);
+  around.look_from(site, table);
   Contacts contacts;
-  table.vectors_to(site, triangles.data(), vectors[0]);
-  contacts.list[contacts.count++] = contact(triangle, site, vector(0), r);
+  contacts.add(contact(triangle, site, around.vector(0), r));
   Eigen::Vector3d x = site;
   std::optional<Eigen::Vector3d> found;
   for (int step = 0; step < most_steps; ++step) {
-    const auto next = project(p, contacts);
+    const auto next = Projection(p, contacts).find();
     if (!next) return found;
     const double moved = (*next - x).norm();
     const bool is_limited = moved > most_moved * r;
     x = is_limited ? (x + most_moved * r / moved * (*next - x)).eval() : *next;
-    const CellsAround around = cells_around(exterior, x);
-    std::size_t count = contacts.count;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(around.count); ++i) {
-      const std::int32_t other = around.triangles[i];
-      if (std::find(triangles.begin(), triangles.begin() + count, other) == triangles.begin() + count) {
-        triangles[count++] = other;
-      }
+    std::array<bool, Contacts::most> kept{};
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      kept[i] = is_limited || contacts.list[i].normal.dot(x) <= contacts.list[i].height + 1e-6;
     }
-    table.vectors_to(x, triangles.data(), vectors[0]);
-    if (count > TriangleTable::at_once) table.vectors_to(x, triangles.data() + TriangleTable::at_once, vectors[1]);
-    std::size_t closest = 0;
-    for (std::size_t i = 1; i < count; ++i) {
-      if (squared_at(i) < squared_at(closest)) closest = i;
-    }
-    const double squared = static_cast<double>(squared_at(closest));
+    const CellsAround cells = cells_around(exterior, x);
+    around.count = 0;
+    for (std::size_t i = 0; i < contacts.count; ++i) around.triangles[around.count++] = contacts.list[i].triangle;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around.add(cells.triangles[i]);
+    around.look_from(x, table);
+    float squared = around.squared(0);
+    for (std::size_t i = 1; i < around.count; ++i) squared = std::min(squared, around.squared(i));
     if (!(squared > 0)) return found;
-    const bool covered = squared < r * r * (1 - tolerance) * (1 - tolerance);
-    if (!covered && !is_limited && (around.touches_exterior || leads_to(exterior, x, site))) {
+    const double covering = r * (1 - tolerance);
+    const bool covered = static_cast<double>(squared) < covering * covering;
+    if (!covered && !is_limited && (cells.touches_exterior || leads_to(exterior, x, site))) {
       found = x;
       if (moved < settled * r) return found;
     }
-    // Those that do not hold x are let go.
-    const bool is_new = covered && closest >= contacts.count;
-    const Contact added = contact(triangles[closest], x, vector(closest), r);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < contacts.count; ++i) {
-      if (!is_limited && contacts.list[i].normal.dot(x) > contacts.list[i].height + 1e-6) continue;
-      contacts.list[kept] = contact(triangles[i], x, vector(i), r);
-      triangles[kept++] = triangles[i];
-    }
-    contacts.count = kept;
-    if (is_new && contacts.count < most_contacts) {
-      triangles[contacts.count] = added.triangle;
-      contacts.list[contacts.count++] = added;
-    }
+    contacts = contacts_for(around, contacts, kept, x, r, covering);
+    if (contacts.count == 0) return found;
   }
   return found;
 }

@@ -24,6 +24,19 @@ double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, doub
   return std::max(least, 0.0) + 1e-6;
 }
 
+/// Where the ray leaves the block without its outermost half cells, x being relative to the block's corner; 0 where x is
+/// not in there.
+double leave_inside(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse) {
+  constexpr double low = 0.5;
+  constexpr double high = block_edge - 0.5;
+  double least = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k) {
+    if (x[k] < low || x[k] > high) return 0;
+    least = std::min(least, ((inverse[k] > 0 ? high : low) - x[k]) * inverse[k]);
+  }
+  return least + 1e-6;
+}
+
 }  // namespace
 
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
@@ -40,6 +53,12 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
     const std::size_t index = grid.block_index(block);
     if (!exterior.is_near_exterior(index)) {
       t += leave_cube(x, inverse, block_edge, 0);
+      continue;
+    }
+    // Where no cell of the block is exterior, one of the eight around x may be only near the block's sides.
+    const double inner = leave_inside(x - (block_edge * block).cast<double>(), inverse);
+    if (inner > 0 && !exterior.has_exterior(index)) {
+      t += inner;
       continue;
     }
     const CellsAround around = cells_around(exterior, x);

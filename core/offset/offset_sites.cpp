@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -100,8 +101,58 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
   occupied.resize(static_cast<std::size_t>(cubes.cast<long>().prod()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Eigen::Vector3i cube = exterior.grid().block_at(blocks[i].index) / cube_edge;
-    if (first[i] != first[i + 1]) occupied[cube_index(*this, cube)] = 1;
+    std::uint8_t& is_occupied = occupied[cube_index(*this, cube)];
+    if (first[i] == first[i + 1] || is_occupied != 0) continue;
+    is_occupied = 1;
+    occupied_cubes.push_back(cube);
   }
+}
+
+double NearbySites::distance_to_nearest(const Eigen::Vector3d& x) {
+  constexpr int edge = OffsetSites::cube_edge;
+  waiting_.clear();
+  double enough = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sites_.occupied_cubes.size(); ++i) {
+    const Eigen::Vector3d low = (edge * block_edge * sites_.occupied_cubes[i]).cast<double>();
+    const Eigen::Vector3d high = low.array() + edge * block_edge;
+    const double nearest2 = (low - x).cwiseMax(x - high).cwiseMax(0).squaredNorm();
+    if (nearest2 > enough) continue;
+    enough = std::min(enough, (x - low).cwiseAbs().cwiseMax((high - x).cwiseAbs()).squaredNorm());
+    waiting_.emplace_back(nearest2, static_cast<std::uint32_t>(i));
+  }
+  std::sort(waiting_.begin(), waiting_.end());
+  double best2 = std::numeric_limits<double>::infinity();
+  for (const auto& [nearest2, cube] : waiting_) {
+    if (nearest2 >= best2) break;
+    best2 = std::min(best2, nearest_in_cube(sites_.occupied_cubes[cube], x, best2));
+  }
+  return std::sqrt(best2);
+}
+
+/// The squared distance to the nearest site of the cube, if it is less than the limit.
+double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit) {
+  constexpr int edge = OffsetSites::cube_edge;
+  const BlockGrid& grid = exterior_.grid();
+  const Eigen::Vector3i begin = edge * cube;
+  const Eigen::Vector3i end = (begin.array() + edge).matrix().cwiseMin(grid.blocks);
+  const Eigen::Vector3f from = x.cast<float>();
+  for (int k = begin.z(); k < end.z(); ++k) {
+    for (int j = begin.y(); j < end.y(); ++j) {
+      if (box_of({begin.x(), j, k}, {end.x(), j + 1, k + 1}).squaredExteriorDistance(x) >= limit) continue;
+      const std::size_t row = grid.block_index({0, j, k});
+      for (int i = begin.x(); i < end.x(); ++i) {
+        const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
+        if (state < 0) continue;
+        const std::size_t first = sites_.first[static_cast<std::size_t>(state)];
+        const std::size_t count = sites_.first[static_cast<std::size_t>(state) + 1] - first;
+        if (count == 0) continue;
+        if (squared_.size() < count) squared_.resize(count);
+        limit = std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first],
+                                                                      &sites_.z[first], count, from, squared_.data())));
+      }
+    }
+  }
+  return limit;
 }
 
 void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/offset/exterior_grid.h"
@@ -16,9 +17,10 @@ struct OffsetSites {
   std::vector<float> x, y, z;
   std::vector<std::int32_t> triangle;  ///< that is r away from each
   std::vector<std::uint32_t> first;    ///< of each of the exterior's boundary blocks, and one past the last's
-  /// Whether any are in each cube of `cube_edge` blocks along each axis.
+  /// Cubes of `cube_edge` blocks along each axis: whether any are in each, and all in which there are.
   std::vector<std::uint8_t> occupied;
-  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< of blocks, along each axis
+  std::vector<Eigen::Vector3i> occupied_cubes;
+  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< along each axis
   static constexpr int cube_edge = 8;
 
   OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
@@ -28,6 +30,9 @@ struct OffsetSites {
 class NearbySites {
  public:
   NearbySites(const ExteriorGrid& exterior, const OffsetSites& sites) : exterior_(exterior), sites_(sites) {}
+
+  /// The distance from x to the nearest of all sites, however far; infinite where there are none.
+  double distance_to_nearest(const Eigen::Vector3d& x);
 
   /// Collects those within reach of the box.
   void collect(const Eigen::AlignedBox3d& box, double reach);
@@ -44,6 +49,7 @@ class NearbySites {
 
  private:
   void collect_row(const Eigen::Vector3i& first, int end);
+  [[nodiscard]] double nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit);
 
   const ExteriorGrid& exterior_;
   const OffsetSites& sites_;
@@ -51,6 +57,7 @@ class NearbySites {
   double nearest_ = 0;
   std::vector<std::uint32_t> site_, candidates_;
   std::vector<Site> within_margin_;
+  std::vector<std::pair<double, std::uint32_t>> waiting_;  ///< squared distances of cubes and their numbers
 };
 
 }  // namespace shapegauge

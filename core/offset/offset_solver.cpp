@@ -26,7 +26,7 @@ constexpr double site_band = 0.9;
 /// r.
 constexpr double point_spacing = 0.25;
 constexpr double widest_spacing = 0.7;
-constexpr std::size_t most_points = 6'000'000;
+constexpr double most_points = 6e6;
 constexpr std::size_t most_blocks = std::size_t{1} << 24U;
 
 /// What a grid needs to be made.
@@ -39,6 +39,7 @@ struct Layout {
 /// The cells and points for an offset, or for the least offset above it for which there are not too many.
 Layout lay_out(const Shape& shape, const Eigen::AlignedBox3d& bounds, const OffsetGridOptions& options) {
   Layout layout{options.offset, options.offset / options.cells_per_offset, point_spacing * options.cells_per_offset};
+  const SurfaceExtent extent(shape);
   while (true) {
     const BlockGrid grid(bounds, layout.offset, layout.cell);
     if ((grid.blocks.cast<double>().array() > 1e6).any() ||
@@ -49,9 +50,7 @@ Layout lay_out(const Shape& shape, const Eigen::AlignedBox3d& bounds, const Offs
       layout.spacing = point_spacing * layout.offset / layout.cell;
       continue;
     }
-    const std::size_t points = GridSurface::count_points(grid, shape, layout.spacing);
-    const auto least = static_cast<std::size_t>(std::max(shape.triangles.rows(), shape.vertices.rows()));
-    if (points <= most_points + 2 * least) return layout;
+    if (extent.most_points(layout.spacing * layout.cell) <= most_points + 2 * extent.pieces) return layout;
     if (layout.spacing * 1.2 <= widest_spacing * grid.r) {
       layout.spacing *= 1.2;
     } else {
@@ -190,21 +189,24 @@ std::optional<Eigen::Vector3d> Solver::direct(const Eigen::Vector3d& p, const Ei
 
 /// A refined point is nearer than its site, by no more than this as a rule, in cells.
 constexpr double gain = 0.4;
+/// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
+constexpr double farther = 3 * gain;
 
-/// The distance from a raised sample to the nearest site, once all that are as near have been collected.
+/// The distance from a raised sample to the nearest site, once all that are farther by no more than `farther` have been
+/// collected.
 double Solver::measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d& box, Room& room) const {
   const double lift = raised_by * grid_.r;
-  const double farthest = 2 * block_edge * grid_.blocks.cast<double>().norm();  // beyond the grid
   if (room.reach == 0) {
     room.reach = 1.6 * grid_.r + 1;
     room.sites.collect(box, room.reach + lift);
   }
-  while (true) {
-    const double distance = room.sites.measure(raised);
-    if (distance + gain < room.reach || room.reach > farthest) return distance;
-    room.reach *= 1.6;
-    room.sites.collect(box, room.reach + lift);
-  }
+  const double distance = room.sites.measure(raised);
+  if (distance + farther < room.reach) return distance;
+  // From the middle of the box none is farther than this; from a sample of it by half of its diagonal at most.
+  const double from_middle = room.sites.distance_to_nearest(box.center());
+  room.reach = from_middle + box.diagonal().norm() / 2 + lift + 1.01 * farther;
+  room.sites.collect(box, room.reach + lift);
+  return room.sites.measure(raised);
 }
 
 /// q: of the points of E(r) nearest to p raised along the normal and to p raised against it, the nearer one.
@@ -241,7 +243,7 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
     };
     refine();
     if (!(best < std::numeric_limits<double>::infinity())) {
-      room.sites.starts(3 * gain, apart / 2, 3 * most_starts, room.starts);
+      room.sites.starts(farther, apart / 2, 3 * most_starts, room.starts);
       refine();
     }
     if (normal.isZero()) break;
@@ -288,7 +290,7 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
   const Layout layout = lay_out(shape, bounds, options);
   const BlockGrid grid(bounds, layout.offset, layout.cell);
-  const GridSurface surface(grid, shape, layout.spacing);
+  const GridSurface surface(grid, shape, layout.spacing, options.parallel);
   const ExteriorGrid exterior(grid, surface, site_band, options.parallel);
   const OffsetSites sites(exterior, site_band, options.parallel);
   OffsetAnswers answers;

@@ -14,8 +14,8 @@ class TriangleTable {
  public:
   static constexpr std::size_t at_once = 8;
 
-  void reserve(std::size_t count) { records_.reserve(count); }
-  void add(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
+  void resize(std::size_t count) { records_.resize(count); }
+  void set(std::size_t index, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
   [[nodiscard]] std::size_t size() const { return records_.size(); }
 
   /// A vector and its squared length for each of the eight.

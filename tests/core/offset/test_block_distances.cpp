@@ -17,7 +17,7 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.05);
   const double spacing = 1;
-  const GridSurface surface(grid, torus, spacing);
+  const GridSurface surface(grid, torus, spacing, false);
   // A point is at most so much farther than the surface, at a distance of r: its triangle's part reaches so far.
   const double too_far = spacing * spacing / (2 * grid.r);
   constexpr double band = 0.9;
@@ -26,8 +26,10 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   for (std::size_t index = 0; index < grid.block_count(); ++index) {
     const Eigen::Vector3i block = grid.block_at(index);
     ASSERT_EQ(grid.block_index(block), index);
-    const BlockDistances found = block_distances(grid, surface, block, band, nearby);
-    ++kinds[static_cast<std::size_t>(found.kind)];
+    BoundaryBlock found;
+    const BlockKind kind = look_at_block(grid, surface, static_cast<std::uint32_t>(index), band, nearby, found);
+    if (kind == BlockKind::free) found.free = ~std::uint64_t{0};
+    ++kinds[static_cast<std::size_t>(kind)];
     for (int bit = 0; bit < cells_per_block; bit += 7) {
       const Eigen::Vector3d centre =
           (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
@@ -36,16 +38,16 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
         const auto corner = [&](int k) { return grid.to_cells(torus.vertices.row(torus.triangles(f, k)).transpose()); };
         distance = std::min(distance, (closest_point({corner(0), corner(1), corner(2)}, centre) - centre).norm());
       }
-      const bool is_free = (found.free_cells >> bit & 1U) != 0;
+      const bool is_free = (found.free >> bit & 1U) != 0;
       if (is_free) {
         EXPECT_GT(distance, grid.r - too_far);
       } else {
         EXPECT_LE(distance, grid.r + 1e-3);
       }
-      if (found.kind == BlockDistances::Kind::free) {
+      if (kind == BlockKind::free) {
         EXPECT_GT(distance, grid.r + band - too_far);
       }
-      if (found.kind == BlockDistances::Kind::mixed && distance < grid.r + band) {
+      if (kind == BlockKind::mixed && distance < grid.r + band) {
         const std::array<std::int32_t, TriangleTable::at_once> nearest{
             found.nearest[static_cast<std::size_t>(bit)], 0, 0, 0, 0, 0, 0, 0};
         TriangleTable::Vectors vectors;

@@ -45,7 +45,11 @@ std::vector<Triangle> triangles_of_all_kinds(int count) {
 TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(800);
   TriangleTable table;
-  for (const Triangle& t : triangles) table.add(t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+  table.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    table.set(i, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+  }
   ASSERT_EQ(table.size(), triangles.size());
   RandomNumbers random(2, 0);
   std::array<std::int32_t, TriangleTable::at_once> numbers;
@@ -69,7 +73,11 @@ TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
 TEST(TriangleTable, TakesAPointForEachTriangle) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(8);
   TriangleTable table;
-  for (const Triangle& t : triangles) table.add(t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+  table.resize(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Triangle& t = triangles[i];
+    table.set(i, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+  }
   RandomNumbers random(3, 0);
   TriangleTable::Vectors vectors;
   std::array<Eigen::Vector3d, 8> points;
