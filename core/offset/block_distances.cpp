@@ -45,6 +45,46 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
   return result;
 }
 
+/// The number of the nearest point, and its squared distance, if it is less than the one given.
+void nearest_point(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
+                   float& squared, std::size_t& number) {
+  const hn::CappedTag<float, 16> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const auto fx = hn::Set(d, from.x());
+  const auto fy = hn::Set(d, from.y());
+  const auto fz = hn::Set(d, from.z());
+  auto best = hn::Set(d, squared);
+  auto best_index = hn::Set(di, -1);
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
+    const auto dx = hn::Sub(hn::LoadU(d, x + i), fx);
+    const auto dy = hn::Sub(hn::LoadU(d, y + i), fy);
+    const auto dz = hn::Sub(hn::LoadU(d, z + i), fz);
+    const auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    const auto better = hn::Lt(sum, best);
+    best = hn::Min(sum, best);
+    best_index = hn::IfThenElse(hn::RebindMask(di, better), hn::Set(di, static_cast<std::int32_t>(i)), best_index);
+  }
+  alignas(64) std::array<float, 16> lane_squared;
+  alignas(64) std::array<std::int32_t, 16> lane_index;
+  hn::Store(best, d, lane_squared.data());
+  hn::Store(best_index, di, lane_index.data());
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    if (lane_index[lane] < 0 || !(lane_squared[lane] < squared)) continue;
+    squared = lane_squared[lane];
+    number = static_cast<std::size_t>(lane_index[lane]) + lane;
+  }
+  for (; i < n; ++i) {
+    const float dx = x[i] - from.x();
+    const float dy = y[i] - from.y();
+    const float dz = z[i] - from.z();
+    const float sum = std::fma(dx, dx, std::fma(dy, dy, dz * dz));
+    if (!(sum < squared)) continue;
+    squared = sum;
+    number = i;
+  }
+}
+
 std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   const hn::CappedTag<float, 16> d;
   std::size_t count = 0;
@@ -122,6 +162,7 @@ namespace shapegauge {
 
 HWY_EXPORT(squared_distances_to);
 HWY_EXPORT(nearest_of_cells);
+HWY_EXPORT(nearest_point);
 HWY_EXPORT(indices_of);
 
 namespace {
@@ -204,6 +245,26 @@ float squared_distances(const float* x, const float* y, const float* z, std::siz
 
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
+}
+
+std::int32_t nearest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+                                    double reach, const Eigen::Vector3d& x) {
+  const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
+  float squared = std::numeric_limits<float>::infinity();
+  std::int32_t nearest = -1;
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      const std::size_t begin = surface.first[grid.block_index({low.x(), j, k})];
+      const std::size_t count = surface.first[grid.block_index({high.x(), j, k}) + 1] - begin;
+      if (count == 0) continue;
+      std::size_t number = count;
+      HWY_DYNAMIC_DISPATCH(nearest_point)
+      (&surface.x[begin], &surface.y[begin], &surface.z[begin], count, x.cast<float>(), squared, number);
+      if (number < count) nearest = surface.triangle[begin + number];
+    }
+  }
+  return nearest;
 }
 
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,

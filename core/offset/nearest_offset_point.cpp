@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "shapegauge/core/offset/block_distances.h"
+
 namespace shapegauge {
 
 namespace {
@@ -214,6 +216,7 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
                                                     const Eigen::Vector3d& site, std::int32_t triangle) {
   constexpr int most_steps = 8;
   constexpr double most_moved = 0.4;  // at once, in parts of r: no wall is so thin
+  constexpr double nearly_settled = 0.1;
   constexpr double settled = 1e-2;    // of a step's length, in parts of r
   constexpr double tolerance = 1e-3;  // of the distance, in parts of r
   const double r = exterior.grid().r;
@@ -239,6 +242,15 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
     around.count = 0;
     for (std::size_t i = 0; i < contacts.count; ++i) around.triangles[around.count++] = contacts.list[i].triangle;
     for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around.add(cells.triangles[i]);
+    // Fine triangles: the closest is seldom among those of the cells, but near where the contacts are.
+    if (moved < nearly_settled * r) {
+      for (std::size_t i = 0; i < contacts.count; ++i) {
+        if (!kept[i]) continue;
+        const Eigen::Vector3d place = x - r * contacts.list[i].normal;
+        const std::int32_t nearest = nearest_triangle_about(exterior.grid(), exterior.surface(), place, 0.7, x);
+        if (nearest >= 0 && around.count < around.triangles.size()) around.add(nearest);
+      }
+    }
     around.look_from(x, table);
     float squared = around.squared(0);
     for (std::size_t i = 1; i < around.count; ++i) squared = std::min(squared, around.squared(i));
