@@ -214,6 +214,7 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
                                Room& room, OffsetOutcome& outcome) const {
   constexpr double apart = 2;
   constexpr std::size_t most_starts = 3;
+  constexpr double surface_tolerance = 0.02;
   const auto place = [&](std::uint32_t site) {
     return Eigen::Vector3d(sites_.x[site], sites_.y[site], sites_.z[site]);
   };
@@ -236,7 +237,9 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
         const bool is_known = best < std::numeric_limits<double>::infinity() && (site - q).norm() < apart;
         if (is_known || static_cast<double>(start.distance) - gain > best) continue;
         const auto x = nearest_offset_point(exterior_, raised, site, sites_.triangle[start.site]);
-        if (!x || !((*x - raised).norm() < best)) continue;
+        // p is on the surface, though perhaps no cell near x knows of its triangle.
+        const bool is_covered = x && (*x - p).norm() < (1 - surface_tolerance) * grid_.r;
+        if (!x || is_covered || !((*x - raised).norm() < best)) continue;
         best = (*x - raised).norm();
         q = *x;
       }

@@ -24,7 +24,7 @@ enum class OffsetOutcome : std::uint8_t {
 /// What is asked of the grid.
 struct OffsetGridOptions {
   double offset = 0.05;         ///< r
-  double cells_per_offset = 4;  ///< r / h: 2.5 to 16
+  double cells_per_offset = 3;  ///< r / h: 2.5 to 16
   bool parallel = true;         ///< spread the work over the threads of the calling TBB arena
 };
 

@@ -42,11 +42,11 @@ UnitFrame unit_frame_of(const Shape& shape) {
 double cells_per_offset(OffsetAccuracy accuracy) {
   switch (accuracy) {
     case OffsetAccuracy::fast:
-      return 3;
+      return 2.5;
     case OffsetAccuracy::fine:
-      return 6;
+      return 5;
     default:
-      return 4;
+      return 3;
   }
 }
 

@@ -15,7 +15,7 @@ namespace shapegauge {
 /// earlier versions is then computed anew.
 inline constexpr int offset_sdf_version = 4;
 
-/// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/3, r/4 or r/6.
+/// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
 
 /// Settings of the SDF of the offset surface.

@@ -66,8 +66,7 @@ std::vector<Parameter> offset_sdf_parameters() {
            .kind = ParameterKind::choice,
            .default_value = OffsetSdfOptions::accuracy_words[static_cast<std::size_t>(OffsetSdfOptions{}.accuracy)],
            .choices = OffsetSdfOptions::accuracy_words,
-           .description = "How fine the grid of the computation is: cells of a third, a quarter or a sixth of the "
-                          "offset (docs/offset_sdf.md#what-is-promised)."}};
+           .description = "How fine the grid of the computation is: its cells are the offset over 2.5, 3 or 5."}};
 }
 
 constexpr std::array<std::string_view, 2> engines{"embree", "cgal"};
