@@ -10,6 +10,7 @@
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 #include <limits>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
@@ -43,46 +44,6 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
     result = std::min(result, squared[i]);
   }
   return result;
-}
-
-/// The number of the nearest point, and its squared distance, if it is less than the one given.
-void nearest_point(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
-                   float& squared, std::size_t& number) {
-  const hn::CappedTag<float, 16> d;
-  const hn::RebindToSigned<decltype(d)> di;
-  const auto fx = hn::Set(d, from.x());
-  const auto fy = hn::Set(d, from.y());
-  const auto fz = hn::Set(d, from.z());
-  auto best = hn::Set(d, squared);
-  auto best_index = hn::Set(di, -1);
-  std::size_t i = 0;
-  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
-    const auto dx = hn::Sub(hn::LoadU(d, x + i), fx);
-    const auto dy = hn::Sub(hn::LoadU(d, y + i), fy);
-    const auto dz = hn::Sub(hn::LoadU(d, z + i), fz);
-    const auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-    const auto better = hn::Lt(sum, best);
-    best = hn::Min(sum, best);
-    best_index = hn::IfThenElse(hn::RebindMask(di, better), hn::Set(di, static_cast<std::int32_t>(i)), best_index);
-  }
-  alignas(64) std::array<float, 16> lane_squared;
-  alignas(64) std::array<std::int32_t, 16> lane_index;
-  hn::Store(best, d, lane_squared.data());
-  hn::Store(best_index, di, lane_index.data());
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    if (lane_index[lane] < 0 || !(lane_squared[lane] < squared)) continue;
-    squared = lane_squared[lane];
-    number = static_cast<std::size_t>(lane_index[lane]) + lane;
-  }
-  for (; i < n; ++i) {
-    const float dx = x[i] - from.x();
-    const float dy = y[i] - from.y();
-    const float dz = z[i] - from.z();
-    const float sum = std::fma(dx, dx, std::fma(dy, dy, dz * dz));
-    if (!(sum < squared)) continue;
-    squared = sum;
-    number = i;
-  }
 }
 
 std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
@@ -162,7 +123,6 @@ namespace shapegauge {
 
 HWY_EXPORT(squared_distances_to);
 HWY_EXPORT(nearest_of_cells);
-HWY_EXPORT(nearest_point);
 HWY_EXPORT(indices_of);
 
 namespace {
@@ -247,24 +207,50 @@ std::size_t indices_within(const float* numbers, std::size_t n, float limit, std
   return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
 }
 
-std::int32_t nearest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x) {
+  constexpr std::size_t most = TriangleTable::at_once;
+  struct Candidate {
+    float squared;
+    std::int32_t triangle;
+  };
+  std::array<Candidate, most> nearest;
+  nearest.fill({std::numeric_limits<float>::infinity(), -1});
+  thread_local std::vector<float> squared;
+  thread_local std::vector<std::uint32_t> indices;
+  const auto hidden = static_cast<float>(surface.hidden);
   const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
   const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
-  float squared = std::numeric_limits<float>::infinity();
-  std::int32_t nearest = -1;
   for (int k = low.z(); k <= high.z(); ++k) {
     for (int j = low.y(); j <= high.y(); ++j) {
       const std::size_t begin = surface.first[grid.block_index({low.x(), j, k})];
       const std::size_t count = surface.first[grid.block_index({high.x(), j, k}) + 1] - begin;
       if (count == 0) continue;
-      std::size_t number = count;
-      HWY_DYNAMIC_DISPATCH(nearest_point)
-      (&surface.x[begin], &surface.y[begin], &surface.z[begin], count, x.cast<float>(), squared, number);
-      if (number < count) nearest = surface.triangle[begin + number];
+      if (squared.size() < count) squared.resize(count);
+      if (indices.size() < count) indices.resize(count);
+      const float least = squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin], count,
+                                            x.cast<float>(), squared.data());
+      const float limit = std::min(least, nearest.front().squared) + hidden;
+      if (least > limit) continue;
+      const std::size_t found = indices_within(squared.data(), count, limit, indices.data());
+      for (std::size_t i = 0; i < found; ++i) {
+        const Candidate candidate{squared[indices[i]], surface.triangle[begin + indices[i]]};
+        if (candidate.squared >= nearest.back().squared) continue;
+        std::size_t at = most - 1;
+        for (; at > 0 && nearest[at - 1].squared > candidate.squared; --at) nearest[at] = nearest[at - 1];
+        nearest[at] = candidate;
+      }
     }
   }
-  return nearest;
+  if (nearest[1].triangle < 0) return nearest.front().triangle;
+  std::array<std::int32_t, most> triangles;
+  for (std::size_t i = 0; i < most; ++i) {
+    triangles[i] = nearest[i].triangle >= 0 ? nearest[i].triangle : nearest.front().triangle;
+  }
+  TriangleTable::Vectors vectors;
+  surface.triangles.vectors_to(x, triangles.data(), vectors);
+  return triangles[static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
+                                            vectors.squared.begin())];
 }
 
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,

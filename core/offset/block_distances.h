@@ -26,9 +26,9 @@ struct NearbyPoints {
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
                         NearbyPoints& nearby, BoundaryBlock& found);
 
-/// The triangle of the surface's point nearest to x, of those in the blocks within reach of a place on the surface; -1
-/// where there is none.
-std::int32_t nearest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+/// The triangle closest to x of those with points in the blocks within reach of a place on the surface; -1 where there
+/// is none. Of triangles much smaller than the points' spacing, one that is hardly farther.
+std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x);
 
 /// The smallest squared distance from x to the n points, and how far away each is.

@@ -143,6 +143,8 @@ GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart
     for (const Point& point : points) ++first[point.block + 1];
   }
   for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
+  // A triangle's own points are no farther than this from any place on it.
+  if (first.back() > 2 * n) hidden = 0.5 * spacing * spacing;
   x.resize(first.back());
   y.resize(first.back());
   z.resize(first.back());

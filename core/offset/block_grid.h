@@ -69,6 +69,9 @@ struct GridSurface {
   std::vector<std::uint32_t> first;    ///< of each block's points, and one past the last's
 
   double spacing;  ///< of the points, in cells
+  /// How much farther, squared, than the nearest point one may be whose triangle is the closest: nothing where most
+  /// triangles have one point.
+  double hidden = 0;
 
   /// The points are so many cells apart.
   GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);

@@ -1,7 +1,7 @@
 #include "shapegauge/core/offset/exterior_grid.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <tbb/blocked_range.h>
@@ -137,8 +137,11 @@ std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vec
   BlockRows open(grid_);
   BlockRows far(grid_);
   const std::size_t words = open.words();
-  for (std::size_t i = 0; i < near_surface.size(); ++i) {
-    if (near_surface[i] == 0) open.set(i / size_x, i % size_x);
+  const std::size_t rows = near_surface.size() / size_x;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t x = 0; x < size_x; ++x) {
+      if (near_surface[row * size_x + x] == 0) open.set(row, x);
+    }
   }
   std::vector<std::size_t> waiting{0};
   far.set(0, 0);
@@ -167,24 +170,25 @@ std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vec
     });
   }
   std::vector<Reached> touched;
-  for (std::size_t i = 0; i < near_surface.size(); ++i) {
-    const std::size_t row = i / size_x;
-    const std::size_t x = i % size_x;
-    const auto is_far = [&](std::size_t at_row, std::size_t at) {
-      return (far.row(at_row)[at / BlockRows::bits] >> (at % BlockRows::bits) & 1U) != 0;
-    };
-    if (near_surface[i] == 0) {
-      if (is_far(row, x)) state_[i] = all_exterior;
-      continue;
+  const auto is_far = [&](std::size_t row, std::size_t x) {
+    return (far.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t x = 0; x < size_x; ++x) {
+      const std::size_t i = row * size_x + x;
+      if (near_surface[i] == 0) {
+        if (is_far(row, x)) state_[i] = all_exterior;
+        continue;
+      }
+      Cells seeds = 0;
+      if (x > 0 && is_far(row, x - 1)) seeds |= low_x;
+      if (x + 1 < size_x && is_far(row, x + 1)) seeds |= high_x;
+      for_each_side(row, [&](std::size_t next, int side) {
+        constexpr std::array<Cells, 6> touching{low_x, high_x, low_y, high_y, low_z, high_z};
+        if (is_far(next, x)) seeds |= touching[static_cast<std::size_t>(side)];
+      });
+      if (seeds != 0) touched.push_back({static_cast<std::uint32_t>(i), seeds});
     }
-    Cells seeds = 0;
-    if (x > 0 && is_far(row, x - 1)) seeds |= low_x;
-    if (x + 1 < size_x && is_far(row, x + 1)) seeds |= high_x;
-    for_each_side(row, [&](std::size_t next, int side) {
-      constexpr std::array<Cells, 6> touching{low_x, high_x, low_y, high_y, low_z, high_z};
-      if (is_far(next, x)) seeds |= touching[static_cast<std::size_t>(side)];
-    });
-    if (seeds != 0) touched.push_back({static_cast<std::uint32_t>(i), seeds});
   }
   return touched;
 }
@@ -195,8 +199,9 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
   std::vector<std::uint32_t> passing;  // exterior blocks whose neighbours have not been told
   std::vector<Reached> reached = flood_far_blocks(near_surface);
   // The state of the k-th that was reached is unknown - 1 - k until it has been looked at.
-  for (std::size_t k = 0; k < reached.size(); ++k) state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
-  std::vector<Cells> seeds;            // of each boundary block, that have not spread
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
+  std::vector<Cells> seeds;  // of each boundary block, that have not spread
   std::vector<std::int32_t> spreading;
   const auto pass_on = [&](std::uint32_t index, Cells cells) {
     const Eigen::Vector3i block = grid_.block_at(index);

@@ -45,8 +45,8 @@ class Projection {
   /// Nothing where they have no point in common.
   std::optional<Eigen::Vector3d> find() {
     const std::size_t n = contacts_.count;
-    const auto worst = static_cast<std::size_t>(std::max_element(missing_.begin(), missing_.begin() + n) -
-                                                missing_.begin());
+    const auto worst =
+        static_cast<std::size_t>(std::max_element(missing_.begin(), missing_.begin() + n) - missing_.begin());
     if (missing_[worst] <= tolerance) return p_;
     // Alone only the plane farthest from p can do: seen from it, all others are nearer.
     if (const auto x = held_by<1>({worst}, {missing_[worst]})) return x;
@@ -197,8 +197,8 @@ Contacts contacts_for(const Surroundings& around, const Contacts& before, const 
     auto least = static_cast<float>(covering * covering);
     for (std::size_t i = before.count; i < around.count; ++i) {
       if (around.squared(i) >= least) continue;
-      if (contacts.count > old &&
-          around.vector(i).dot(contacts.list[old].normal) > same_direction * std::sqrt(static_cast<double>(around.squared(i)))) {
+      if (contacts.count > old && around.vector(i).dot(contacts.list[old].normal) >
+                                      same_direction * std::sqrt(static_cast<double>(around.squared(i)))) {
         continue;
       }
       least = around.squared(i);
@@ -247,7 +247,7 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
       for (std::size_t i = 0; i < contacts.count; ++i) {
         if (!kept[i]) continue;
         const Eigen::Vector3d place = x - r * contacts.list[i].normal;
-        const std::int32_t nearest = nearest_triangle_about(exterior.grid(), exterior.surface(), place, 0.7, x);
+        const std::int32_t nearest = closest_triangle_about(exterior.grid(), exterior.surface(), place, 0.7, x);
         if (nearest >= 0 && around.count < around.triangles.size()) around.add(nearest);
       }
     }

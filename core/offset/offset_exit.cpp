@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/triangle_table.h"
 
 namespace shapegauge {
@@ -24,8 +25,8 @@ double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, doub
   return std::max(least, 0.0) + 1e-6;
 }
 
-/// Where the ray leaves the block without its outermost half cells, x being relative to the block's corner; 0 where x is
-/// not in there.
+/// Where the ray leaves the block without its outermost half cells, x being relative to the block's corner; 0 where x
+/// is not in there.
 double leave_inside(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse) {
   constexpr double low = 0.5;
   constexpr double high = block_edge - 0.5;
@@ -37,13 +38,25 @@ double leave_inside(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse) {
   return least + 1e-6;
 }
 
+/// How far along the ray the balls of radius r about the ends of the vectors cover it; 0 where none does.
+double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d& direction, double r) {
+  const double outside = r * (1 + 1e-4);
+  double end = 0;
+  for (std::size_t i = 0; i < TriangleTable::at_once; ++i) {
+    const double squared = static_cast<double>(vectors.squared[i]);
+    if (squared >= r * r) continue;
+    const double along = vectors.vector(i).dot(direction);
+    end = std::max(end, std::sqrt(along * along + outside * outside - squared) - along);
+  }
+  return end;
+}
+
 }  // namespace
 
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
   const BlockGrid& grid = exterior.grid();
   const Eigen::Vector3d inverse = direction.cwiseInverse();
   const double r = grid.r;
-  const double outside = r * (1 + 1e-4);
   TriangleTable::Vectors vectors;
   double t = r;
   for (int step = 0; step < 100000; ++step) {
@@ -68,14 +81,20 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
     }
     // Balls about the closest points of the triangles around cover a stretch of the ray; the farthest end counts.
     if (!vectors_around(exterior, around, x, vectors)) return t;
-    double covered = 0;
-    for (std::size_t i = 0; i < TriangleTable::at_once; ++i) {
-      const double squared = static_cast<double>(vectors.squared[i]);
-      if (squared >= r * r) continue;
-      const double along = vectors.vector(i).dot(direction);
-      covered = std::max(covered, std::sqrt(along * along + outside * outside - squared) - along);
+    double covered = end_of_balls(vectors, direction, r);
+    if (covered == 0) {
+      // Perhaps a triangle that no cell knows of, near the one that is closest.
+      const auto closest = static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
+                                                    vectors.squared.begin());
+      const std::int32_t triangle =
+          closest_triangle_about(grid, exterior.surface(), x - vectors.vector(closest), 0.7, x);
+      if (triangle < 0) return t;
+      std::array<std::int32_t, TriangleTable::at_once> triangles;
+      triangles.fill(triangle);
+      exterior.surface().triangles.vectors_to(x, triangles.data(), vectors);
+      covered = end_of_balls(vectors, direction, r);
+      if (covered == 0) return t;
     }
-    if (covered == 0) return t;
     t += std::max(covered, 1e-4 * r);
   }
   return t;

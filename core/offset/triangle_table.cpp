@@ -129,7 +129,10 @@ namespace shapegauge {
 
 HWY_EXPORT(vectors);
 
-void TriangleTable::set(std::size_t index, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c) {
+void TriangleTable::resize(std::size_t count) { records_.resize(count); }
+
+void TriangleTable::set(std::size_t index, const Eigen::Vector3f& a, const Eigen::Vector3f& b,
+                        const Eigen::Vector3f& c) {
   const Eigen::Vector3f ab = b - a;
   const Eigen::Vector3f ac = c - a;
   // (x - a) . dual_b and (x - a) . dual_c are the coordinates v and w of x; NaN, and no point is inside, without area.
@@ -144,7 +147,7 @@ void TriangleTable::set(std::size_t index, const Eigen::Vector3f& a, const Eigen
   const float bc2 = (c - b).squaredNorm();
   const float inverse_bc2 = bc2 > 1e-30F ? 1 / bc2 : 0;
   records_[index] = {{a.x(), a.y(), a.z(), ab.x(), ab.y(), ab.z(), ac.x(), ac.y(), ac.z(), dual_b.x(), dual_b.y(),
-                       dual_b.z(), dual_c.x(), dual_c.y(), dual_c.z(), inverse_bc2}};
+                      dual_b.z(), dual_c.x(), dual_c.y(), dual_c.z(), inverse_bc2}};
 }
 
 void TriangleTable::vectors_to(const Eigen::Vector3d& x, const std::int32_t* triangles, Vectors& result) const {

@@ -14,7 +14,7 @@ class TriangleTable {
  public:
   static constexpr std::size_t at_once = 8;
 
-  void resize(std::size_t count) { records_.resize(count); }
+  void resize(std::size_t count);
   void set(std::size_t index, const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
   [[nodiscard]] std::size_t size() const { return records_.size(); }
 

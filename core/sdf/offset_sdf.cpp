@@ -75,10 +75,9 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   check(options);
   const Clock::time_point start = Clock::now();
   const Points points = (samples.points.rowwise() - frame_.centre.transpose()) / frame_.diagonal;
-  OffsetAnswers answers = answer_by_grid(shape_, points, samples.normals,
-                                         {.offset = options.offset,
-                                          .cells_per_offset = cells_per_offset(options.accuracy),
-                                          .parallel = options.parallel});
+  OffsetAnswers answers = answer_by_grid(
+      shape_, points, samples.normals,
+      {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel});
   OffsetSdfResult result;
   result.values = answers.values * frame_.diagonal;
   result.outcomes = count(answers, options.offset);

@@ -5,8 +5,8 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-#include "tests/oracle/exterior_frontier.h"
 #include "tests/core/spatial/random_triangle.h"
+#include "tests/oracle/exterior_frontier.h"
 
 namespace shapegauge {
 namespace {

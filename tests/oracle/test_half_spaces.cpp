@@ -2,8 +2,8 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-#include "tests/oracle/half_spaces.h"
 #include "tests/core/spatial/random_triangle.h"
+#include "tests/oracle/half_spaces.h"
 
 namespace shapegauge {
 namespace {

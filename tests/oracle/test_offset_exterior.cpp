@@ -3,8 +3,8 @@
 
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
-#include "tests/oracle/offset_exterior.h"
 #include "tests/core/spatial/random_triangle.h"
+#include "tests/oracle/offset_exterior.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "tests/oracle/exterior_entry.h"
 #include "tests/oracle/nearest_exterior.h"

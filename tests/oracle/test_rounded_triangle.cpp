@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "tests/oracle/rounded_triangle.h"
 #include "tests/core/spatial/random_triangle.h"
+#include "tests/oracle/rounded_triangle.h"
 
 namespace shapegauge {
 namespace {

@@ -4,10 +4,10 @@
 #include <limits>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
-#include "shapegauge/core/base/random_numbers.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

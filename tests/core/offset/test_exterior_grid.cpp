@@ -24,7 +24,9 @@ std::vector<bool> exterior_cells(const ExteriorGrid& exterior) {
 
 struct Flooded {
   explicit Flooded(const Shape& shape, double offset, double h, bool parallel = false)
-      : grid(bounding_box(shape), offset, h), surface(grid, shape, 1, parallel), exterior(grid, surface, 0.9, parallel) {}
+      : grid(bounding_box(shape), offset, h),
+        surface(grid, shape, 1, parallel),
+        exterior(grid, surface, 0.9, parallel) {}
 
   [[nodiscard]] bool is_exterior(const Eigen::Vector3d& x) const {
     return cells_around(exterior, grid.to_cells(x)).touches_exterior;

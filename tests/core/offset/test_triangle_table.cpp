@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/offset/triangle_table.h"
 #include "shapegauge/core/spatial/closest_point.h"
-#include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
 namespace {

@@ -25,8 +25,7 @@ inline void PrintTo(const OffsetCase& one, std::ostream* stream) { *stream << on
 inline Shape star() {
   std::vector<Shape> arms;
   for (unsigned i = 0; i < 4; ++i) {
-    arms.push_back(transformed(capsule(0.18, 1, 8, 3), 1, rotation(i),
-                                     0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
+    arms.push_back(transformed(capsule(0.18, 1, 8, 3), 1, rotation(i), 0.3 * Eigen::Vector3d(i & 1U, i & 2U, 0)));
   }
   return joined(arms);
 }

@@ -22,8 +22,8 @@ using testing::HasSubstr;
 TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.samples.site, SampleSite::vertices);
-  EXPECT_EQ(field.settings, (nlohmann::json{
-                                {"type", "offset_sdf"}, {"offset", 0.03}, {"accuracy", "standard"}, {"at", "vertices"}}));
+  EXPECT_EQ(field.settings,
+            (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"accuracy", "standard"}, {"at", "vertices"}}));
   const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
@@ -35,8 +35,9 @@ TEST(MakeField, OffsetSdfIsThatOfTheCore) {
 TEST(MakeField, TakesTheAccuracyOfTheOffsetSdf) {
   const Shape shape = test::torus(1, 0.4, 24, 12);
   const Samples samples = sample_shape(shape, SampleSite::faces);
-  for (const auto& [word, accuracy] :
-       {std::pair("fast", OffsetAccuracy::fast), {"standard", OffsetAccuracy::standard}, {"fine", OffsetAccuracy::fine}}) {
+  for (const auto& [word, accuracy] : {std::pair("fast", OffsetAccuracy::fast),
+                                       {"standard", OffsetAccuracy::standard},
+                                       {"fine", OffsetAccuracy::fine}}) {
     FieldSource source(shape);
     const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.2}, {"accuracy", word}});
     EXPECT_EQ(field.compute(source, samples, false).values,
