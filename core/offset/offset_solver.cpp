@@ -214,7 +214,7 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
                                Room& room, OffsetOutcome& outcome) const {
   constexpr double apart = 2;
   constexpr std::size_t most_starts = 3;
-  constexpr double surface_tolerance = 0.02;
+  constexpr double nearly_free = 0.8;  // of r
   const auto place = [&](std::uint32_t site) {
     return Eigen::Vector3d(sites_.x[site], sites_.y[site], sites_.z[site]);
   };
@@ -236,10 +236,13 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
         const Eigen::Vector3d site = place(start.site);
         const bool is_known = best < std::numeric_limits<double>::infinity() && (site - q).norm() < apart;
         if (is_known || static_cast<double>(start.distance) - gain > best) continue;
-        const auto x = nearest_offset_point(exterior_, raised, site, sites_.triangle[start.site]);
+        auto x = nearest_offset_point(exterior_, raised, site, sites_.triangle[start.site]);
+        if (!x) continue;
         // p is on the surface, though perhaps no cell near x knows of its triangle.
-        const bool is_covered = x && (*x - p).norm() < (1 - surface_tolerance) * grid_.r;
-        if (!x || is_covered || !((*x - raised).norm() < best)) continue;
+        const double height = (*x - p).norm();
+        if (height < nearly_free * grid_.r) continue;
+        if (height < grid_.r) *x = p + grid_.r / height * (*x - p);
+        if (!((*x - raised).norm() < best)) continue;
         best = (*x - raised).norm();
         q = *x;
       }
