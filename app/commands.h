@@ -23,6 +23,9 @@ void catch_interruption();
 /// Whether the program has been interrupted since catch_interruption().
 bool interrupted();
 
+/// The exit status of a program that has been interrupted.
+int interruption_status();
+
 /// The commands that the app, or a command, has.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 

@@ -82,13 +82,7 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
 Described described(const DescriptorChoice& choice, const Shape& given, bool denoise) {
   const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
   Described result;
-  if (!choice.fields.empty()) {
-    const Samples samples = take_samples(shape, choice.fields.front().samples);
-    FieldSource source(shape);
-    for (const Field& field : choice.fields) {
-      result.fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});
-    }
-  }
+  result.fields = compute_fields(choice, shape);
   if (learns(choice.descriptor, choice.values)) return result;
   result.features = choice.descriptor.describe({.shape = shape, .fields = result.fields}, {}, choice.values);
   result.fields.clear();

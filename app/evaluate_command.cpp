@@ -91,7 +91,7 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
 }
 
 void write_report(const NamedEvaluation& named, const EvaluationData& data, const fs::path& path) {
-  const DistanceMatrix distances = whole_matrix(data.distances);
+  const DistanceOverview distances = overview_of(whole_matrix(data.distances), data.task.retrieval.query_classes);
   Report report;
   report.title = named.method;
   report.classes = data.task.class_names;

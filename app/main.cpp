@@ -186,7 +186,7 @@ int run_command(std::span<const std::string> arguments) {
   try {
     status = std::max(parse_and_run(app, arguments), status);
   } catch (const Interrupted& interruption) {
-    return report(interruption.what(), 128 + received_signal);
+    return report(interruption.what(), interruption_status());
   } catch (const std::bad_alloc&) {
     return report("out of memory", exit_unusable_input);
   } catch (const std::exception& error) {
@@ -218,6 +218,8 @@ void catch_interruption() {
 }
 
 bool interrupted() { return received_signal != 0; }
+
+int interruption_status() { return 128 + received_signal; }
 
 }  // namespace shapegauge
 

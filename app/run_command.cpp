@@ -1,11 +1,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -20,6 +24,8 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/replay.h"
 #include "shapegauge/experiments/results/result_folder.h"
@@ -214,42 +220,65 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
           }};
 }
 
-// Retrieval experiments and comparisons.
+// Retrieval experiments, comparisons and segmentations.
 
-/// The experiment, through the cache.
+/// What an interrupted run says.
+std::string interruption_text(const Cache& cache) {
+  return cache.folder().empty() ? "interrupted; no results were written"
+                                : "interrupted; no results were written. The shapes that were done are in the cache: "
+                                  "the same run goes on from there";
+}
+
+/// The experiment, through the cache, into the folder.
 ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,
-                                 const fs::path& folder, ProgressLine& progress) {
+                                 const fs::path& folder, ProgressLine& progress, Communicator& ranks) {
   const std::unique_ptr<Cache> cache = cache_for(arguments);
   const CacheWarnings warnings(*cache, progress);
   try {
-    return run_experiment(configuration, folder / "dataset", run_control(arguments, progress), *cache);
+    return run_into_folder(folder, configuration, run_control(arguments, progress), *cache, ranks);
   } catch (const Interrupted&) {
-    if (cache->folder().empty()) throw;
-    throw Interrupted(
-        "interrupted; no results were written. The shapes that were done are in the cache: the same run goes on from "
-        "there");
+    throw Interrupted(interruption_text(*cache));
   }
 }
 
-int run_retrieval(const RunArguments& arguments, const RequestedRun& request) {
-  const Configuration configuration = configuration_from_json(request.document, request.source, request.folder);
-  const std::uintmax_t limit = cache_limit();
-  const fs::path folder = result_folder(arguments, configuration.name);
-  const FolderLock lock(folder);
-  prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
-  warn_of_inputs(request, configuration, arguments.threads);
-  ProgressLine progress;
-  const ExperimentResults results = run_with_cache(arguments, configuration, folder, progress);
-  with_threads(arguments.threads, [&] { write_results(folder, results); });
-  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
-  progress.clear();
+/// Throws SharedError where the ranks do not read the same configuration.
+void compare_configurations(const Configuration& configuration, Communicator& ranks) {
+  const std::string own = to_json(configuration).dump();
+  const std::string first = ranks.broadcast(own);
+  agree_on(own == first ? "" : fmt::format("rank {} reads another configuration than rank 0", ranks.rank()), ranks);
+}
+
+/// Prints what a run has to say at its end; returns the exit status.
+int report_run(const ExperimentResults& results, const RequestedRun& request, const fs::path& folder) {
   fmt::print("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
-  if (configuration.report.wanted) fmt::print("Report: {}\n", (folder / report_name).string());
+  if (results.configuration.report.wanted) fmt::print("Report: {}\n", (folder / report_name).string());
   std::vector<LeftOut> left_out;
   for (const FailedModel& failure : results.failures)
     left_out.push_back({"model " + failure.model.id, failure.message});
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
   return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.models.size(), "models"));
+}
+
+int run_retrieval(const RunArguments& arguments, const RequestedRun& request, Communicator& ranks) {
+  Configuration configuration;
+  fs::path folder;
+  std::optional<FolderLock> lock;
+  on_all_ranks(ranks, [&] {
+    configuration = configuration_from_json(request.document, request.source, request.folder);
+    folder = result_folder(arguments, configuration.name);
+    cache_limit();  // says now what is wrong with it
+    if (ranks.rank() != 0) return;
+    lock.emplace(folder);
+    prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
+    warn_of_inputs(request, configuration, arguments.threads);
+  });
+  compare_configurations(configuration, ranks);
+  ProgressLine progress;
+  const ExperimentResults results = run_with_cache(arguments, configuration, folder, progress, ranks);
+  if (ranks.rank() != 0) return exit_success;
+  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, cache_limit());
+  progress.clear();
+  return report_run(results, request, folder);
 }
 
 int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
@@ -294,10 +323,78 @@ int run_parts(const RunArguments& arguments, const RequestedRun& request) {
   return std::max(replayed, report_flaws({}, left_out, left_out.size() + results.shapes.size(), "shapes"));
 }
 
-int run(const RunArguments& arguments) {
-  const RequestedRun request = requested_run(arguments.source);
+/// A request as all ranks have it.
+int run_request(const RunArguments& arguments, Communicator& ranks) {
+  RequestedRun request;
+  on_all_ranks(ranks, [&] {
+    request = requested_run(arguments.source);
+    if (ranks.size() == 1 || !(is_comparison(request.document) || is_segmentation(request.document))) return;
+    throw InputError(
+        fmt::format("{}: comparisons and segmentations run in one process, without mpirun or srun", request.source));
+  });
   if (is_comparison(request.document)) return run_shapes(arguments, request);
-  return is_segmentation(request.document) ? run_parts(arguments, request) : run_retrieval(arguments, request);
+  return is_segmentation(request.document) ? run_parts(arguments, request) : run_retrieval(arguments, request, ranks);
+}
+
+// Runs of several processes.
+
+/// While it lives, says at once that the run was interrupted: who ends the processes of a run, because one of them died
+/// or the job's time is over, waits for a second only.
+class InterruptionNotice {
+ public:
+  InterruptionNotice(const Communicator& ranks, std::string text) {
+    // Two of them: the first may be the one that died.
+    if (ranks.rank() > 1) return;
+    thread_ = std::thread([this, text = fmt::format("rank {}: {}", ranks.rank(), text)] {
+      while (!ended_ && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      if (!ended_) fmt::print(stderr, "shapegauge: error: {}\n", text);
+    });
+  }
+  InterruptionNotice(const InterruptionNotice&) = delete;
+  InterruptionNotice& operator=(const InterruptionNotice&) = delete;
+  InterruptionNotice(InterruptionNotice&&) = delete;
+  InterruptionNotice& operator=(InterruptionNotice&&) = delete;
+  ~InterruptionNotice() { end(); }
+
+  void end() {
+    ended_ = !interrupted();
+    if (thread_.joinable()) thread_.join();
+  }
+
+ private:
+  std::atomic<bool> ended_ = false;
+  std::thread thread_;
+};
+
+/// This process's part of a run of several. Rank 0 says what there is to say. Where something happens that the others
+/// do not know of, this process says it and ends all.
+int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
+  if (arguments.threads == 0) arguments.threads = 1;
+  if (ranks.rank() != 0) set_verbosity(Verbosity::quiet);
+  catch_interruption();
+  ranks.set_waiting([] {
+    if (interrupted()) throw Interrupted();
+  });
+  InterruptionNotice notice(ranks, interruption_text(*cache_for(arguments)));
+  try {
+    return run_request(arguments, ranks);
+  } catch (const SharedError&) {
+    if (ranks.rank() == 0) throw;
+    return exit_unusable_input;
+  } catch (const Interrupted&) {
+    notice.end();
+    ranks.abort(interruption_status());
+    return interruption_status();
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "shapegauge: error: rank {}: {}\n", ranks.rank(), error.what());
+    ranks.abort(exit_unusable_input);
+    return exit_unusable_input;
+  }
+}
+
+int run(const RunArguments& arguments) {
+  const std::unique_ptr<Communicator> ranks = started_processes();
+  return ranks->size() == 1 ? run_request(arguments, *ranks) : run_as_one_of_many(arguments, *ranks);
 }
 
 }  // namespace
@@ -311,6 +408,7 @@ void add_run_command(CLI::App& app, int& status) {
       "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that "
       "was\n"
       "interrupted goes on from there, and other bins need no new field. See shapegauge cache --help.\n"
+      "Under mpirun or srun the processes share the work, each with one thread unless --threads says otherwise.\n"
       "With --replay results/NAME/manifest.json the run that wrote the manifest is repeated, without the cache, into\n"
       "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");
   const auto arguments = std::make_shared<RunArguments>();

@@ -2,13 +2,7 @@
 //
 //     benchmark_segmentation [options of Google Benchmark] MESH...
 //
-// Names are MESH/what. Times are of one thread and include the SDF. CGAL cuts with Boost's max-flow: that of its
-// default keeps the flow of one expansion for the next, which makes it fast and its cuts wrong.
-#define CGAL_DO_NOT_USE_BOYKOV_KOLMOGOROV_MAXFLOW_SOFTWARE
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/mesh_segmentation.h>
+// Names are MESH/what. Times are of one thread and include the SDF. CGAL cuts with libmaxflow (cgal_segmentation.h).
 #include <benchmark/benchmark.h>
 #include <exception>
 #include <filesystem>
@@ -18,6 +12,7 @@
 #include <tbb/task_arena.h>
 #include <vector>
 
+#include "benchmarks/cgal_segmentation.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
@@ -26,23 +21,6 @@
 namespace {
 
 using namespace shapegauge;
-using Kernel = CGAL::Simple_cartesian<double>;
-using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-void segment_by_cgal(const Shape& shape) {
-  CgalMesh mesh;
-  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
-    mesh.add_vertex({shape.vertices(v, 0), shape.vertices(v, 1), shape.vertices(v, 2)});
-  }
-  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-    const auto corner = [&](int k) { return CgalMesh::Vertex_index(static_cast<unsigned>(shape.triangles(f, k))); };
-    mesh.add_face(corner(0), corner(1), corner(2));
-  }
-  const auto sdf = mesh.add_property_map<CgalMesh::Face_index, double>("f:sdf").first;
-  const auto segments = mesh.add_property_map<CgalMesh::Face_index, std::size_t>("f:segment").first;
-  CGAL::sdf_values(mesh, sdf);
-  benchmark::DoNotOptimize(CGAL::segmentation_from_sdf_values(mesh, sdf, segments, 4, 0.1));
-}
 
 void segment_as_the_paper(const Shape& shape) {
   const SurfaceGraph graph = surface_graph(shape);
@@ -67,7 +45,8 @@ int run(int argc, char** argv) {
     add_case(name + "/best", shapes[i],
              [](const Shape& shape) { benchmark::DoNotOptimize(part_segmentation(shape, {})); });
     add_case(name + "/paper", shapes[i], segment_as_the_paper);
-    add_case(name + "/cgal", shapes[i], segment_by_cgal);
+    add_case(name + "/cgal", shapes[i],
+             [](const Shape& shape) { benchmark::DoNotOptimize(cgal_segmentation(shape, 4, 0.1)); });
   }
   benchmark::RunSpecifiedBenchmarks();
   return 0;

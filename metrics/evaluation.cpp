@@ -90,13 +90,6 @@ Eigen::VectorXd mean_of_rows(const Eigen::MatrixXd& table) {
   return sum / static_cast<double>(table.rows());
 }
 
-struct QueryResults {
-  Eigen::MatrixXd measures;           // queries x measures
-  Eigen::MatrixXd precisions;         // queries x recall levels
-  std::vector<std::size_t> relevant;  // of each query
-  std::vector<char> tied;             // of each query; no vector<bool>, whose neighbours two threads cannot write
-};
-
 // The part of a task for `count` of its rows from `first` on.
 RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Index count) {
   RetrievalTask part{.query_classes = {},
@@ -117,54 +110,6 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
   return part;
 }
 
-// Judges the queries of one evaluation, some rows after the other.
-class Judge {
- public:
-  Judge(const RetrievalTask& task, std::span<const Measure> measures, const Evaluation& evaluation)
-      : task_(task), measures_(measures), evaluation_(evaluation) {
-    const std::vector<std::size_t> relevant = relevant_counts(task);
-    largest_ = *std::ranges::max_element(relevant) + (evaluation.protocol == Protocol::paper ? 1 : 0);
-    const auto count = static_cast<Eigen::Index>(evaluation.queries.size());
-    results_.measures.resize(count, static_cast<Eigen::Index>(measures.size()));
-    results_.precisions.resize(count, static_cast<Eigen::Index>(recall_levels(evaluation.curve, largest_).size()));
-    results_.relevant.resize(evaluation.queries.size());
-    results_.tied.resize(evaluation.queries.size());
-  }
-
-  // The queries among the rows, which begin with the matrix's row `first`.
-  void judge(const DistanceTable& rows, Eigen::Index first) {
-    if (!task_.lists_may_end_early) check_numbers(rows, first);
-    const bool is_whole = first == 0 && static_cast<std::size_t>(rows.rows()) == task_.query_classes.size();
-    const RetrievalTask part = is_whole ? RetrievalTask{} : part_of(task_, first, rows.rows());
-    const auto begin = std::ranges::lower_bound(evaluation_.queries, first) - evaluation_.queries.begin();
-    const auto end = std::ranges::lower_bound(evaluation_.queries, first + rows.rows()) - evaluation_.queries.begin();
-    tbb::parallel_for(begin, end, [&](std::ptrdiff_t query) {
-      const auto i = static_cast<std::size_t>(query);
-      keep(i, ranked_list(rows, is_whole ? task_ : part, evaluation_.queries[i] - first, evaluation_.protocol,
-                          evaluation_.ties));
-    });
-  }
-
-  [[nodiscard]] const QueryResults& results() const { return results_; }
-
- private:
-  void keep(std::size_t i, const RankedList& list) {
-    const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t j = 0; j < measures_.size(); ++j) {
-      results_.measures(row, static_cast<Eigen::Index>(j)) = measures_[j].value(list);
-    }
-    results_.precisions.row(row) = precision_at_levels(list, evaluation_.curve, largest_).transpose();
-    results_.relevant[i] = list.relevant;
-    results_.tied[i] = list.tied ? 1 : 0;
-  }
-
-  const RetrievalTask& task_;
-  std::span<const Measure> measures_;
-  const Evaluation& evaluation_;
-  std::size_t largest_ = 0;
-  QueryResults results_;
-};
-
 // The queries of each class, by evaluation.classes.
 std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evaluation) {
   std::map<int, std::vector<Eigen::Index>> queries;
@@ -177,7 +122,7 @@ std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evalua
   return by_class;
 }
 
-void draw_curves(const QueryResults& results, const std::vector<std::vector<Eigen::Index>>& groups,
+void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen::Index>>& groups,
                  const Eigen::MatrixXd& precisions_by_class, Evaluation& evaluation) {
   evaluation.micro_curve = average_curve(results.precisions, results.relevant, evaluation.curve);
   std::vector<std::size_t> relevant_of_class;  // a level counts for a class where it does for any of its queries
@@ -192,51 +137,82 @@ void draw_curves(const QueryResults& results, const std::vector<std::vector<Eige
   evaluation.macro_curve = average_curve(precisions_by_class, relevant_of_class, evaluation.curve);
 }
 
-// Evaluates; judge_all lets the judge see all rows, once each.
-template <typename JudgeAll>
-Evaluation evaluate_rows(const RetrievalTask& task, const EvaluationOptions& options, const JudgeAll& judge_all) {
-  const std::vector<Measure> measures =
-      options.measures.empty() ? default_measures(options.protocol) : options.measures;
-  Evaluation evaluation;
-  evaluation.protocol = options.protocol;
-  evaluation.ties = options.ties;
-  evaluation.curve = options.curve.value_or(usual_curve(options.protocol));
-  for (const Measure& measure : measures) evaluation.measures.push_back(measure.name);
-  choose_queries(task, options.minimum_class_size, evaluation);
+}  // namespace
 
-  Judge judge(task, measures, evaluation);
-  judge_all(judge);
-  const QueryResults& results = judge.results();
+RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last)
+    : task_(&task), measures_(options.measures.empty() ? default_measures(options.protocol) : options.measures) {
+  check_task(task.query_classes.size(), task.target_classes.size(), task, options);
+  blank_.protocol = options.protocol;
+  blank_.ties = options.ties;
+  blank_.curve = options.curve.value_or(usual_curve(options.protocol));
+  for (const Measure& measure : measures_) blank_.measures.push_back(measure.name);
+  choose_queries(task, options.minimum_class_size, blank_);
+  largest_ = std::ranges::max(relevant_counts(task)) + (blank_.protocol == Protocol::paper ? 1 : 0);
+
+  const auto begin = std::ranges::lower_bound(blank_.queries, first);
+  const auto count = std::ranges::lower_bound(blank_.queries, last) - begin;
+  first_query_ = static_cast<std::size_t>(begin - blank_.queries.begin());
+  scores_.measures.resize(count, std::ssize(measures_));
+  scores_.precisions.resize(count, std::ssize(recall_levels(blank_.curve, largest_)));
+  scores_.relevant.resize(static_cast<std::size_t>(count));
+  scores_.tied.resize(static_cast<std::size_t>(count));
+}
+
+void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
+  if (!task_->lists_may_end_early) check_numbers(rows, first);
+  const bool is_whole = first == 0 && static_cast<std::size_t>(rows.rows()) == task_->query_classes.size();
+  const RetrievalTask part = is_whole ? RetrievalTask{} : part_of(*task_, first, rows.rows());
+  const auto begin = std::ranges::lower_bound(blank_.queries, first) - blank_.queries.begin();
+  const auto end = std::ranges::lower_bound(blank_.queries, first + rows.rows()) - blank_.queries.begin();
+  tbb::parallel_for(begin, end, [&](std::ptrdiff_t query) {
+    const auto i = static_cast<std::size_t>(query);
+    keep(i - first_query_,
+         ranked_list(rows, is_whole ? *task_ : part, blank_.queries[i] - first, blank_.protocol, blank_.ties));
+  });
+}
+
+void RowJudge::keep(std::size_t score, const RankedList& list) {
+  const auto row = static_cast<Eigen::Index>(score);
+  for (std::size_t j = 0; j < measures_.size(); ++j) {
+    scores_.measures(row, static_cast<Eigen::Index>(j)) = measures_[j].value(list);
+  }
+  scores_.precisions.row(row) = precision_at_levels(list, blank_.curve, largest_).transpose();
+  scores_.relevant[score] = list.relevant;
+  scores_.tied[score] = list.tied ? 1 : 0;
+}
+
+Evaluation RowJudge::evaluation_of(const QueryScores& all) const {
+  Evaluation evaluation = blank_;
   const std::vector<std::vector<Eigen::Index>> groups = queries_by_class(evaluation);
-  evaluation.per_query = results.measures;
-  evaluation.per_class = mean_by_group(results.measures, groups);
+  evaluation.per_query = all.measures;
+  evaluation.per_class = mean_by_group(all.measures, groups);
   evaluation.micro = mean_of_rows(evaluation.per_query);
   evaluation.macro = mean_of_rows(evaluation.per_class);
-  evaluation.queries_with_ties = std::count(results.tied.begin(), results.tied.end(), 1);
-  draw_curves(results, groups, mean_by_group(results.precisions, groups), evaluation);
+  evaluation.queries_with_ties = std::count(all.tied.begin(), all.tied.end(), 1);
+  draw_curves(all, groups, mean_by_group(all.precisions, groups), evaluation);
   return evaluation;
 }
 
-}  // namespace
-
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   check_task(static_cast<std::size_t>(distances.rows()), static_cast<std::size_t>(distances.cols()), task, options);
-  return evaluate_rows(task, options, [&](Judge& judge) { judge.judge(distances, 0); });
+  RowJudge judge(task, options, 0, distances.rows());
+  judge.judge(distances, 0);
+  return judge.evaluation_of(judge.scores());
 }
 
 Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   constexpr Eigen::Index together = 256;
   const auto rows = static_cast<Eigen::Index>(task.query_classes.size());
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
-  return evaluate_rows(task, options, [&](Judge& judge) {
-    for (Eigen::Index first = 0; first < rows; first += together) {
-      const Eigen::Index count = std::min(together, rows - first);
-      const DistanceTableRows some = distances(first, count);
-      check_task(static_cast<std::size_t>(some.rows()), static_cast<std::size_t>(some.cols()),
-                 part_of(task, first, count), options);
-      judge.judge(some, first);
-    }
-  });
+  RowJudge judge(task, options, 0, rows);
+  for (Eigen::Index first = 0; first < rows; first += together) {
+    const Eigen::Index count = std::min(together, rows - first);
+    const DistanceTableRows some = distances(first, count);
+    check_task(static_cast<std::size_t>(some.rows()), static_cast<std::size_t>(some.cols()),
+               part_of(task, first, count), options);
+    judge.judge(some, first);
+  }
+  return judge.evaluation_of(judge.scores());
 }
 
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
@@ -10,6 +11,7 @@
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/precision_recall.h"
 #include "shapegauge/metrics/protocol.h"
+#include "shapegauge/metrics/ranked_list.h"
 #include "shapegauge/metrics/retrieval_task.h"
 
 namespace shapegauge {
@@ -63,5 +65,41 @@ using DistanceRows = std::function<DistanceTableRows(Eigen::Index first, Eigen::
 /// Streaming version of evaluate(), for matrices that do not fit into memory: asks for a few hundred rows at a time, in
 /// order, one call after the other. The same result to the bit. Throws as above.
 Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options);
+
+/// What was found of some queries, in their order.
+struct QueryScores {
+  Eigen::MatrixXd measures;           ///< queries x measures
+  Eigen::MatrixXd precisions;         ///< queries x recall levels
+  std::vector<std::size_t> relevant;  ///< of each query
+  std::vector<char> tied;             ///< of each query
+};
+
+/// Streaming version of evaluate() that is given the rows, of all of the matrix or of a part of it: several processes
+/// may each judge some rows, and what they found is put together by evaluation_of(). The task must outlive it.
+class RowJudge {
+ public:
+  /// For the rows from `first` to before `last`. Throws as evaluate().
+  RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last);
+
+  /// Judges the queries among rows of the matrix, from the row `first` on. In parallel. Throws std::invalid_argument
+  /// for a distance that is NaN.
+  void judge(const DistanceTable& rows, Eigen::Index first);
+
+  /// What was found of the queries among all rows that it is for.
+  [[nodiscard]] const QueryScores& scores() const { return scores_; }
+
+  /// The evaluation, from the scores of all queries of the task.
+  [[nodiscard]] Evaluation evaluation_of(const QueryScores& all) const;
+
+ private:
+  void keep(std::size_t score, const RankedList& list);
+
+  const RetrievalTask* task_;
+  std::vector<Measure> measures_;
+  Evaluation blank_;             ///< without figures
+  std::size_t largest_ = 0;      ///< number of relevant models of a query
+  std::size_t first_query_ = 0;  ///< of those among its rows
+  QueryScores scores_;
+};
 
 }  // namespace shapegauge

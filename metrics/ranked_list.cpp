@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace shapegauge {
@@ -275,17 +277,15 @@ std::size_t hits_in(const RankedList& list) {
 
 }  // namespace
 
-std::vector<Eigen::Index> ranked_models(const DistanceTable& distances, Eigen::Index query) {
-  std::vector<RankedModel> models;
-  models.reserve(static_cast<std::size_t>(distances.cols()));
-  for (Eigen::Index column = 0; column < distances.cols(); ++column) {
-    if (column != query) models.push_back({distances(query, column), column});
-  }
-  sort_by_distance(models);
-  std::vector<Eigen::Index> columns;
-  columns.reserve(models.size());
-  for (const RankedModel& model : models) columns.push_back(model.column);
-  return columns;
+std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count) {
+  std::vector<Eigen::Index> models(distances.size());
+  std::iota(models.begin(), models.end(), Eigen::Index{0});
+  models.erase(models.begin() + query);
+  const auto kept = std::min(count, std::ssize(models));
+  const auto place = [&](Eigen::Index model) { return std::pair(distances[static_cast<std::size_t>(model)], model); };
+  std::ranges::partial_sort(models, models.begin() + kept, {}, place);
+  models.resize(static_cast<std::size_t>(kept));
+  return models;
 }
 
 RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,

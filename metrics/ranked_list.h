@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "shapegauge/metrics/protocol.h"
@@ -9,10 +10,11 @@
 
 namespace shapegauge {
 
-/// All models but the query, the nearest first: by distance, and models at equal distance by index. Infinite distances
-/// rank last. The query is left out by its index, so a duplicate of it at distance 0 stays, and its own distance to
-/// itself plays no part. No distance may be NaN.
-std::vector<Eigen::Index> ranked_models(const DistanceTable& distances, Eigen::Index query);
+/// The first `count` of all models but the query, the nearest first: by distance, and models at equal distance by
+/// index. `distances` are the query's to all models, `query` its own index. Infinite distances rank last. The query is
+/// left out by its index, so a duplicate of it at distance 0 stays, and its own distance to itself plays no part. No
+/// distance may be NaN. All of them where there are no more.
+std::vector<Eigen::Index> first_ranked(std::span<const double> distances, Eigen::Index query, Eigen::Index count);
 
 /// Consecutive ranks, `size` of them with `hits` relevant models. Where both kinds are among them their order is open:
 /// every order is as likely as any other.

@@ -4,31 +4,24 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 #include <vector>
-
-#include "shapegauge/metrics/ranked_list.h"
 
 namespace shapegauge {
 
-Eigen::MatrixXi confusion_matrix(const DistanceTable& distances, std::span<const int> labels,
+Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::span<const int> labels,
                                  std::span<const Eigen::Index> queries, int classes) {
-  const Eigen::Index models = distances.rows();
-  if (models != distances.cols() || static_cast<std::size_t>(models) != labels.size() || models < 2) {
-    throw std::invalid_argument("a confusion matrix needs two models or more, and a class and distances for each");
-  }
+  const auto models = std::ssize(labels);
   const auto is_class = [&](int label) { return label >= 0 && label < classes; };
-  const auto is_model = [&](Eigen::Index query) { return query >= 0 && query < models; };
+  const auto is_model = [&](auto model) { return model >= 0 && model < models; };
+  if (nearest.size() != labels.size()) throw std::invalid_argument("every model must have a class and a nearest one");
   if (!std::ranges::all_of(labels, is_class)) throw std::invalid_argument("a label is not the number of a class");
-  if (!std::ranges::all_of(queries, is_model)) throw std::invalid_argument("a query is not a row of the matrix");
-
-  std::vector<int> answers(queries.size());
-  tbb::parallel_for(std::size_t{0}, queries.size(), [&](std::size_t i) {
-    answers[i] = labels[static_cast<std::size_t>(ranked_models(distances, queries[i]).front())];
-  });
+  if (!std::ranges::all_of(nearest, is_model) || !std::ranges::all_of(queries, is_model)) {
+    throw std::invalid_argument("a query, or its nearest neighbour, is not one of the models");
+  }
   Eigen::MatrixXi confusion = Eigen::MatrixXi::Zero(classes, classes);
-  for (std::size_t i = 0; i < queries.size(); ++i) {
-    ++confusion(labels[static_cast<std::size_t>(queries[i])], answers[i]);
+  for (const Eigen::Index query : queries) {
+    const auto answer = static_cast<std::size_t>(nearest[static_cast<std::size_t>(query)]);
+    ++confusion(labels[static_cast<std::size_t>(query)], labels[answer]);
   }
   return confusion;
 }

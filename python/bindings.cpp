@@ -25,6 +25,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -33,11 +34,11 @@
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/retrieval/rerank.h"
-#include "shapegauge/segmentation/part_segmentation.h"
 
 namespace py = pybind11;
 
@@ -110,9 +111,13 @@ py::tuple field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const
 }
 
 py::array segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
-                  const Eigen::Ref<const Points>& normals, int parts, int threads) {
+                  const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
   return array_of(compute(threads, [&] {
-    const std::vector<std::int32_t> labels = part_segmentation(shape_of(vertices, faces, normals), {.parts = parts});
+    const Json json = Json::parse(settings);
+    check_against_schema(json, "segmentation_method", "the segmentation");
+    if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
+    const SegmentationMethod method = segmentation_method(json);
+    const std::vector<std::int32_t> labels = segmented(shape_of(vertices, faces, normals), method);
     return Eigen::VectorX<std::int32_t>(
         Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size())));
   }));
@@ -129,12 +134,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
                        " learns from a whole data set: describe one by a configuration, with run()");
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
-    std::vector<ScalarField> fields;
-    FieldSource source(shape);
-    for (const Field& wanted : choice.fields) {
-      const Samples samples = take_samples(shape, wanted.samples);
-      fields.push_back({.values = wanted.compute(source, samples, true).values, .weights = samples.weights});
-    }
+    const std::vector<ScalarField> fields = compute_fields(choice, shape);
     return choice.descriptor.describe({.shape = shape, .fields = fields}, {}, choice.values);
   }));
 }
@@ -311,8 +311,7 @@ FinishedRun run_configuration(const fs::path& configuration, const std::vector<s
       configuration_from_json(document, configuration.string(), configuration.parent_path());
   prepare_result_folder(output, to_json(experiment), replace);
   Cache cache(cache_folder.value_or(default_cache_folder()), false);
-  const ExperimentResults results = run_experiment(experiment, output / "dataset", control, cache);
-  with_threads(threads, [&] { write_results(output, results); });
+  const ExperimentResults results = run_into_folder(output, experiment, control, cache, *single_process());
   if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
   finished = {.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
   for (const FailedModel& failure : results.failures) {

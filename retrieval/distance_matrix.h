@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/retrieval/distances.h"
+
 namespace shapegauge {
 
 /// Part of cache keys. To be raised with every change of a distance that changes a value.
@@ -21,6 +23,21 @@ std::vector<std::string> distance_names();
 /// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
 /// that is not finite, or for which the distance is not defined (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
+
+/// Signatures that follow each other in a larger set, of which the first has the index `first`.
+struct SignatureBlock {
+  Eigen::Ref<const Signatures> signatures;
+  Eigen::Index first = 0;
+};
+
+/// Throws std::invalid_argument for a signature with an entry that is not finite, or for which the distance is not
+/// defined.
+void check_signatures(const SignatureBlock& block, const NamedDistance& distance);
+
+/// A part of a distance matrix: the distances from each of `some` to each of `others`, the same bits as in the whole.
+/// In parallel. The signatures must have passed check_signatures().
+DistanceMatrix distances_between(const NamedDistance& distance, const SignatureBlock& some,
+                                 const SignatureBlock& others);
 
 /// Streaming version of distance_matrix(): its rows from `first` on, `count` of them, the same to the bit. In parallel.
 /// Throws as distance_matrix does, and where there are no such rows.

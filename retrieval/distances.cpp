@@ -150,6 +150,15 @@ std::vector<NamedDistance> distances() {
   return all.distances;
 }
 
+NamedDistance distance_named(const std::string& name) {
+  const std::vector<NamedDistance> known = distances();
+  const auto found = std::ranges::find(known, name, &NamedDistance::name);
+  if (found != known.end()) return *found;
+  std::string message = "there is no distance named \"" + name + "\"; known are:";
+  for (const NamedDistance& distance : known) message.append(" ").append(distance.name);
+  throw std::invalid_argument(message);
+}
+
 void register_distance(NamedDistance distance) {
   if (distance.name.empty() || distance.function == nullptr) {
     throw std::invalid_argument("a distance needs a name and a function");

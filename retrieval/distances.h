@@ -33,6 +33,9 @@ struct NamedDistance {
 /// All distances: those of the library (distances.cpp), then those that were registered, in their order.
 std::vector<NamedDistance> distances();
 
+/// The distance of that name. Throws std::invalid_argument, naming those there are.
+NamedDistance distance_named(const std::string& name);
+
 /// Makes a distance known by its name, to distance_matrix() and listings alike. May be called from any thread;
 /// distances stay for the life of the program. Throws std::invalid_argument for a name that is empty or taken, and
 /// where there is no function.

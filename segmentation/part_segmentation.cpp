@@ -11,6 +11,7 @@
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/segment_labels.h"
+#include "shapegauge/segmentation/stand_in.h"
 #include "shapegauge/segmentation/surface_regions.h"
 
 namespace shapegauge {
@@ -18,6 +19,7 @@ namespace shapegauge {
 namespace {
 
 constexpr int patches_per_part = 3;
+constexpr Eigen::Index triangles_per_part = 20;
 
 /// Regions at most, unless more patches were asked for: what is known of pairs of them takes room by their square.
 constexpr std::int32_t most_regions = 600;
@@ -80,7 +82,12 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
 
 std::vector<std::int32_t> part_segmentation(const Shape& shape, const PartSegmentationOptions& options,
                                             const PartModel& model) {
-  return part_segmentation(thick_surface(shape), options, model);
+  // Many parts of few triangles are of single triangles.
+  if (triangles_per_part * options.parts > shape.triangles.rows()) {
+    return part_segmentation(thick_surface(shape), options, model);
+  }
+  const StandIn cut = stand_in(facing_outward(shape));
+  return renumbered(cut.carried_back(part_segmentation(thick_surface(cut.shape), options, model)));
 }
 
 }  // namespace shapegauge

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// To be raised with every change of part_segmentation() that changes a label: what a cache holds of earlier versions
 /// is then computed anew.
-inline constexpr int part_segmentation_version = 2;
+inline constexpr int part_segmentation_version = 3;
 
 /// How a shape is cut into parts.
 struct PartSegmentationOptions {
@@ -27,11 +27,12 @@ struct PartSegmentationOptions {
 /// Cuts a shape into parts as people would: for each triangle, or point of a cloud, the number of its part, from 0 on
 /// in the order of the parts' first triangles.
 ///
-/// The surface is cut into patches; patches are merged into regions, always the two that most probably belong to one
-/// part, as the model says from what the regions see of each other, how thick the shape is in each, how concave the
-/// surface is between them and how they are formed; at last borders are smoothed. Parts are connected but for what
-/// smoothing cuts off. Components of the shape that do not touch are different parts, so that there may be more than
-/// were wanted. The same input gives the same labels on any number of threads.
+/// A mesh of few triangles or with many cracks is cut by its stand_in(). The surface is cut into patches; patches are
+/// merged into regions, always the two that most probably belong to one part, as the model says from what the regions
+/// see of each other, how thick the shape is in each, how concave the surface is between them and how they are formed;
+/// at last borders are smoothed. Parts are connected but for what smoothing cuts off. Components of the shape that do
+/// not touch are different parts, so that there may be more than were wanted. The same input gives the same labels on
+/// any number of threads.
 ///
 /// Throws InputError for options out of range, more parts than triangles or points, and as thick_surface().
 std::vector<std::int32_t> part_segmentation(const Shape& shape, const PartSegmentationOptions& options,

@@ -3,7 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
@@ -16,9 +19,13 @@ namespace {
 
 constexpr Eigen::Index neighbours_in_cloud = 8;
 
+/// At one vertex; where there are more, triangles meet there by chance.
+constexpr std::size_t most_border_ends = 12;
+
 struct Pair {
   std::int32_t from;
   SurfaceLink link;
+  bool over_gap = false;
 };
 
 /// Positive where each of two points lies in front of the other's plane, or would if they were oriented alike.
@@ -28,10 +35,10 @@ double signed_angle(const Eigen::Vector3d& way, const Eigen::Vector3d& from, con
   return (from - to).dot(way) > 0 ? angle : -angle;
 }
 
-void add_both_ways(std::vector<Pair>& pairs, std::int32_t from, SurfaceLink link) {
-  pairs.push_back({from, link});
-  std::swap(from, link.to);
-  pairs.push_back({from, link});
+void add_both_ways(std::vector<Pair>& pairs, Pair pair) {
+  pairs.push_back(pair);
+  std::swap(pair.from, pair.link.to);
+  pairs.push_back(pair);
 }
 
 void add_edge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, const EdgeUse& a, const EdgeUse& b) {
@@ -42,19 +49,66 @@ void add_edge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& sample
   const Eigen::Vector3d middle = (low + high) / 2;
   const Eigen::Vector3d normal = samples.normals.row(a.triangle);
   const double side = a.forward == b.forward ? -1 : 1;
-  add_both_ways(pairs, a.triangle,
-                {.to = b.triangle,
-                 .length = (high - low).norm(),
-                 .distance = (middle - from).norm() + (to - middle).norm(),
-                 .concavity = signed_angle(to - from, normal, side * samples.normals.row(b.triangle).transpose())});
+  add_both_ways(
+      pairs,
+      {.from = a.triangle,
+       .link = {.to = b.triangle,
+                .length = (high - low).norm(),
+                .distance = (middle - from).norm() + (to - middle).norm(),
+                .concavity = signed_angle(to - from, normal, side * samples.normals.row(b.triangle).transpose())}});
+}
+
+/// The end of an edge that only one triangle has.
+struct BorderEnd {
+  std::int32_t vertex;
+  std::int32_t triangle;
+  double length;  ///< of the edge
+};
+
+/// Links two triangles over the gap at a vertex that both have, with what the edges there would have been.
+void add_bridge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, const BorderEnd& a,
+                const BorderEnd& b) {
+  const Eigen::Vector3d vertex = mesh.vertices.row(a.vertex);
+  const Eigen::Vector3d from = samples.points.row(a.triangle);
+  const Eigen::Vector3d to = samples.points.row(b.triangle);
+  const Eigen::Vector3d normal = samples.normals.row(a.triangle);
+  const Eigen::Vector3d other = samples.normals.row(b.triangle);
+  add_both_ways(
+      pairs,
+      {.from = a.triangle,
+       .link = {.to = b.triangle,
+                .length = std::min(a.length, b.length) / 2,
+                .distance = (vertex - from).norm() + (to - vertex).norm(),
+                .concavity = signed_angle(to - from, normal, normal.dot(other) < 0 ? Eigen::Vector3d(-other) : other)},
+       .over_gap = true});
+}
+
+void add_bridges(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, std::vector<BorderEnd> ends) {
+  std::ranges::sort(ends, {}, [](const BorderEnd& end) { return std::tie(end.vertex, end.triangle, end.length); });
+  for (std::size_t begin = 0; begin < ends.size();) {
+    std::size_t end = begin + 1;
+    while (end < ends.size() && ends[end].vertex == ends[begin].vertex) ++end;
+    for (std::size_t i = begin; i < end && end - begin <= most_border_ends; ++i) {
+      for (std::size_t k = i + 1; k < end; ++k) {
+        if (ends[i].triangle != ends[k].triangle) add_bridge(pairs, mesh, samples, ends[i], ends[k]);
+      }
+    }
+    begin = end;
+  }
 }
 
 std::vector<Pair> pairs_of_mesh(const Shape& mesh, const Samples& samples) {
   std::vector<Pair> pairs;
   const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
+  std::vector<BorderEnd> ends;
   for_each_edge(edge_uses(mesh.triangles, merged), [&](std::span<const EdgeUse> uses) {
     for (std::size_t i = 1; i < uses.size(); ++i) add_edge(pairs, mesh, samples, uses[i - 1], uses[i]);
+    if (uses.size() > 1) return;
+    const double length = (mesh.vertices.row(uses[0].high) - mesh.vertices.row(uses[0].low)).norm();
+    ends.push_back({uses[0].low, uses[0].triangle, length});
+    ends.push_back({uses[0].high, uses[0].triangle, length});
   });
+  add_bridges(pairs, mesh, samples, std::move(ends));
   return pairs;
 }
 
@@ -67,11 +121,12 @@ std::vector<Pair> pairs_of_cloud(const Samples& samples) {
       const Eigen::Vector3d way = (samples.points.row(j) - samples.points.row(i)).transpose();
       const Eigen::Vector3d from = samples.normals.row(i);
       const Eigen::Vector3d to = samples.normals.row(j);
-      add_both_ways(pairs, static_cast<std::int32_t>(i),
-                    {.to = j,
-                     .length = (std::sqrt(samples.weights[i]) + std::sqrt(samples.weights[j])) / 2,
-                     .distance = nearest.distances(i, k),
-                     .concavity = signed_angle(way, from, from.dot(to) < 0 ? Eigen::Vector3d(-to) : to)});
+      add_both_ways(pairs,
+                    {.from = static_cast<std::int32_t>(i),
+                     .link = {.to = j,
+                              .length = (std::sqrt(samples.weights[i]) + std::sqrt(samples.weights[j])) / 2,
+                              .distance = nearest.distances(i, k),
+                              .concavity = signed_angle(way, from, from.dot(to) < 0 ? Eigen::Vector3d(-to) : to)}});
     }
   }
   return pairs;
@@ -85,9 +140,10 @@ SurfaceGraph surface_graph(const Shape& shape) {
   SurfaceGraph graph;
   graph.samples = sample_shape(shape, SampleSite::faces);
   std::vector<Pair> pairs = is_cloud(shape) ? pairs_of_cloud(graph.samples) : pairs_of_mesh(shape, graph.samples);
-  // Two triangles may share two edges: the longer one is kept.
+  // Two triangles may share two edges: the longer one is kept. Those that share one need no link over a gap.
   std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return std::tie(a.from, a.link.to, b.link.length) < std::tie(b.from, b.link.to, a.link.length);
+    return std::tie(a.from, a.link.to, a.over_gap, b.link.length) <
+           std::tie(b.from, b.link.to, b.over_gap, a.link.length);
   });
   const auto same = [](const Pair& a, const Pair& b) { return a.from == b.from && a.link.to == b.link.to; };
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same), pairs.end());

@@ -34,8 +34,9 @@ struct SurfaceGraph {
 };
 
 /// The graph of a shape. Triangles are neighbours where they share an edge, vertices at the same place taken as one; of
-/// an edge of more than two triangles, each of them is the neighbour of the next one in the shape's order. Points of a
-/// cloud are neighbours where one is among the 8 nearest of the other.
+/// an edge of more than two triangles, each of them is the neighbour of the next one in the shape's order. Where edges
+/// of a single triangle meet at a vertex, as around a gap, their triangles are neighbours too. Points of a cloud are
+/// neighbours where one is among the 8 nearest of the other.
 ///
 /// Concavity takes the normals' side as the outside. Two triangles that are not oriented alike are compared as if they
 /// were. Throws InputError for an empty shape and where it is unusable (validity.h).

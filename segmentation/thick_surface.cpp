@@ -115,14 +115,13 @@ Points smoothed_normals(const SurfaceGraph& graph, double unit) {
   return normals;
 }
 
-/// A watertight mesh whose triangles face inward, turned inside out; any other shape as it is.
+}  // namespace
+
 Shape facing_outward(Shape shape) {
   if (is_watertight_and_oriented(shape) && signed_volume(shape) < 0)
     shape.triangles.col(1).swap(shape.triangles.col(2));
   return shape;
 }
-
-}  // namespace
 
 double ThickSurface::turn(std::int32_t node, const SurfaceLink& link) const {
   const Eigen::RowVector3d from = smooth_normals.row(node);

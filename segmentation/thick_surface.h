@@ -22,6 +22,9 @@ struct ThickSurface {
   [[nodiscard]] double turn(std::int32_t node, const SurfaceLink& link) const;
 };
 
+/// A watertight mesh whose triangles face inward, turned inside out; any other shape as it is.
+Shape facing_outward(Shape shape);
+
 /// Finds the thickness of a shape at every triangle or point.
 ///
 /// Where the triangles are oriented outwards, it is the conventional SDF (cone_sdf). Where that has no answer for more

@@ -22,6 +22,9 @@ namespace shapegauge {
 
 namespace {
 
+/// Each of a mesh's components adds an eigenvalue 0, which all take time.
+constexpr int most_components = 1000;
+
 /// What a triangle contributes.
 struct Element {
   double area;
@@ -147,6 +150,20 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
   throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be told apart");
 }
 
+/// Of the mesh whose nodes the matrix has entries between.
+int component_count(const SparseMatrix& matrix) {
+  DisjointSets sets;
+  sets.grow_to(static_cast<std::size_t>(matrix.rows()));
+  for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
+    for (SparseMatrix::InnerIterator entry(matrix, column); entry; ++entry) {
+      sets.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
+    }
+  }
+  int count = 0;
+  for (std::int32_t i = 0; i < matrix.rows(); ++i) count += sets.find(i) == i ? 1 : 0;
+  return count;
+}
+
 }  // namespace
 
 Laplacian cotangent_laplacian(const Shape& mesh) {
@@ -196,14 +213,22 @@ Laplacian cotangent_laplacian(const Shape& mesh) {
 Spectrum laplacian_spectrum(const Shape& mesh, int count) {
   if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
   const Laplacian laplacian = cotangent_laplacian(mesh);
+  const int components = component_count(laplacian.stiffness);
+  if (components > most_components) {
+    throw InputError(
+        fmt::format("the mesh is {} pieces that share no vertices; its Laplacian's eigenvalues are sought for "
+                    "at most {}: join the pieces, or use a descriptor without them",
+                    components, most_components));
+  }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
   SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
   // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.
   const double area = laplacian.mass.sum();
   matrix *= area;
-  const Eigen::Index most = std::min<Eigen::Index>(count, matrix.rows());
+  const Eigen::Index most = std::min<Eigen::Index>(components - 1 + count, matrix.rows());
   const auto [eigenvalues, eigenvectors] = smallest_eigenpairs(matrix, most, -1);
   Spectrum spectrum;
+  spectrum.components = components;
   spectrum.eigenvalues = eigenvalues.cwiseMax(0) / area;
   const Eigen::MatrixXd at_nodes = inverse_root.asDiagonal() * eigenvectors;
   spectrum.eigenvectors =

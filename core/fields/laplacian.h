@@ -25,14 +25,16 @@ Laplacian cotangent_laplacian(const Shape& mesh);
 /// The lower end of the Laplacian's spectrum.
 struct Spectrum {
   Eigen::VectorXd eigenvalues;   ///< ascending, the zeros (one a component) first; one over squared length
+  int components = 1;            ///< of the mesh: as many eigenvalues are 0
   Eigen::MatrixXd eigenvectors;  ///< a column an eigenvalue, at the shape's vertices; orthonormal by area; NaN at
                                  ///< vertices without a node
 };
 
 /// The `count` smallest eigenvalues with their eigenvectors, by Lanczos iteration about a shift below zero (Spectra),
-/// none of them left out, multiple ones neither; fewer where there are fewer nodes. The signs of eigenvectors and the
+/// none of them left out, multiple ones neither; fewer where there are fewer nodes. The zeros of all components count
+/// as one: a mesh of c components has c - 1 eigenvalues more. The signs of eigenvectors and the
 /// basis of a multiple eigenvalue are arbitrary, but the same for the same shape. Throws InputError as above, for a
-/// count below 1, and where the iteration does not converge.
+/// count below 1, a mesh of more than 1,000 components, and where the iteration does not converge.
 Spectrum laplacian_spectrum(const Shape& mesh, int count);
 
 }  // namespace shapegauge

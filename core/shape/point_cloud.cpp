@@ -144,6 +144,19 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   return result;
 }
 
+std::vector<std::int32_t> nearest_points(const Points& points, const Points& among) {
+  const PointSource source{among};
+  const Tree tree(3, source);
+  std::vector<std::int32_t> nearest(static_cast<std::size_t>(points.rows()));
+  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.rows(), 256), [&](const auto& block) {
+    for (Eigen::Index i = block.begin(); i != block.end(); ++i) {
+      double squared_distance = 0;
+      tree.knnSearch(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
+    }
+  });
+  return nearest;
+}
+
 Points unsigned_point_normals(const Points& points) {
   constexpr Eigen::Index neighbours = 12;
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 
@@ -19,6 +20,10 @@ struct PointNeighbours {
 /// smaller clouds. Ties at the k-th distance are broken by the tree, the same way for the same points in the same
 /// order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
+
+/// For each of the points the one of `among`, of which there must be any, that is nearest to it. Finds them as
+/// nearest_neighbours() does.
+std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
 /// Unoriented normals of a cloud: for each point the direction of least variance of it and its 12 nearest neighbours
 /// (Hoppe et al. 1992), a unit vector of either sign; zero where the neighbours are all at one place. Runs in the

@@ -34,11 +34,7 @@ std::string absolute_text(const std::filesystem::path& path) {
 
 Json dataset_to_json(const Configuration& configuration) {
   if (configuration.generator) return {{"generate", to_json(*configuration.generator)}};
-  const DatasetLocation& location = configuration.location.value();
-  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
-  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
-  if (location.layout == "folders") json["split"] = location.split;
-  return json;
+  return to_json(configuration.location.value());
 }
 
 Json report_to_json(const Configuration& configuration) {
@@ -199,9 +195,17 @@ Json to_json(const Configuration& configuration) {
             {"on_error", configuration.on_error == OnError::stop ? "stop" : "skip"},
             {"signatures", to_json(configuration.signatures)},
             {"distance", configuration.distance},
+            {"keep_distances", configuration.keep_distances},
             {"report", report_to_json(configuration)}};
   if (!configuration.description.empty()) json["description"] = configuration.description;
   for (const Protocol protocol : configuration.protocols) json["protocol"].push_back(name_of(protocol));
+  return json;
+}
+
+Json to_json(const DatasetLocation& location) {
+  Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
+  if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
+  if (location.layout == "folders") json["split"] = location.split;
   return json;
 }
 

@@ -79,6 +79,7 @@ struct Configuration {
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";
+  bool keep_distances = true;  ///< as files of the results
   ReportConfiguration report;
 };
 
@@ -108,6 +109,9 @@ nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 
 /// The generator's settings as JSON, in the form of a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
+
+/// A data set on disk, in the form of a configuration's "dataset", with absolute paths.
+nlohmann::json to_json(const DatasetLocation& location);
 
 /// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
 /// absolute.

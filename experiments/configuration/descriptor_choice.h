@@ -21,4 +21,7 @@ struct DescriptorChoice {
 /// the place for settings that it does not take: too few or too many fields, fields at different samples.
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
+/// The fields that the descriptor is computed from, of a prepared shape. Throws InputError as they do.
+std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, const Shape& shape);
+
 }  // namespace shapegauge

@@ -193,24 +193,6 @@ void require_histograms(const std::vector<SignatureConfiguration>& signatures) {
   }
 }
 
-DatasetLocation location_of(const Json& dataset, const fs::path& folder) {
-  DatasetLocation location;
-  location.layout = dataset.at("layout");
-  location.root = path_value(dataset, "root", folder);
-  if (location.layout == "folders") {
-    if (dataset.contains("classification")) {
-      throw ConfigurationError{"classification", "the layout \"folders\" has its classes in the folders' names"};
-    }
-    location.split = dataset.value("split", location.split);
-    return location;
-  }
-  if (dataset.contains("split")) throw ConfigurationError{"split", "only the layout \"folders\" has a split"};
-  location.classification = dataset.contains("classification")
-                                ? path_value(dataset, "classification", location.root)
-                                : location.root / dataset_layout(location.layout).usual_classification;
-  return location;
-}
-
 std::vector<Protocol> protocols_of(const Json& setting) {
   std::vector<Protocol> protocols;
   const auto add = [&](const Json& name) { protocols.push_back(protocol_of(name.get<std::string>()).value()); };
@@ -243,7 +225,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
   if (dataset.contains("generate")) {
     configuration.generator = at("dataset", [&] { return read_generator(dataset); });
   } else {
-    configuration.location = at("dataset", [&] { return location_of(dataset, folder); });
+    configuration.location = at("dataset", [&] { return read_location(dataset, folder); });
   }
   configuration.seed = read_seed(document);
   if (document.contains("preparation")) configuration.preparation = read_preparation(document["preparation"]);
@@ -254,6 +236,7 @@ Configuration checked_configuration(const Json& document, const fs::path& folder
     at("evaluation", [&] { read_evaluation(document["evaluation"], configuration); });
   configuration.on_error = read_on_error(document);
   configuration.distance = document.value("distance", configuration.distance);
+  configuration.keep_distances = document.value("keep_distances", configuration.keep_distances);
   configuration.signatures = at("signatures", [&] { return read_signatures(document.at("signatures")); });
   configuration.report =
       at("report", [&] { return read_report(document.value("report", Json(true)), configuration.signatures); });
@@ -281,6 +264,24 @@ PreparationOptions read_preparation(const Json& settings) {
   const ParameterValues values = read_parameters(preparation_parameters(), settings);
   return {.denoise = values.boolean("denoise"),
           .scale = values.word("scale") == "tube_area" ? ScaleEstimate::tube_area : ScaleEstimate::area};
+}
+
+DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
+  DatasetLocation location;
+  location.layout = dataset.at("layout");
+  location.root = path_value(dataset, "root", folder);
+  if (location.layout == "folders") {
+    if (dataset.contains("classification")) {
+      throw ConfigurationError{"classification", "the layout \"folders\" has its classes in the folders' names"};
+    }
+    location.split = dataset.value("split", location.split);
+    return location;
+  }
+  if (dataset.contains("split")) throw ConfigurationError{"split", "only the layout \"folders\" has a split"};
+  location.classification = dataset.contains("classification")
+                                ? path_value(dataset, "classification", location.root)
+                                : location.root / dataset_layout(location.layout).usual_classification;
+  return location;
 }
 
 GeneratorOptions read_generator(const Json& dataset) {

@@ -44,6 +44,10 @@ PreparationOptions read_preparation(const nlohmann::json& settings);
 /// beside them.
 GeneratorOptions read_generator(const nlohmann::json& dataset);
 
+/// The place of a data set on disk, from a configuration's "dataset". Relative paths begin at the folder. Throws
+/// ConfigurationError for settings that the layout does not have.
+DatasetLocation read_location(const nlohmann::json& dataset, const std::filesystem::path& folder);
+
 /// The setting "on_error" of an experiment.
 OnError read_on_error(const nlohmann::json& experiment);
 

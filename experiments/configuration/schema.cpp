@@ -209,6 +209,9 @@ std::string experiment_schema() {
   add_descriptors(definitions["descriptor"]);
   add_rerank_methods(definitions["rerank"]);
   definitions["layout"]["enum"] = names_of(dataset_layouts());
+  OrderedJson& segmented_layouts = definitions["segmented_dataset"]["properties"]["layout"]["enum"];
+  segmented_layouts = names_of(dataset_layouts());
+  segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
   definitions["protocol"]["enum"] = protocol_names();
   definitions["distance"]["enum"] = distance_names();
   definitions["evaluation"]["properties"]["measures"]["description"] =

@@ -1,25 +1,36 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 
 namespace shapegauge {
 
+/// The layout of data sets that people cut (find_segmentation_benchmark()).
+inline constexpr std::string_view segmentation_layout = "psb_segmentation";
+
 /// A way to cut shapes into parts, with its settings (segmentation/).
 struct SegmentationMethod {
   std::string name;
-  bool paper = false;        ///< the paper's pipeline, or else the best cut
-  int parts = 0;             ///< wanted; 0: as many as there are (paper: the clusters of PaperSegmentationOptions)
-  bool offset_field = true;  ///< paper: the SDF of the offset surface, or else the conventional one
-  double offset = 0.05;      ///< paper: of the offset surface, a fraction of the diagonal
+  bool paper = false;  ///< the paper's pipeline, or else the best cut
+  int parts = 0;       ///< wanted; 0: as many as there are (paper: the clusters of PaperSegmentationOptions)
+  int patches = 150;   ///< best: as PartSegmentationOptions has them
+  double least_probability = 0.5;           ///< best: the same
+  double border_width = 0.03;               ///< best: BoundarySmoothingOptions::width
+  bool offset_field = true;                 ///< paper: the SDF of the offset surface, or else the conventional one
+  double offset = 0.05;                     ///< paper: of the offset surface, a fraction of the diagonal
+  std::vector<Perturbation> perturbations;  ///< of a shape before it is cut
 };
 
 /// An experiment that cuts the shapes of a benchmark into parts and compares the parts with people's, checked, with all
@@ -27,12 +38,13 @@ struct SegmentationMethod {
 struct SegmentationExperiment {
   std::string name;
   std::string description;
-  std::filesystem::path root;                 ///< of a benchmark on disk (find_segmentation_benchmark()), or else
+  DatasetLocation location;                   ///< on disk: a segmentation_layout or a layout of retrieval, or else
   std::optional<GeneratorOptions> generator;  ///< shapes that the program makes, whose parts are the truth
   std::vector<SegmentationMethod> methods;    ///< one or more
   bool by_area = false;                       ///< triangles count by their area; else all alike
   bool cuts = false;                          ///< the cut discrepancy too
   bool pictures = true;                       ///< in the report
+  std::uint64_t seed = 1;                     ///< of the perturbations
   OnError on_error = OnError::stop;
 };
 
@@ -41,6 +53,10 @@ struct SegmentationExperiment {
 std::span<const Parameter> segmentation_method_parameters();
 std::span<const Parameter> segmentation_experiment_parameters();
 /// @}
+
+/// The method that an entry of "segmentation" describes, which the schema has accepted. Throws ConfigurationError for
+/// settings that do not go together.
+SegmentationMethod segmentation_method(const nlohmann::json& settings);
 
 /// Whether the document is one of a segmentation experiment.
 bool is_segmentation(const nlohmann::json& document);

@@ -302,12 +302,17 @@ DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source
   return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), false, source));
 }
 
+std::string npy_numbers(std::span<const double> numbers) {
+  std::string bytes;
+  bytes.reserve(numbers.size_bytes());
+  for (const double number : numbers) append_number(bytes, number);
+  return bytes;
+}
+
 namespace {
 
 void write_numbers(const std::filesystem::path& path, std::string header, std::span<const double> numbers) {
-  header.reserve(header.size() + numbers.size_bytes());
-  for (const double number : numbers) append_number(header, number);
-  write_file_atomically(path, header);
+  write_file_atomically(path, header.append(npy_numbers(numbers)));
 }
 
 }  // namespace

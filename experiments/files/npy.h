@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -58,6 +59,9 @@ std::string npy_header_of_matrix(std::size_t rows, std::size_t columns);
 
 /// The header (version 1.0) of so many little-endian float64 in one dimension.
 std::string npy_header_of_vector(std::size_t size);
+
+/// The numbers as little-endian float64, as they follow the header.
+std::string npy_numbers(std::span<const double> numbers);
 
 /// Checks the header of an array of numbers against the size of its file. `beginning` holds at least the header. An
 /// array of one dimension is one column. Throws InputError: another type or shape, a header that is not understood,

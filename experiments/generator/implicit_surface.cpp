@@ -62,12 +62,12 @@ RoundCone round_cone(const Eigen::Vector3d& start, double start_radius, const Ei
   return cone;
 }
 
+}  // namespace
+
 double smooth_minimum(double a, double b, double width) {
   const double overlap = std::max(width - std::abs(a - b), 0.0);
   return std::min(a, b) - overlap * overlap / (4 * width);
 }
-
-}  // namespace
 
 ImplicitSurface::LimbField ImplicitSurface::make_field(const Limb& limb) {
   LimbField field;

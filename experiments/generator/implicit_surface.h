@@ -7,6 +7,9 @@
 
 namespace shapegauge {
 
+/// The lesser of two distances, less where they differ by less than the width: surfaces blend there.
+double smooth_minimum(double a, double b, double width);
+
 /// A round cone: the union of balls along a segment, the radius going linearly from one end to the other. In the
 /// coordinates of its limb, in which the limb is round.
 struct RoundCone {

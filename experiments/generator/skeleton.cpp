@@ -24,12 +24,6 @@ Limb mirrored(Limb limb) {
   return limb;
 }
 
-double distance_to_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& start, const Eigen::Vector3d& end) {
-  const Eigen::Vector3d along = end - start;
-  const double t = std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - start - t * along).norm();
-}
-
 std::size_t closest_segment(const Limb& limb, const Eigen::Vector3d& point) {
   std::size_t closest = 0;
   double least = std::numeric_limits<double>::infinity();

@@ -1,10 +1,19 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace shapegauge {
+
+/// The distance from a point to a segment, in the plane or in space.
+template <typename Point>
+double distance_to_segment(const Point& point, const Point& start, const Point& end) {
+  const Point along = end - start;
+  const double t = std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
+  return (point - start - t * along).norm();
+}
 
 /// One axis that a joint turns about, and how far. The axis is a unit vector in the coordinates of the rest pose; the
 /// joint's parent carries it along.

@@ -24,16 +24,10 @@ Eigen::AlignedBox3d box_about(const Outline& outline, double margin) {
           Eigen::Vector3d(radius, radius, heights.max()[0] + margin)};
 }
 
-double distance_to_stick(const Eigen::Vector2d& point, const Eigen::Vector2d& start, const Eigen::Vector2d& end) {
-  const Eigen::Vector2d along = end - start;
-  const double t = std::clamp((point - start).dot(along) / along.squaredNorm(), 0.0, 1.0);
-  return (point - start - t * along).norm();
-}
-
 double distance_to_outline(const Outline& outline, const Eigen::Vector2d& point) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < outline.size(); ++i) {
-    least = std::min(least, distance_to_stick(point, outline[i - 1], outline[i]));
+    least = std::min(least, distance_to_segment(point, outline[i - 1], outline[i]));
   }
   return least;
 }
@@ -52,11 +46,6 @@ bool is_within(const Outline& polygon, const Eigen::Vector2d& point) {
 }
 
 Eigen::Vector2d about_axis(const Eigen::Vector3d& point) { return {point.head<2>().norm(), point.z()}; }
-
-double blended_minimum(double a, double b, double width) {
-  const double overlap = std::max(width - std::abs(a - b), 0.0);
-  return std::min(a, b) - overlap * overlap / (4 * width);
-}
 
 }  // namespace
 
@@ -141,7 +130,7 @@ double SolidObject::distance(const Eigen::Vector3d& point) const {
   double value = std::numeric_limits<double>::infinity();
   for (const SolidPart& part : parts) {
     const double distance = part.solid.distance(point);
-    value = std::isinf(value) ? distance : blended_minimum(value, distance, blend);
+    value = std::isinf(value) ? distance : smooth_minimum(value, distance, blend);
   }
   return value;
 }

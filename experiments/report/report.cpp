@@ -65,7 +65,7 @@ ReportMethod method_of(const MethodResults& method, const SignatureConfiguration
                        const std::vector<SignatureConfiguration>& all) {
   return {.name = method.name,
           .description = describe(signature, all),
-          .distances = &method.distances,
+          .distances = &method.overview,
           .evaluations = method.evaluations,
           .histograms = {.table = signature.field ? &method.signatures : nullptr,
                          .ranges = method.histogram_ranges,

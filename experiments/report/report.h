@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
-#include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -24,7 +24,7 @@ struct ReportHistograms {
 struct ReportMethod {
   std::string name;
   std::string description;  ///< its settings, in a few words; may be empty
-  const DistanceMatrix* distances = nullptr;
+  const DistanceOverview* distances = nullptr;
   std::span<const Evaluation> evaluations;  ///< one or more, one a protocol; the same protocols for all methods
   ReportHistograms histograms;
 };

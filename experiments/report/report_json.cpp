@@ -4,16 +4,12 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
-#include <limits>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <openssl/evp.h>
 #include <set>
-#include <tbb/parallel_for.h>
 #include <vector>
 
 #include "shapegauge/core/version.h"
-#include "shapegauge/metrics/ranked_list.h"
 #include "shapegauge/metrics/retrieval_failures.h"
 
 namespace shapegauge {
@@ -23,25 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t worst_count = 20;
-constexpr std::size_t nearest_count = 10;
 constexpr int fraction_digits = 6;
 constexpr int distance_digits = 5;
-
-/// The mean of the finite distances between two groups of models; infinity where there are none.
-double mean_distance(const DistanceTable& distances, std::span<const Eigen::Index> rows,
-                     std::span<const Eigen::Index> columns) {
-  double sum = 0;
-  std::size_t count = 0;
-  for (const Eigen::Index row : rows) {
-    for (const Eigen::Index column : columns) {
-      const double distance = row == column ? 0 : distances(row, column);
-      if (!std::isfinite(distance)) continue;
-      sum += distance;
-      ++count;
-    }
-  }
-  return count > 0 ? sum / static_cast<double>(count) : std::numeric_limits<double>::infinity();
-}
 
 template <typename Values>
 Json fractions(const Values& values) {
@@ -93,24 +72,24 @@ std::vector<Eigen::Index> models_with_neighbours(const Report& report, const Rep
 /// For each of those models its nearest ones, with their distances.
 Json neighbours_json(const Report& report, const ReportMethod& method) {
   const std::vector<Eigen::Index> models = models_with_neighbours(report, method);
-  std::vector<std::vector<Eigen::Index>> lists(models.size());
-  tbb::parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
-    lists[i] = ranked_models(*method.distances, models[i]);
-    lists[i].resize(std::min(nearest_count, lists[i].size()));
-  });
+  std::vector<std::vector<std::int32_t>> lists;
   Json distances = Json::array();
-  for (std::size_t i = 0; i < models.size(); ++i) {
+  for (const Eigen::Index model : models) {
+    const auto nearest = method.distances->nearest.row(model);
+    lists.emplace_back(nearest.begin(), nearest.end());
     Json& row = distances.emplace_back(Json::array());
-    for (const Eigen::Index other : lists[i]) {
-      row.push_back(rounded((*method.distances)(models[i], other), distance_digits));
+    for (const double distance : method.distances->nearest_distances.row(model)) {
+      row.push_back(rounded(distance, distance_digits));
     }
   }
   return {{"models", models}, {"lists", lists}, {"distances", std::move(distances)}};
 }
 
 Json confusion_json(const Report& report, const ReportMethod& method) {
-  const Eigen::MatrixXi counts = confusion_matrix(*method.distances, report.labels, method.evaluations.front().queries,
-                                                  static_cast<int>(report.classes.size()));
+  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1> nearest = method.distances->nearest.col(0);
+  const Eigen::MatrixXi counts =
+      confusion_matrix({nearest.data(), static_cast<std::size_t>(nearest.size())}, report.labels,
+                       method.evaluations.front().queries, static_cast<int>(report.classes.size()));
   Json rows = Json::array();
   for (Eigen::Index row = 0; row < counts.rows(); ++row) {
     // Only what is not 0, as pairs of class and number: most of a large matrix is 0.
@@ -140,7 +119,7 @@ Json method_json(const Report& report, const ReportMethod& method) {
   return {{"name", method.name},
           {"description", method.description},
           {"evaluations", std::move(evaluations)},
-          {"heat_map", heat_map(*method.distances, report.labels)},
+          {"heat_map", heat_map(*method.distances)},
           {"confusion", confusion_json(report, method)},
           {"nearest", neighbours_json(report, method)},
           {"histograms", histograms_json(method.histograms)},
@@ -196,33 +175,15 @@ double rounded(double value, int digits) {
   return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
 }
 
-std::vector<Eigen::Index> order_by_class(std::span<const int> labels) {
-  std::vector<Eigen::Index> order(labels.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) { return labels[static_cast<std::size_t>(model)]; });
-  return order;
-}
-
-Json heat_map(const DistanceTable& distances, std::span<const int> labels) {
-  const std::vector<Eigen::Index> order = order_by_class(labels);
-  const Eigen::Index block = (distances.rows() + largest_heat_map - 1) / largest_heat_map;
-  const Eigen::Index side = (distances.rows() + block - 1) / block;
-  const auto models_of = [&](Eigen::Index cell) {
-    const auto begin = static_cast<std::size_t>(cell * block);
-    return std::span(order).subspan(begin, std::min(static_cast<std::size_t>(block), order.size() - begin));
-  };
-  Eigen::MatrixXd cells(side, side);
-  tbb::parallel_for(Eigen::Index{0}, side, [&](Eigen::Index row) {
-    for (Eigen::Index column = 0; column < side; ++column) {
-      cells(row, column) = mean_distance(distances, models_of(row), models_of(column));
-    }
-  });
+Json heat_map(const DistanceOverview& distances) {
+  const Eigen::MatrixXd& cells = distances.cells;
+  const Eigen::Index side = cells.rows();
   const bool symmetric = cells == cells.transpose();
   std::vector<double> values;
   for (Eigen::Index row = 0; row < side; ++row) {
     for (Eigen::Index column = symmetric ? row : 0; column < side; ++column) values.push_back(cells(row, column));
   }
-  Json json{{"side", side}, {"block", block}, {"symmetric", symmetric}};
+  Json json{{"side", side}, {"block", distances.block}, {"symmetric", symmetric}};
   json.update(packed(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
   return json;
 }

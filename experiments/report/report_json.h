@@ -2,12 +2,11 @@
 
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "shapegauge/experiments/report/report.h"
-#include "shapegauge/metrics/retrieval_task.h"
+#include "shapegauge/metrics/distance_overview.h"
 
 namespace shapegauge {
 
@@ -22,17 +21,9 @@ nlohmann::ordered_json packed(const Eigen::Ref<const Eigen::VectorXd>& values);
 /// The value with so many significant digits: the fewest characters that say enough.
 double rounded(double value, int digits);
 
-/// The most cells along a side of the report's picture of a distance matrix.
-inline constexpr Eigen::Index largest_heat_map = 1000;
-
-/// The models' indices, class by class, in the models' order within a class: the order of the picture's rows.
-std::vector<Eigen::Index> order_by_class(std::span<const int> labels);
-
-/// A distance matrix as a picture, its rows and columns in order_by_class(): {"side", "block", "symmetric", "scale",
-/// "values"}, the last two as packed(). A cell is the mean of a block x block part of the matrix, of its finite entries
-/// (block is 1 up to largest_heat_map models). Of a symmetric matrix, row i has the cells from column i on. The
-/// diagonal of single models is shown as 0, as it plays no part.
-nlohmann::ordered_json heat_map(const DistanceTable& distances, std::span<const int> labels);
+/// The picture of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as packed(). Of a
+/// symmetric picture, row i has the cells from column i on.
+nlohmann::ordered_json heat_map(const DistanceOverview& distances);
 
 /// The most models for each of which the report says its nearest ones; of larger data sets it does so for the worst
 /// queries only.

@@ -124,6 +124,7 @@ OrderedJson dataset_inputs(const Configuration& configuration, const std::vector
 OrderedJson manifest(const ExperimentResults& results, const std::vector<std::string>& files,
                      const std::filesystem::path& folder) {
   OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
+  if (results.processes > 1) execution["processes"] = results.processes;
   execution["cache"] = cache_json(results.cache);
   OrderedJson json = program_json();
   json.update({{"configuration", to_json(results.configuration)},

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -75,48 +77,82 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
           {"shape_seconds.csv", to_csv(shape_seconds_table(results))}};
 }
 
-/// A name for the files of each method.
-std::vector<std::string> method_files(const ExperimentResults& results) {
+/// The files of that kind, one a method.
+std::vector<std::string> method_files(const char* kind, const Configuration& configuration) {
   std::vector<std::string> names;
-  for (const MethodResults& method : results.methods) names.push_back(method.name);
-  return file_safe_names(names);
+  for (const SignatureConfiguration& signature : configuration.signatures) names.push_back(signature.name);
+  std::vector<std::string> files;
+  for (const std::string& name : file_safe_names(names)) files.push_back(fmt::format("{}/{}.npy", kind, name));
+  return files;
 }
 
-/// Writes the distances of all methods, and the features of those that are descriptors. Returns the files' names.
-std::vector<std::string> write_matrices(const fs::path& folder, const ExperimentResults& results) {
-  const std::vector<std::string> names = method_files(results);
+/// Writes the features of the methods that are descriptors. Returns the files' names.
+std::vector<std::string> write_features(const fs::path& folder, const ExperimentResults& results) {
+  const std::vector<std::string> names = method_files("features", results.configuration);
   std::vector<std::string> files;
-  const auto write = [&](const char* kind, const std::string& name, const DistanceMatrix& matrix) {
-    make_folder(folder / kind);
-    files.push_back(fmt::format("{}/{}.npy", kind, name));
-    write_npy(folder / files.back(), matrix);
-  };
-  for (std::size_t i = 0; i < names.size(); ++i) write("distances", names[i], results.methods[i].distances);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (!results.configuration.signatures[i].descriptor) continue;
-    write("features", names[i], results.methods[i].signatures.cast<double>());
+    make_folder(folder / "features");
+    files.push_back(names[i]);
+    write_npy(folder / names[i], results.methods[i].signatures.cast<double>());
   }
   return files;
 }
 
-}  // namespace
+/// The names of the distances' files; none where they are not kept.
+std::vector<std::string> distance_files(const Configuration& configuration) {
+  return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
+}
 
-void write_results(const fs::path& destination, const ExperimentResults& results) {
-  StagedResults staged(destination);
+/// Writes all but the distances, which are there, and makes the results those of the folder.
+void publish_results(StagedResults& staged, const ExperimentResults& results) {
   const fs::path& folder = staged.folder();
   std::vector<std::string> files;
   for (const auto& [name, text] : text_files(results)) {
     write_file_atomically(folder / name, text);
     files.push_back(name);
   }
-  const std::vector<std::string> matrices = write_matrices(folder, results);
-  files.insert(files.end(), matrices.begin(), matrices.end());
+  for (const std::vector<std::string>& more :
+       {distance_files(results.configuration), write_features(folder, results)}) {
+    files.insert(files.end(), more.begin(), more.end());
+  }
   if (results.configuration.report.wanted) {
     write_file_atomically(folder / report_name, report_page(report_of(results)));
     files.emplace_back(report_name);
   }
   write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
   staged.publish(files);
+}
+
+}  // namespace
+
+void write_results(const fs::path& destination, const ExperimentResults& results) {
+  StagedResults staged(destination);
+  const std::vector<std::string> files = distance_files(results.configuration);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    make_folder(staged.folder() / "distances");
+    write_npy(staged.folder() / files[i], results.methods[i].distances);
+  }
+  publish_results(staged, results);
+}
+
+ExperimentResults run_into_folder(const fs::path& destination, const Configuration& configuration,
+                                  const RunControl& control, Cache& cache, Communicator& ranks) {
+  std::optional<StagedResults> staged;
+  RunPlaces places{.generated_folder = destination / "dataset", .distance_files = {}};
+  const std::string folder = on_first_rank(ranks, [&] {
+    staged.emplace(destination);
+    if (configuration.keep_distances) make_folder(staged->folder() / "distances");
+    return fs::absolute(staged->folder()).string();
+  });
+  for (const std::string& file : method_files("distances", configuration)) {
+    places.distance_files.push_back(fs::path(folder) / file);
+  }
+  ExperimentResults results = run_experiment(configuration, places, control, cache, ranks);
+  on_all_ranks(ranks, [&] {
+    if (staged) with_threads(control.threads, [&] { publish_results(*staged, results); });
+  });
+  return results;
 }
 
 std::string summary_text(const ExperimentResults& results) {

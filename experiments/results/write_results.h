@@ -16,6 +16,12 @@ void write_results(const std::filesystem::path& destination, const ExperimentRes
 void write_comparison(const std::filesystem::path& destination, const ComparisonResults& results);
 /// @}
 
+/// Runs an experiment and writes its results into the folder as write_results() does. The distances go to their files
+/// by rows: whole matrices are in memory only where run_experiment() says so, and not in what is returned. Of several
+/// processes rank 0 has the folder, and the results. Collective. Throws as run_experiment() and write_results().
+ExperimentResults run_into_folder(const std::filesystem::path& destination, const Configuration& configuration,
+                                  const RunControl& control, Cache& cache, Communicator& ranks);
+
 /// The summary of a run for a terminal: the evaluations of an experiment; distances, errors, normals and timings of a
 /// comparison.
 /// @{

@@ -104,13 +104,18 @@ FieldDescription read_facts(const Json& record) {
 
 }  // namespace
 
-std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version) {
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version,
+                             std::uint64_t seed) {
   Json settings = to_json(method);
   settings.erase("name");
-  return key_of(EntryKind::segmentation, {{"file", source.sha256},
-                                          {"extension", lower_case(source.file.extension().string())},
-                                          {"method", std::move(settings)},
-                                          {"versions", {shape_reading_version, version}}});
+  Json depends_on{{"file", source.sha256},
+                  {"extension", lower_case(source.file.extension().string())},
+                  {"method", std::move(settings)},
+                  {"versions", {shape_reading_version, version}}};
+  if (!method.perturbations.empty()) {
+    depends_on["perturbed"] = {versions_of(method.perturbations), seed, sha256(source.id), source.index};
+  }
+  return key_of(EntryKind::segmentation, std::move(depends_on));
 }
 
 std::string shape_key(const ModelSource& source, const Configuration& configuration) {
@@ -217,6 +222,26 @@ Json histogram_record(const CachedHistogram& histogram) {
 
 CachedHistogram read_histogram_record(const Json& record) {
   return {.facts = read_facts(record.at("facts")), .bins = read_binary<Eigen::VectorXf>(record.at("bins"))};
+}
+
+std::string described_bytes(const ModelDescription& model) {
+  Json record{{"sha256", model.sha256}, {"shape", shape_record(model)}, {"picture", picture_record(model.picture)}};
+  for (const FieldDescription& field : model.fields) record["fields"].push_back(facts_record(field));
+  for (const FeatureDescription& features : model.features) record["seconds"].push_back(features.seconds);
+  const std::vector<std::uint8_t> bytes = Json::to_cbor(record);
+  return {bytes.begin(), bytes.end()};
+}
+
+ModelDescription read_described(std::string_view bytes) {
+  const Json record = Json::from_cbor(bytes);
+  ModelDescription model = read_shape_record(record.at("shape"));
+  model.sha256 = record.at("sha256");
+  model.picture = read_picture(record.at("picture"));
+  for (const Json& facts : record.value("fields", Json::array())) model.fields.push_back(read_facts(facts));
+  for (const Json& seconds : record.value("seconds", Json::array())) {
+    model.features.push_back({.features = {}, .seconds = seconds});
+  }
+  return model;
 }
 
 Json features_record(const FeatureDescription& features) {

@@ -65,8 +65,9 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 /// The name, with its version, by which distances_key() knows a descriptor's own distance.
 std::string distance_of(const Descriptor& descriptor);
 
-/// Of the parts of a shape by a method; `version` is that of the method's algorithm.
-std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version);
+/// Of the parts of a shape by a method; `version` is that of the method's algorithm, `seed` that of its perturbations.
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version,
+                             std::uint64_t seed);
 
 /// The numbers of an array.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);
@@ -91,6 +92,12 @@ struct CachedHistogram {
 };
 nlohmann::json histogram_record(const CachedHistogram& histogram);
 CachedHistogram read_histogram_record(const nlohmann::json& record);
+
+/// What one process tells another of a model: all but values, histograms and features.
+/// @{
+std::string described_bytes(const ModelDescription& model);
+ModelDescription read_described(std::string_view bytes);
+/// @}
 
 /// The features of a descriptor.
 nlohmann::json features_record(const FeatureDescription& features);

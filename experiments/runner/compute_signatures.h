@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -32,12 +33,17 @@ struct ShapeReport {
   std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
 };
 
+/// By field of the plan its range over these models, of which there is one at least.
+std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
+
 /// The signatures, in the configuration's order, of all models: row i is of models[i]. Those that are derived from
-/// distances are empty. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features
-/// of different lengths.
+/// distances are empty. `data_set_ranges`: by field of the plan that over the whole data set, where a histogram asks
+/// for it. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features of different
+/// lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,
-                                            const std::vector<SignatureConfiguration>& signatures);
+                                            const std::vector<SignatureConfiguration>& signatures,
+                                            std::span<const Interval> data_set_ranges);
 
 /// What the plan's fields did, over all models.
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
@@ -50,23 +56,26 @@ ShapeReport report_shape(const ModelDescription& model);
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
                                        const HistogramConfiguration& wanted, std::size_t field);
 
-/// The signatures of the models of a data set.
+/// The signatures of the models of a data set. Each of several processes has those of some models, which follow each
+/// other; all that is told of the models is on rank 0.
 struct ComputedSignatures {
   std::vector<std::size_t> models;                      ///< those that have signatures, by index in the data set
-  std::vector<Signatures> signatures;                   ///< as assemble_signatures() gives them
-  std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each row; empty where it has no field
+  Range own;                                            ///< the places in `models` of those whose rows are here
+  std::vector<Signatures> signatures;                   ///< of those, as assemble_signatures() gives them
+  std::vector<ModelFailure> failures;                   ///< the other models, with OnError::skip
+  std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each model; empty where it has no field
   std::vector<std::string> pictures;  ///< of the models, where the configuration wants them; else none
   std::vector<FieldReport> fields;
-  std::vector<ShapeReport> shapes;     ///< of the models that have signatures
-  std::vector<ModelFailure> failures;  ///< the other models, with OnError::skip
+  std::vector<ShapeReport> shapes;  ///< of the models that have signatures
 };
 
-/// Computes all signatures of the configuration, in parallel over the models; the same bytes for any number of threads.
-/// Every model's file is looked at first. With OnError::stop the first model that fails ends it with an InputError,
-/// with OnError::skip the run goes on without it. Throws InputError, too, where no model is left, and Interrupted. Runs
-/// in the calling TBB arena. What the cache holds is taken from it, and what is computed is kept there.
+/// Computes all signatures of the configuration, in parallel over the models, which several processes share; the same
+/// bytes for any number of threads and processes. Every model's file is looked at first. With OnError::stop the first
+/// model that fails ends it with an InputError, with OnError::skip the run goes on without it. Throws InputError, too,
+/// where no model is left, and Interrupted. Collective. Runs in the calling TBB arena. What the cache holds is taken
+/// from it, and what is computed is kept there.
 ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
-                                      const RunControl& control, Cache& cache);
+                                      const RunControl& control, Cache& cache, Communicator& ranks);
 
 /// What a reader of the results should know of the fields, a sentence each: offsets that leak, samples undecided or
 /// without a value.

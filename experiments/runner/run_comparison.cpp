@@ -167,7 +167,8 @@ std::vector<double> distances_from(std::size_t row, const Signatures& histograms
 std::vector<SignatureResults> signature_results(const Comparison& comparison, std::span<const PlannedField> plan,
                                                 const std::vector<const ModelDescription*>& models,
                                                 std::optional<std::size_t> reference_row) {
-  std::vector<Signatures> tables = assemble_signatures(models, plan, comparison.signatures);
+  std::vector<Signatures> tables =
+      assemble_signatures(models, plan, comparison.signatures, field_ranges(models, plan.size()));
   std::vector<SignatureResults> results(tables.size());
   for (std::size_t field = 0; field < plan.size(); ++field) {
     for (const std::size_t i : plan[field].signatures) {

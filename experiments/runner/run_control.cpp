@@ -1,9 +1,9 @@
 #include "shapegauge/experiments/runner/run_control.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <numeric>
+#include <optional>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
@@ -26,36 +26,45 @@ void with_threads(int threads, const std::function<void()>& work) {
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job) {
+  return for_each_model(models, stage, stop_at_failure, control, *single_process(), job);
+}
+
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control, Communicator& ranks,
+                                         const std::function<void(std::size_t model)>& job) {
   std::vector<ModelFailure> failures;
   std::mutex mutex;
   std::size_t done = 0;
-  // A flag of our own: cancelling the group would also cancel what the shapes under way do in parallel, down to a tree
-  // that Embree is building, and give them wrong values.
-  std::atomic<bool> stopped = false;
-  const auto attempt = [&](std::size_t model) {
+  const auto attempt = [&](std::size_t model, Jobs& jobs) {
     try {
       // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
       tbb::this_task_arena::isolate([&] { job(model); });
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex);
       failures.push_back({.model = model, .message = error.what()});
-      if (stop_at_failure) stopped = true;
+      // Not by cancelling the group: that would also cancel what the shapes under way do in parallel, down to a tree
+      // that Embree is building, and give them wrong values.
+      if (stop_at_failure) jobs.stop();
     }
     const std::scoped_lock lock(mutex);
-    control.progress(stage, ++done, models.size());
+    ++done;
+    control.progress(stage, ranks.size() == 1 ? done : jobs.handed_out(), models.size());
   };
   control.progress(stage, 0, models.size());
   // Models begin in their order, so that those before the first failure have all been tried when it stops the rest: the
   // same one is the first on any number of threads.
-  std::atomic<std::size_t> next = 0;
-  tbb::parallel_for(
-      tbb::blocked_range<std::size_t>(0, models.size(), 1),
-      [&](const tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i) {
-          if (!stopped && !control.interrupted()) attempt(models[next++]);
-        }
-      },
-      tbb::simple_partitioner());
+  ranks.share_jobs(models.size(), [&](Jobs& jobs) {
+    tbb::parallel_for(
+        0, tbb::this_task_arena::max_concurrency(), 1,
+        [&](int) {
+          while (!control.interrupted()) {
+            const std::optional<std::size_t> next = jobs.next();
+            if (!next) break;
+            attempt(models[*next], jobs);
+          }
+        },
+        tbb::simple_partitioner());
+  });
   if (control.interrupted()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/distributed/communicator.h"
 
 namespace shapegauge {
 
@@ -39,6 +40,12 @@ void with_threads(int threads, const std::function<void()>& work);
 /// their order. Returns the failures in that order. Throws Interrupted.
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
+                                         const std::function<void(std::size_t model)>& job);
+
+/// The same, shared by processes: all of them call it with the same models, and each returns the failures of those jobs
+/// that it has done.
+std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
+                                         bool stop_at_failure, const RunControl& control, Communicator& ranks,
                                          const std::function<void(std::size_t model)>& job);
 
 /// Reads every model as a run would, in parallel, and returns those that a run could not use, in order. Throws

@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/runner/run_experiment.h"
 
+#include <algorithm>
 #include <chrono>
 #include <fmt/format.h>
 #include <functional>
@@ -11,8 +12,11 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
+#include "shapegauge/experiments/runner/judge_distances.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
@@ -73,20 +77,6 @@ std::vector<int> labels_of(const std::vector<Model>& models) {
   return labels;
 }
 
-std::vector<Evaluation> evaluations_of(const MethodResults& method, const std::vector<Model>& models,
-                                       const Configuration& configuration) {
-  const std::vector<int> labels = labels_of(models);
-  std::vector<Evaluation> evaluations;
-  for (const Protocol protocol : configuration.protocols) {
-    evaluations.push_back(evaluate(method.distances, labels,
-                                   {.protocol = protocol,
-                                    .ties = configuration.ties,
-                                    .measures = configuration.measures,
-                                    .minimum_class_size = configuration.minimum_class_size}));
-  }
-  return evaluations;
-}
-
 DistanceMatrix derived_distances(const SignatureConfiguration& signature,
                                  const std::vector<DistanceMatrix>& distances) {
   std::vector<DistanceMatrix> parts;
@@ -98,33 +88,218 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature,
   }
 }
 
-/// The distance matrices of the signatures of these features.
-std::vector<DistanceMatrix> all_distances(const Configuration& configuration, const std::vector<Signatures>& features,
-                                          const RunControl& control, Cache& cache) {
-  std::vector<DistanceMatrix> distances(configuration.signatures.size());
-  std::size_t done = 0;
-  for (const std::size_t i : computation_order(configuration.signatures)) {
-    if (control.interrupted()) throw Interrupted();
-    control.progress("distances", done++, distances.size());
-    const SignatureConfiguration& signature = configuration.signatures[i];
-    if (signature.derived) {
-      distances[i] = derived_distances(signature, distances);
-    } else if (signature.descriptor) {
-      distances[i] = distances_through_cache(features[i], signature.descriptor->descriptor, cache);
-    } else {
-      distances[i] = distances_through_cache(features[i], configuration.distance, cache);
-    }
-  }
-  return distances;
+/// The distance between two signatures of that kind.
+NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
+  if (!signature.descriptor) return distance_named(configuration.distance);
+  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
 }
 
-void run_stages(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                const RunControl& control, Cache& cache, ExperimentResults& results) {
+/// By signature whether distances are derived from it, or it from others: that takes whole matrices.
+std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<bool> takes_part(signatures.size());
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (!signatures[i].derived) continue;
+    takes_part[i] = true;
+    for (const std::size_t part : signatures[i].parts) takes_part[part] = true;
+  }
+  return takes_part;
+}
+
+/// Collective. All rows of the signatures on rank 0, none elsewhere.
+Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks) {
+  if (ranks.size() == 1) return rows;
+  std::string bytes = std::move(Packer().add(rows)).bytes();
+  const std::vector<std::string> parts = ranks.gather(std::move(bytes));
+  Signatures together(ranks.rank() == 0 ? static_cast<Eigen::Index>(all) : 0, rows.cols());
+  Eigen::Index first = 0;
+  for (const std::string& part : parts) {
+    const auto some = Unpacker(part).take_value<Signatures>();
+    together.middleRows(first, some.rows()) = some;
+    first += some.rows();
+  }
+  return together;
+}
+
+/// The distances of all methods of a run, and what they are worth.
+class MethodsRun {
+ public:
+  MethodsRun(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
+             Communicator& ranks)
+      : configuration_(&configuration),
+        places_(&places),
+        control_(&control),
+        cache_(&cache),
+        ranks_(&ranks),
+        in_derived_(taking_part_in_derived(configuration.signatures)),
+        whole_(configuration.signatures.size()) {}
+
+  /// Collective. Adds the methods, with what was found of them on rank 0, to the results.
+  void run(const std::vector<int>& labels, ComputedSignatures& computed, ExperimentResults& results) {
+    check_size(labels.size());
+    double evaluating = 0;
+    Stopwatch stopwatch;
+    compute_whole(computed, labels.size());
+    for (std::size_t i = 0; i < configuration_->signatures.size(); ++i) {
+      if (control_->interrupted()) throw Interrupted();
+      results.methods.push_back({.name = configuration_->signatures[i].name,
+                                 .distances = {},
+                                 .overview = {},
+                                 .evaluations = {},
+                                 .signatures = {},
+                                 .histogram_ranges = {}});
+      evaluating += judge(i, labels, computed.signatures[i], results.methods.back());
+      results.methods.back().signatures = kept_signatures(i, labels.size(), std::move(computed.signatures[i]));
+      if (!computed.histogram_ranges.empty()) {
+        results.methods.back().histogram_ranges = std::move(computed.histogram_ranges[i]);
+      }
+    }
+    results.timings.emplace_back("distances", stopwatch.lap() - evaluating);
+    results.timings.emplace_back("evaluation", evaluating);
+  }
+
+ private:
+  void check_size(std::size_t models) const {
+    const auto derived = std::ranges::find(in_derived_, true);
+    if (ranks_->size() == 1 || models <= most_models_of_derived_distances || derived == in_derived_.end()) return;
+    throw SharedError(fmt::format(
+        "sum, fuse_ranks and rerank take whole distance matrices, which several processes hold of up to {} models, not "
+        "of {}; leave out signature \"{}\" and others like it, or run in one process with enough memory",
+        most_models_of_derived_distances, models,
+        configuration_->signatures[static_cast<std::size_t>(derived - in_derived_.begin())].name));
+  }
+
+  [[nodiscard]] bool keeps_matrices() const {
+    return configuration_->keep_distances && places_->distance_files.empty() && ranks_->size() == 1;
+  }
+
+  /// Whether the distances of a signature are to be in memory as a whole, on rank 0.
+  [[nodiscard]] bool is_whole(std::size_t signature, std::size_t models) const {
+    const bool few = models <= static_cast<std::size_t>(most_shapes_kept);
+    return in_derived_[signature] || keeps_matrices() || (ranks_->size() == 1 && few);
+  }
+
+  /// Collective. The matrices that are to be in memory.
+  void compute_whole(const ComputedSignatures& computed, std::size_t models) {
+    std::size_t done = 0;
+    for (const std::size_t i : computation_order(configuration_->signatures)) {
+      if (control_->interrupted()) throw Interrupted();
+      control_->progress("distances", done++, whole_.size());
+      if (!is_whole(i, models)) continue;
+      const SignatureConfiguration& signature = configuration_->signatures[i];
+      const Signatures rows =
+          signature.derived || ranks_->size() == 1 ? Signatures() : gathered(computed.signatures[i], models, *ranks_);
+      const Signatures& all = ranks_->size() == 1 ? computed.signatures[i] : rows;
+      on_all_ranks(*ranks_, [&] {
+        if (ranks_->rank() != 0) return;
+        whole_[i] = signature.derived      ? derived_distances(signature, whole_)
+                    : signature.descriptor ? distances_through_cache(all, signature.descriptor->descriptor, *cache_)
+                                           : distances_through_cache(all, configuration_->distance, *cache_);
+      });
+    }
+  }
+
+  /// Collective. Judges the distances of one signature; returns the seconds that it took here to evaluate them.
+  double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
+    const bool whole = is_whole(i, labels.size());
+    const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
+    const SharedSignatures signatures{.rows = rows, .all = labels.size()};
+    JudgedMethod wanted;
+    for (const Protocol protocol : configuration_->protocols) {
+      wanted.evaluations.push_back({.protocol = protocol,
+                                    .ties = configuration_->ties,
+                                    .measures = configuration_->measures,
+                                    .minimum_class_size = configuration_->minimum_class_size});
+    }
+    wanted.overview = configuration_->report.wanted;
+    if (wanted.overview && std::ssize(labels) > largest_heat_map) {
+      wanted.largest = whole ? largest_of_whole(whole_[i]) : largest_of_first(distance, signatures, *ranks_);
+    }
+    if (configuration_->keep_distances && !places_->distance_files.empty()) wanted.file = places_->distance_files[i];
+
+    const Range part = whole ? Range{.first = ranks_->rank() == 0 ? 0 : labels.size(), .last = labels.size()}
+                             : part_of_rank(labels.size(), ranks_->rank(), ranks_->size());
+    DistanceJudge judge(labels, part, wanted, *ranks_);
+    const RowVisitor add = [&](Eigen::Index first, const DistanceTable& some) {
+      if (control_->interrupted()) throw Interrupted();
+      judge.add(first, some);
+    };
+    if (whole) {
+      add_whole(whole_[i], add);
+    } else {
+      visit_distances(distance, signatures, *ranks_, add);
+    }
+    Judgement judgement = judge.finish();
+    method.evaluations = std::move(judgement.evaluations);
+    if (judgement.overview) method.overview = std::move(*judgement.overview);
+    DistanceMatrix matrix = std::move(whole_[i]);
+    if (keeps_matrices()) method.distances = std::move(matrix);
+    return judge.seconds();
+  }
+
+  static double largest_of_whole(const DistanceMatrix& distances) {
+    return largest_finite({distances.data(), static_cast<std::size_t>(distances.cols())}, 0);
+  }
+
+  static void add_whole(const DistanceMatrix& distances, const RowVisitor& add) {
+    constexpr Eigen::Index together = 1024;
+    for (Eigen::Index first = 0; first < distances.rows(); first += together) {
+      add(first, distances.middleRows(first, std::min(together, distances.rows() - first)));
+    }
+  }
+
+  /// Collective. The signatures that the results are to have.
+  Signatures kept_signatures(std::size_t i, std::size_t models, Signatures rows) {
+    if (ranks_->size() == 1) return rows;
+    const SignatureConfiguration& signature = configuration_->signatures[i];
+    const bool shown = signature.field && configuration_->report.wanted;
+    return signature.descriptor || shown ? gathered(rows, models, *ranks_) : Signatures();
+  }
+
+  const Configuration* configuration_;
+  const RunPlaces* places_;
+  const RunControl* control_;
+  Cache* cache_;
+  Communicator* ranks_;
+  std::vector<bool> in_derived_;       ///< by signature
+  std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
+};
+
+/// Collective. What all ranks took from the cache, on rank 0.
+CacheReport report_of(const Cache& cache, Communicator& ranks) {
+  CacheReport report = cache.report();
+  const std::vector<std::string> parts = ranks.gather(std::move(Packer().add(report.uses)).bytes());
+  if (parts.empty()) return report;
+  report.uses = {};
+  for (const std::string& part : parts) {
+    const auto uses = Unpacker(part).take_value<decltype(report.uses)>();
+    for (std::size_t kind = 0; kind < uses.size(); ++kind) {
+      report.uses.at(kind).hits += uses.at(kind).hits;
+      report.uses.at(kind).computed += uses.at(kind).computed;
+    }
+  }
+  return report;
+}
+
+/// Collective. The data set, which rank 0 makes where it is to be made.
+Dataset dataset_of_all(const Configuration& configuration, const fs::path& generated_folder, const RunControl& control,
+                       Communicator& ranks) {
+  Dataset dataset;
+  on_all_ranks(ranks, [&] {
+    if (ranks.rank() == 0) dataset = prepare_dataset(configuration, generated_folder, control);
+  });
+  on_all_ranks(ranks, [&] {
+    if (ranks.rank() != 0) dataset = prepare_dataset(configuration, generated_folder, control);
+  });
+  return dataset;
+}
+
+void run_stages(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
+                Communicator& ranks, ExperimentResults& results) {
   Stopwatch stopwatch;
-  const Dataset dataset = prepare_dataset(configuration, generated_folder, control);
+  const Dataset dataset = dataset_of_all(configuration, places.generated_folder, control, ranks);
   results.timings.emplace_back("dataset", stopwatch.lap());
 
-  ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache);
+  ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache, ranks);
   results.classes = dataset.classes;
   for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
   for (const ModelFailure& failure : computed.failures) {
@@ -135,21 +310,7 @@ void run_stages(const Configuration& configuration, const std::filesystem::path&
   results.pictures = std::move(computed.pictures);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
-  std::vector<DistanceMatrix> distances = all_distances(configuration, computed.signatures, control, cache);
-  for (std::size_t i = 0; i < configuration.signatures.size(); ++i) {
-    results.methods.push_back({.name = configuration.signatures[i].name,
-                               .distances = std::move(distances[i]),
-                               .evaluations = {},
-                               .signatures = std::move(computed.signatures[i]),
-                               .histogram_ranges = std::move(computed.histogram_ranges[i])});
-  }
-  results.timings.emplace_back("distances", stopwatch.lap());
-
-  for (MethodResults& method : results.methods) {
-    if (control.interrupted()) throw Interrupted();
-    method.evaluations = evaluations_of(method, results.models, configuration);
-  }
-  results.timings.emplace_back("evaluation", stopwatch.lap());
+  MethodsRun(configuration, places, control, cache, ranks).run(labels_of(results.models), computed, results);
 }
 
 }  // namespace
@@ -191,19 +352,26 @@ DistanceMatrix distances_through_cache(const Signatures& features, const Descrip
                           [&] { return descriptor_distances(descriptor, features); });
 }
 
-ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                                 const RunControl& control, Cache& cache) {
+ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
+                                 Cache& cache, Communicator& ranks) {
   ExperimentResults results;
+  results.processes = ranks.size();
   results.configuration = configuration;
   results.threads = control.threads > 0 ? control.threads : available_threads();
   try {
-    with_threads(results.threads, [&] { run_stages(configuration, generated_folder, control, cache, results); });
+    with_threads(results.threads, [&] { run_stages(configuration, places, control, cache, ranks, results); });
   } catch (const std::invalid_argument& error) {
     // What the modules below say of data that they cannot use: here the data come from the user.
     throw InputError(error.what());
   }
-  results.cache = cache.report();
+  results.cache = report_of(cache, ranks);
   return results;
+}
+
+ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                                 const RunControl& control, Cache& cache) {
+  return run_experiment(configuration, {.generated_folder = generated_folder, .distance_files = {}}, control, cache,
+                        *single_process());
 }
 
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,

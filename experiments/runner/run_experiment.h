@@ -9,8 +9,10 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
 #include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
@@ -25,9 +27,12 @@ struct FailedModel {
 /// What a run found for one signature.
 struct MethodResults {
   std::string name;
-  DistanceMatrix distances;                ///< rows and columns are ExperimentResults::models
-  std::vector<Evaluation> evaluations;     ///< by protocol of the configuration
-  Signatures signatures;                   ///< row i is of ExperimentResults::models[i]; empty for derived distances
+  DistanceMatrix distances;             ///< rows and columns are ExperimentResults::models; empty where nobody keeps
+                                        ///< them, or a file does
+  DistanceOverview overview;            ///< of the distances, for the report; empty where none is wanted
+  std::vector<Evaluation> evaluations;  ///< by protocol of the configuration
+  Signatures signatures;                ///< row i is of ExperimentResults::models[i]; empty for derived distances, and
+                                        ///< of several processes where neither report nor files have them
   std::vector<Interval> histogram_ranges;  ///< of each row, where the signature is one histogram; else empty
 };
 
@@ -42,7 +47,8 @@ struct ExperimentResults {
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
   CacheReport cache;
-  int threads = 1;
+  int threads = 1;  ///< of each process
+  int processes = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 
@@ -59,10 +65,30 @@ DistanceMatrix distances_through_cache(const Signatures& signatures, const std::
 /// descriptor_distances(), in the same way.
 DistanceMatrix distances_through_cache(const Signatures& features, const Descriptor& descriptor, Cache& cache);
 
-/// Runs a whole experiment: data set, signatures, distances, evaluation. Writes nothing but a data set that the
-/// configuration asks to generate, which goes to (or is found in) the folder. Throws InputError for a model that fails
-/// with OnError::stop, for data that cannot be evaluated, and Interrupted. Results are the same bytes whatever the
-/// cache holds.
+/// The most models of which several processes, too, hold whole distance matrices, on rank 0: those that sums, fusions
+/// and re-ranking are made of. 2 GiB each.
+inline constexpr std::size_t most_models_of_derived_distances = 16384;
+
+/// Where a run goes, and who runs it.
+struct RunPlaces {
+  std::filesystem::path generated_folder;  ///< of a data set that the configuration asks to generate
+  /// By signature the `.npy` file of its distances, written by rows; none: those that the configuration keeps are in
+  /// the results.
+  std::vector<std::filesystem::path> distance_files;
+};
+
+/// Runs a whole experiment: data set, signatures, distances, evaluation. Throws InputError for a model that fails with
+/// OnError::stop, for data that cannot be evaluated, and Interrupted. Results are the same bytes whatever the cache
+/// holds, for any number of threads, and of processes, of which rank 0 has them.
+///
+/// Distances are computed, judged and written by rows (judge_distances.h). Whole matrices are in memory where they are
+/// derived from others, or others from them; where the results have them; and up to 2,900 models, by way of the cache.
+/// Of several processes rank 0 has those of the first kind; of more than most_models_of_derived_distances models it
+/// does not, which is an InputError. Collective.
+ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
+                                 Cache& cache, Communicator& ranks);
+
+/// The same in this process alone, with the matrices in the results.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control, Cache& cache);
 

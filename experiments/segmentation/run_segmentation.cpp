@@ -4,7 +4,9 @@
 #include <chrono>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
 #include <iterator>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -15,6 +17,9 @@
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/samples.h"
+#include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
@@ -35,11 +40,36 @@ int version_of(const SegmentationMethod& method) {
   return method.paper ? paper_segmentation_version : part_segmentation_version;
 }
 
+/// The parts' fractions of the area, largest first.
+std::vector<double> part_sizes(const Labels& labels, const Eigen::VectorXd& areas) {
+  std::vector<double> sizes(static_cast<std::size_t>(*std::ranges::max_element(labels)) + 1, 0);
+  const double area = areas.sum();
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    sizes[static_cast<std::size_t>(labels[i])] += areas[static_cast<Eigen::Index>(i)] / area;
+  }
+  std::ranges::sort(sizes, std::greater<>{});
+  return sizes;
+}
+
+/// Labels of a changed mesh, or of a cloud that was made of it, carried to the mesh: to each triangle that of the one
+/// whose centroid is nearest. Where there are as many triangles, they are the same ones, though they may have moved.
+Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mesh) {
+  if (!is_cloud(changed) && changed.triangles.rows() == mesh.triangles.rows()) return labels;
+  const SampleSite site = is_cloud(changed) ? SampleSite::vertices : SampleSite::faces;
+  Labels carried;
+  for (const std::int32_t i :
+       nearest_points(sample_shape(mesh, SampleSite::faces).points, sample_shape(changed, site).points)) {
+    carried.push_back(labels[static_cast<std::size_t>(i)]);
+  }
+  return carried;
+}
+
 /// What computing one shape needs and gives.
 class ShapeJob {
  public:
-  ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, Cache& cache)
-      : experiment_(experiment), model_(model), cache_(cache), mesh_(read_shape(model.mesh)) {
+  /// - `index`: the model's in the data set, which perturbations may depend on.
+  ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index, Cache& cache)
+      : experiment_(experiment), model_(model), index_(index), cache_(cache), mesh_(read_shape(model.mesh)) {
     const auto faces = static_cast<std::size_t>(mesh_.triangles.rows());
     result.mesh_sha256 = sha256_of_file(model.mesh);
     for (const std::filesystem::path& file : model.people) {
@@ -50,8 +80,11 @@ class ShapeJob {
     const SegmentationScorer scorer(mesh_, {.by_area = experiment.by_area, .cuts = experiment.cuts});
     for (const Labels& labels : result.labels) errors.push_back(scorer.errors_against(labels, people_));
     errors.push_back(scorer.errors_among(people_));
+    const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
+    for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
+    for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));
     if (!experiment.pictures) return;
-    result.pictures.push_back(picture(people_.front()));
+    if (!people_.empty()) result.pictures.push_back(picture(people_.front()));
     for (const Labels& labels : result.labels) result.pictures.push_back(picture(labels));
   }
 
@@ -60,16 +93,31 @@ class ShapeJob {
 
  private:
   Labels cached_labels(const SegmentationMethod& method) {
-    const std::string key = segmentation_key(
-        {.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = 0}, method, version_of(method));
+    const std::string key =
+        segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
+                         version_of(method), experiment_.seed);
     const auto read = [](const nlohmann::json& value) { return value.get<Labels>(); };
     std::optional<Labels> found = cache_.lookup(EntryKind::segmentation, key, read);
     const bool hit = found && std::ssize(*found) == mesh_.triangles.rows();
     cache_.count(EntryKind::segmentation, hit);
     if (hit) return *std::move(found);
-    Labels labels = segmented(mesh_, method);
+    Labels labels = computed_labels(method);
     cache_.store(EntryKind::segmentation, key, labels);
     return labels;
+  }
+
+  [[nodiscard]] Labels computed_labels(const SegmentationMethod& method) const {
+    if (method.perturbations.empty()) return segmented(mesh_, method);
+    const Shape changed = perturb_model(mesh_, method.perturbations, experiment_.seed, model_.id, index_).shape;
+    return renumbered(carried_over(segmented(changed, method), changed, mesh_));
+  }
+
+  /// How much the perturbations of a method change its parts.
+  double moved(std::size_t method, const SegmentationScorer& scorer) {
+    SegmentationMethod without = experiment_.methods[method];
+    if (without.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
+    without.perturbations.clear();
+    return scorer.errors(result.labels[method], cached_labels(without)).rand_index;
   }
 
   [[nodiscard]] std::string picture(const Labels& labels) const {
@@ -80,14 +128,27 @@ class ShapeJob {
 
   const SegmentationExperiment& experiment_;
   const SegmentedModel& model_;
+  std::size_t index_;
   Cache& cache_;
   Shape mesh_;
   std::vector<Labels> people_;
 };
 
+/// A data set that nobody has cut.
+SegmentationBenchmark without_people(const Dataset& dataset) {
+  SegmentationBenchmark shapes{.models = {}, .classes = dataset.classes, .without_people = {}};
+  for (const Model& model : dataset.models) {
+    shapes.models.push_back({.id = model.id, .mesh = model.file, .people = {}, .label = model.label});
+  }
+  return shapes;
+}
+
 SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                                    const RunControl& control) {
-  if (!experiment.generator) return find_segmentation_benchmark(experiment.root);
+  if (!experiment.generator && experiment.location.layout == segmentation_layout) {
+    return find_segmentation_benchmark(experiment.location.root);
+  }
+  if (!experiment.generator) return without_people(find_dataset(experiment.location));
   GeneratorOptions options = *experiment.generator;
   options.force = true;  // of this folder, which is the run's own
   generate_dataset(generated, options, [&](int done, int total) {
@@ -138,13 +199,15 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
                 SegmentationResults& results) {
   const auto start = std::chrono::steady_clock::now();
   results.benchmark = benchmark_of(results.experiment, generated, control);
+  results.has_people =
+      std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
   std::vector<std::size_t> all(results.benchmark.models.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   std::vector<std::optional<SegmentedShape>> shapes(all.size());
   std::vector<std::vector<SegmentationErrors>> errors(all.size());
   const bool stop = results.experiment.on_error == OnError::stop;
   const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, control, [&](std::size_t i) {
-    ShapeJob job(results.experiment, results.benchmark.models[i], cache);
+    ShapeJob job(results.experiment, results.benchmark.models[i], i, cache);
     shapes[i] = std::move(job.result);
     errors[i] = std::move(job.errors);
   });
@@ -162,7 +225,12 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
 }  // namespace
 
 Labels segmented(const Shape& shape, const SegmentationMethod& method) {
-  if (!method.paper) return part_segmentation(shape, {.parts = method.parts});
+  if (!method.paper) {
+    PartSegmentationOptions options{.parts = method.parts, .patches = method.patches};
+    options.least_probability = method.least_probability;
+    options.smoothing.width = method.border_width;
+    return part_segmentation(shape, options);
+  }
   const SurfaceGraph graph = surface_graph(shape);
   ScalarField field{.values = {}, .weights = graph.samples.weights};
   field.values = method.offset_field ? offset_sdf(shape, graph.samples, {.offset = method.offset}).values

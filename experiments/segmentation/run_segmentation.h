@@ -20,7 +20,11 @@ struct SegmentedShape {
   std::string mesh_sha256;
   std::vector<std::string> people_sha256;
   std::vector<std::vector<std::int32_t>> labels;  ///< by method; of each triangle the number of its part
-  std::vector<std::string> pictures;              ///< PNG files: the first person's parts, then by method
+  std::vector<std::vector<double>> part_sizes;    ///< by method: the parts' fractions of the area, largest first
+  /// By method with perturbations: the Rand Index error of its parts against those of the method without them; NaN for
+  /// others.
+  std::vector<double> moved;
+  std::vector<std::string> pictures;  ///< PNG files: the first person's parts where there are any, then by method
 };
 
 /// A shape that the run went on without.
@@ -33,6 +37,7 @@ struct FailedSegmentation {
 struct SegmentationResults {
   SegmentationExperiment experiment;
   SegmentationBenchmark benchmark;     ///< the shapes that could be used
+  bool has_people = true;              ///< somebody cut the shapes
   SegmentationScores scores;           ///< of the methods, and of people where a shape has two
   std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark's
   std::vector<FailedSegmentation> failures;
@@ -41,7 +46,8 @@ struct SegmentationResults {
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
 };
 
-/// The parts of a shape by a method of the experiment. Throws InputError as the method's function.
+/// The parts of a shape by a method of the experiment, whose perturbations do not count here. Throws InputError as the
+/// method's function.
 std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/experiments/report/report_json.h"
+#include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 
 namespace shapegauge {
@@ -107,10 +108,12 @@ std::string shape_figure(const SegmentationResults& results, std::size_t shape) 
   std::string html = fmt::format("<figure><figcaption>{} ({})</figcaption><div class=\"views\">",
                                  html_text(scores.ids[shape]), html_text(scores.classes[label]));
   const std::vector<std::string>& pictures = results.shapes[shape].pictures;
-  html += picture(pictures.front(), results.experiment.generator ? "as made" : "a person");
+  const std::size_t people = results.has_people ? 1 : 0;
+  if (people > 0) html += picture(pictures.front(), results.experiment.generator ? "as made" : "a person");
   for (std::size_t m = 0; m < results.experiment.methods.size(); ++m) {
-    html += picture(pictures[m + 1],
-                    fmt::format("{}: {:.3f}", results.experiment.methods[m].name, scores.errors[m][shape].rand_index));
+    const std::string& method = results.experiment.methods[m].name;
+    const double error = scores.errors[m][shape].rand_index;
+    html += picture(pictures[m + people], people > 0 ? fmt::format("{}: {:.3f}", method, error) : method);
   }
   return html + "</div></figure>\n";
 }
@@ -140,6 +143,19 @@ std::string figures(const SegmentationResults& results, const std::vector<std::s
   return html + "</div>\n";
 }
 
+/// What people think of it.
+std::string errors_section(const SegmentationResults& results) {
+  const SegmentationScores& scores = results.scores;
+  std::string html = fmt::format("<h2>Errors</h2>\n<p>Less is better; triangles count {}.</p>\n",
+                                 results.experiment.by_area ? "by area" : "alike") +
+                     html_table(mean_table(scores));
+  if (const std::optional<MethodComparison> comparison = rand_comparison(scores)) {
+    html += html_table(interval_table(scores, *comparison)) + html_table(pair_table(scores, *comparison));
+  }
+  html += "<h2>Rand error by class</h2>\n" + class_bars(scores);
+  return html + "<details><summary>The same as a table</summary>\n" + html_table(class_table(scores)) + "</details>\n";
+}
+
 }  // namespace
 
 std::string segmentation_page(const SegmentationResults& results) {
@@ -150,23 +166,31 @@ std::string segmentation_page(const SegmentationResults& results) {
       "content=\"width=device-width, initial-scale=1\">\n<title>{0} – shapegauge</title>\n<style>{1}</style>\n</head>\n"
       "<body>\n<h1>{0}</h1>\n<p>{2}</p>\n",
       name, style, html_text(results.experiment.description));
-  html += fmt::format("<p>{} shapes of {} classes; triangles count {}. Errors: less is better.</p>\n",
-                      scores.ids.size(), scores.classes.size(), results.experiment.by_area ? "by area" : "alike");
-  html += "<h2>Summary</h2>\n" + html_table(mean_table(scores));
-  if (const std::optional<MethodComparison> comparison = rand_comparison(scores)) {
-    html += html_table(interval_table(scores, *comparison)) + html_table(pair_table(scores, *comparison));
+  html += fmt::format("<p>{} shapes of {} classes.</p>\n", scores.ids.size(), scores.classes.size());
+  if (results.has_people) html += errors_section(results);
+  if (const Table moved = moved_table(results); !moved.rows.empty()) {
+    html += "<h2>Under damage</h2>\n<p>The Rand error of the parts against those of the undamaged shape.</p>\n" +
+            html_table(moved);
   }
-  html += "<h2>Rand error by class</h2>\n" + class_bars(scores);
-  html += "<details><summary>The same as a table</summary>\n" + html_table(class_table(scores)) + "</details>\n";
+  html +=
+      "<h2>Shapes of a class among each other</h2>\n<p>The median number of parts, the fraction of pairs of shapes "
+      "with the same number, and how much the parts differ in size (0: not at all, 1: wholly): among the shapes of "
+      "the class, and from those of other classes.</p>\n" +
+      html_table(consistency_table(results));
   for (const FailedSegmentation& failure : results.failures) {
     html += fmt::format("<p>Left out {}: {}</p>\n", html_text(failure.model.id), html_text(failure.message));
   }
   if (results.experiment.pictures) {
-    html += "<h2>Gallery</h2>\n<p>Of each class the shape of median error.</p>\n" +
+    html += fmt::format("<h2>Gallery</h2>\n<p>Of each class {}.</p>\n",
+                        results.has_people ? "the shape of median error" : "one shape") +
             figures(results, typical_shapes(scores));
-    html +=
-        fmt::format("<h2>Shapes, worst first</h2>\n<p>By the Rand error of {}.</p>\n", html_text(scores.methods[0])) +
-        figures(results, worst_first(scores));
+    if (results.has_people) {
+      html +=
+          fmt::format("<h2>Shapes, worst first</h2>\n<p>By the Rand error of {}.</p>\n", html_text(scores.methods[0])) +
+          figures(results, worst_first(scores));
+    } else {
+      html += "<h2>Shapes</h2>\n" + figures(results, worst_first(scores));
+    }
   }
   return html + "</body>\n</html>\n";
 }

@@ -1,7 +1,15 @@
-// Trains the model of part_segmentation(), or says by cross-validation over classes what it is worth:
-// train_part_model SHAPES [WEIGHTS.inc]. SHAPES is a data set that `shapegauge dataset generate` made, whose shapes
-// carry their parts, or a segmentation benchmark. Without a file to write it leaves out one class after the other,
-// trains on the rest, and measures the Rand error on the class left out.
+// Trains the model of part_segmentation(), or says what it is worth:
+//
+//     train_part_model SHAPES WEIGHTS.inc
+//     train_part_model SHAPES
+//     train_part_model SHAPES --ablate BENCHMARK
+//
+// SHAPES and BENCHMARK are data sets that `shapegauge dataset generate` made, whose shapes carry their parts, or
+// segmentation benchmarks. Without a file to write it leaves out one class after the other, trains on the rest, and
+// measures the Rand error on the class left out. --ablate leaves out one group of features after the other, trains on
+// SHAPES, and measures on BENCHMARK.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -10,7 +18,9 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <tbb/parallel_for.h>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
@@ -26,6 +36,7 @@
 namespace shapegauge {
 namespace {
 
+constexpr int none_left_out = -1;
 constexpr int no_class = -2;  // of what belongs to no class that could be left out
 
 /// A mesh as merging sees it, and what people say of it.
@@ -113,7 +124,7 @@ void add_examples(std::vector<PartExample>& examples, const std::vector<Training
 }
 
 /// A first model learns from merging as people would, the second also from where the first one leads.
-PartModel trained(const std::vector<TrainingModel>& models, int left_out) {
+PartModel trained(const std::vector<TrainingModel>& models, int left_out = none_left_out) {
   std::vector<PartExample> examples;
   add_examples(examples, models, left_out, nullptr);
   const PartModel first = train_part_model(examples, {.networks = 1});
@@ -134,22 +145,86 @@ double rand_error(const TrainingModel& training, const PartModel& model) {
   return sum / static_cast<double>(training.people.size());
 }
 
+/// The mean Rand error on the shapes of a class.
+double class_error(const std::vector<TrainingModel>& shapes, int label, const PartModel& model) {
+  double error = 0;
+  int count = 0;
+  for (const TrainingModel& shape : shapes) {
+    if (shape.label != label) continue;
+    error += rand_error(shape, model);
+    ++count;
+  }
+  return error / count;
+}
+
 void cross_validate(const SegmentationBenchmark& benchmark, const std::vector<TrainingModel>& models) {
   double sum = 0;
   for (std::size_t c = 0; c < benchmark.classes.size(); ++c) {
     const auto label = static_cast<int>(c);
-    const PartModel model = trained(models, label);
-    double error = 0;
-    int count = 0;
-    for (const TrainingModel& training : models) {
-      if (training.label != label) continue;
-      error += rand_error(training, model);
-      ++count;
-    }
-    fmt::print("{:10} {:.4f}\n", benchmark.classes[c], error / count);
-    sum += error / count;
+    const double error = class_error(models, label, trained(models, label));
+    fmt::print("{:10} {:.4f}\n", benchmark.classes[c], error);
+    std::fflush(stdout);
+    sum += error;
   }
   fmt::print("{:10} {:.4f}\n", "mean", sum / static_cast<double>(benchmark.classes.size()));
+}
+
+/// The groups of features by the names of their first ones.
+struct FeatureGroup {
+  std::string_view name;
+  std::string_view first;
+};
+
+constexpr std::array<FeatureGroup, 5> feature_groups{{{"lines of sight", "seen shallow"},
+                                                      {"thickness", "thickness apart"},
+                                                      {"the border", "border concave"},
+                                                      {"opposite sides", "opposite"},
+                                                      {"form and size", "elongation small"}}};
+
+/// The first feature of a group, and the first that is no longer of it.
+std::pair<Eigen::Index, Eigen::Index> range_of(std::size_t group) {
+  const auto place_of = [](std::string_view name) {
+    return std::ranges::find(region_feature_names(), name) - region_feature_names().begin();
+  };
+  const bool last = group + 1 == feature_groups.size();
+  return {place_of(feature_groups.at(group).first),
+          last ? region_features : place_of(feature_groups.at(group + 1).first)};
+}
+
+/// The model of examples that lack the features of a group.
+PartModel model_without(std::size_t group, std::vector<PartExample> examples, const TrainingOptions& options) {
+  const auto [begin, end] = range_of(group);
+  for (PartExample& example : examples) example.features.segment(begin, end - begin).setZero();
+  PartModel model = train_part_model(examples, options);
+  model.hidden.middleCols(begin, end - begin).setZero();
+  return model;
+}
+
+PartModel trained_without(std::size_t group, const std::vector<TrainingModel>& models) {
+  std::vector<PartExample> examples;
+  add_examples(examples, models, none_left_out, nullptr);
+  const PartModel first = model_without(group, examples, {.networks = 1});
+  add_examples(examples, models, none_left_out, &first);
+  return model_without(group, std::move(examples), {});
+}
+
+/// The mean of the classes' mean Rand errors.
+double mean_error(const SegmentationBenchmark& benchmark, const std::vector<TrainingModel>& tests,
+                  const PartModel& model) {
+  double sum = 0;
+  for (int label = 0; label < std::ssize(benchmark.classes); ++label) sum += class_error(tests, label, model);
+  return sum / static_cast<double>(benchmark.classes.size());
+}
+
+void ablate(const SegmentationBenchmark& shapes, const SegmentationBenchmark& benchmark) {
+  const std::vector<TrainingModel> models = prepared(shapes);
+  const std::vector<TrainingModel> tests = prepared(benchmark);
+  fmt::print("{:24} {:.4f}\n", "all features", mean_error(benchmark, tests, trained(models)));
+  for (std::size_t group = 0; group < feature_groups.size(); ++group) {
+    const double error = mean_error(benchmark, tests, trained_without(group, models));
+    fmt::print("{:24} {:.4f}\n", fmt::format("without {}", feature_groups.at(group).name), error);
+    std::fflush(stdout);
+  }
 }
 
 template <typename Numbers>
@@ -177,20 +252,24 @@ std::string weights_of(const PartModel& model) {
   return text + fmt::format("constexpr float output_bias = {:#.6g}F;\n", model.output_bias);
 }
 
+SegmentationBenchmark benchmark_in(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "parts.json") ? find_generated_parts(folder)
+                                                        : find_segmentation_benchmark(folder);
+}
+
 int run(const std::vector<std::string>& arguments) {
-  if (arguments.empty() || arguments.size() > 2) {
-    fmt::print(stderr, "usage: train_part_model SHAPES [WEIGHTS.inc]\n");
+  const bool ablation = arguments.size() == 3 && arguments[1] == "--ablate";
+  if (!ablation && (arguments.empty() || arguments.size() > 2)) {
+    fmt::print(stderr, "usage: train_part_model SHAPES [WEIGHTS.inc | --ablate BENCHMARK]\n");
     return 2;
   }
-  const std::filesystem::path shapes = arguments[0];
-  const SegmentationBenchmark benchmark = std::filesystem::exists(shapes / "parts.json")
-                                              ? find_generated_parts(shapes)
-                                              : find_segmentation_benchmark(shapes);
-  const std::vector<TrainingModel> models = prepared(benchmark);
-  if (arguments.size() == 1) {
-    cross_validate(benchmark, models);
+  const SegmentationBenchmark shapes = benchmark_in(arguments[0]);
+  if (ablation) {
+    ablate(shapes, benchmark_in(arguments[2]));
+  } else if (arguments.size() == 1) {
+    cross_validate(shapes, prepared(shapes));
   } else {
-    write_file_atomically(arguments[1], weights_of(trained(models, -1)));
+    write_file_atomically(arguments[1], weights_of(trained(prepared(shapes))));
   }
   return 0;
 }

@@ -10,6 +10,7 @@
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
+#include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/segmentation_tables.h"
 #include "shapegauge/segmentation/seg_file.h"
 
@@ -20,7 +21,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string summary(const SegmentationResults& results, std::string (*text)(const Table&)) {
+  if (!results.has_people) return text(consistency_table(results));
   std::string result = text(mean_table(results.scores)) + "\n" + text(class_table(results.scores));
+  if (const Table moved = moved_table(results); !moved.rows.empty()) result += "\n" + text(moved);
   if (const std::optional<MethodComparison> comparison = rand_comparison(results.scores)) {
     result += "\n" + text(interval_table(results.scores, *comparison));
     result += "\n" + text(pair_table(results.scores, *comparison));
@@ -36,9 +39,12 @@ std::string summary_markdown(const SegmentationResults& results) {
 
 std::vector<std::pair<std::string, std::string>> text_files(const SegmentationResults& results) {
   std::vector<std::pair<std::string, std::string>> files{{"summary.md", summary_markdown(results)},
-                                                         {"errors.csv", to_csv(mesh_table(results.scores))},
-                                                         {"classes.csv", to_csv(class_error_table(results.scores))},
+                                                         {"consistency.csv", to_csv(consistency_table(results))},
                                                          {std::string(report_name), segmentation_page(results)}};
+  if (const Table moved = moved_table(results); !moved.rows.empty()) files.emplace_back("moved.csv", to_csv(moved));
+  if (!results.has_people) return files;
+  files.emplace_back("errors.csv", to_csv(mesh_table(results.scores)));
+  files.emplace_back("classes.csv", to_csv(class_error_table(results.scores)));
   if (const std::optional<MethodComparison> comparison = rand_comparison(results.scores)) {
     files.emplace_back("means.csv", to_csv(interval_table(results.scores, *comparison)));
     files.emplace_back("pairs.csv", to_csv(pair_table(results.scores, *comparison)));
@@ -80,16 +86,16 @@ Json manifest(const SegmentationResults& results, const std::vector<std::string>
   return json;
 }
 
-/// Of each method a folder with a .seg file for each shape; their names.
+/// Of each method a folder with a .seg file for each shape. Returns their names.
 std::vector<std::string> write_parts(const std::filesystem::path& folder, const SegmentationResults& results) {
   std::vector<std::string> names;
   for (const SegmentationMethod& method : results.experiment.methods) names.push_back(method.name);
   const std::vector<std::string> folders = file_safe_names(names);
   std::vector<std::string> files;
   for (std::size_t m = 0; m < folders.size(); ++m) {
-    std::filesystem::create_directories(folder / "parts" / folders[m]);
     for (std::size_t i = 0; i < results.shapes.size(); ++i) {
       files.push_back(fmt::format("parts/{}/{}.seg", folders[m], results.benchmark.models[i].id));
+      std::filesystem::create_directories((folder / files.back()).parent_path());  // ids of folders have folders
       write_seg(folder / files.back(), results.shapes[i].labels[m]);
     }
   }

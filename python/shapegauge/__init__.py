@@ -143,14 +143,17 @@ def normals(vertices, faces=None, *, offset="auto", at="vertices", threads=0):
     return _field(_shape(vertices, faces), "offset_sdf", at, {"offset": offset}, threads)[2]
 
 
-def segment(vertices, faces=None, *, parts=0, normals=None, threads=0):
+def segment(vertices, faces=None, method="best", *, normals=None, threads=0, **settings):
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
-    parts: how many are wanted; 0: as many as there are.
+    method: "best", or the paper's pipeline, "paper". settings: those of a method in a configuration
+    (docs/configuration.md, "Segmentation"), as parts=3: how many are wanted.
 
     >>> labels = sg.segment(vertices, faces)
+    >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
     """
-    return _native.segment(*_shape(vertices, faces, normals), parts, threads)
+    settings = _json.dumps({"name": "parts", "method": method, **settings})
+    return _native.segment(*_shape(vertices, faces, normals), settings, threads)
 
 
 def describe(vertices, faces=None, descriptor="light_field", *, normals=None, threads=0, **settings):

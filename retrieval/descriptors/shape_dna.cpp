@@ -24,11 +24,11 @@ constexpr auto parameters = parameters_of(table);
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
   check_options("shape_dna", table, options);
   const double area = surface_area(mesh);
-  const Eigen::VectorXd eigenvalues = laplacian_spectrum(mesh, options.eigenvalues + 1).eigenvalues;
+  const Spectrum spectrum = laplacian_spectrum(mesh, options.eigenvalues + 1);
   Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
-  for (Eigen::Index k = 1; k < eigenvalues.size(); ++k) {
-    const double by_area = eigenvalues[k] * area / (4 * std::numbers::pi);
-    features[k - 1] = static_cast<float>(options.divide_by_rank ? by_area / static_cast<double>(k) : by_area);
+  for (Eigen::Index k = 0; k + spectrum.components < spectrum.eigenvalues.size(); ++k) {
+    const double by_area = spectrum.eigenvalues[k + spectrum.components] * area / (4 * std::numbers::pi);
+    features[k] = static_cast<float>(options.divide_by_rank ? by_area / static_cast<double>(k + 1) : by_area);
   }
   return features;
 }

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 /// To be raised with every change of shape_dna() that changes a value.
-inline constexpr int shape_dna_version = 1;
+inline constexpr int shape_dna_version = 2;
 
 /// Settings of shape_dna().
 struct ShapeDnaOptions {
@@ -18,8 +18,8 @@ struct ShapeDnaOptions {
 };
 
 /// ShapeDNA (Reuter, Wolter, Peinecke 2006): the first positive eigenvalues of the surface's Laplacian, times its area
-/// over 4 pi, in which units the k-th tends to k (Weyl). They do not change when the surface bends. Meshes with fewer
-/// vertices end with zeros. Compared by L2.
+/// over 4 pi, in which units the k-th tends to k (Weyl). They do not change when the surface bends. The zeros, one for
+/// each component, are left out. Meshes with fewer vertices end with zeros. Compared by L2.
 ///
 /// The sphere's are l (l + 1), each 2 l + 1 times. Throws InputError for options out of range and as
 /// laplacian_spectrum(): for clouds and where the eigenvalues do not converge.

@@ -4,7 +4,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <fstream>
 #include <gmock/gmock.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <sys/wait.h>
 #include <thread>
@@ -58,8 +61,22 @@ int exit_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : -WTER
 
 }  // namespace
 
-BackgroundRun::BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors) {
-  std::string executable = SHAPEGAUGE_EXECUTABLE;
+std::map<std::string, std::string> results_in(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    if (entry.is_regular_file() && name != "shape_seconds.csv") files[name] = test::text_of(entry.path());
+  }
+  if (!files.contains("manifest.json")) return files;
+  nlohmann::json manifest = nlohmann::json::parse(files.at("manifest.json"));
+  manifest.erase("execution");
+  files["manifest.json"] = manifest.dump();
+  return files;
+}
+
+BackgroundRun::BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors,
+                             const std::string& program) {
+  std::string executable = program;
   std::vector<char*> pointers{executable.data()};
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
@@ -93,6 +110,11 @@ bool BackgroundRun::wait_until(const std::function<bool()>& condition) {
 }
 
 void BackgroundRun::send(int signal) const { ::kill(process_, signal); }
+
+std::vector<pid_t> BackgroundRun::children() const {
+  std::ifstream file("/proc/" + std::to_string(process_) + "/task/" + std::to_string(process_) + "/children");
+  return {std::istream_iterator<pid_t>(file), {}};
+}
 
 int BackgroundRun::wait() {
   int status = 0;

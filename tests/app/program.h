@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -35,11 +36,16 @@ struct UnusableCall {
 /// Runs each and expects such an error line.
 void expect_error_lines(const std::vector<UnusableCall>& calls);
 
+/// The contents of a folder's result files by name, but for timings: those of the manifest are taken out.
+std::map<std::string, std::string> results_in(const std::filesystem::path& folder);
+
 /// The built executable under way; it is killed, if need be, and waited for at the end of the scope.
 class BackgroundRun {
  public:
-  /// Starts it with the arguments, silent but for standard error, which goes to a file.
-  BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors);
+  /// Starts it with the arguments, silent but for standard error, which goes to a file; or, by its absolute path, the
+  /// program that is to start it.
+  BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors,
+                const std::string& program = SHAPEGAUGE_EXECUTABLE);
   BackgroundRun(const BackgroundRun&) = delete;
   BackgroundRun& operator=(const BackgroundRun&) = delete;
   BackgroundRun(BackgroundRun&&) = delete;
@@ -49,6 +55,8 @@ class BackgroundRun {
   /// Waits until the condition holds; false where the run ends, or a minute passes, before it does.
   bool wait_until(const std::function<bool()>& condition);
   void send(int signal) const;
+  /// The processes that it has started itself.
+  [[nodiscard]] std::vector<pid_t> children() const;
   /// Waits for its end: the exit status, or minus the signal that ended it.
   int wait();
 

@@ -5,6 +5,7 @@
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
@@ -240,7 +241,8 @@ TEST_F(RunCommand, AComparisonWarnsOfAnOffsetThatLeaks) {
 }
 
 TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
-  // `timeout` sends the signal while the models are worked on: a field of very many rays takes long enough.
+  // `timeout` sends the signal while the models are worked on: very many rays from larger spheres take long enough.
+  for (const char* model : {"T0.off", "T3.off", "T6.off"}) write_off(at("data") / model, test::sphere(1, 3));
   const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 1 " +
                            std::string(SHAPEGAUGE_EXECUTABLE) + " run '" + at("small.json").string() +
                            "' --threads 1 --output '" + at("out").string() +

@@ -1,7 +1,6 @@
 #include <csignal>
 #include <cstdlib>
 #include <gmock/gmock.h>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sys/mount.h>
 #include <sys/wait.h>
@@ -21,24 +20,11 @@ using test::text_of;
 using test::write_text;
 using test_command_line::BackgroundRun;
 using test_command_line::Outcome;
+using test_command_line::results_in;
 using test_command_line::run_executable;
 using test_command_line::SmallRun;
 using testing::HasSubstr;
 using testing::MatchesRegex;
-
-/// The contents of a folder's result files by name, but for timings: those of the manifest are taken out.
-std::map<std::string, std::string> results_in(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string name = entry.path().lexically_relative(folder).string();
-    if (entry.is_regular_file() && name != "shape_seconds.csv") files[name] = text_of(entry.path());
-  }
-  if (!files.contains("manifest.json")) return files;
-  json manifest = json::parse(files.at("manifest.json"));
-  manifest.erase("execution");
-  files["manifest.json"] = manifest.dump();
-  return files;
-}
 
 /// Runs over the small data set, on one thread.
 class RunWithCache : public SmallRun {

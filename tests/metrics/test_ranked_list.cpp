@@ -22,21 +22,27 @@ Matrix every_row(const std::vector<double>& row) {
   return Eigen::Map<const Eigen::RowVectorXd>(row.data(), count).replicate(count, 1);
 }
 
-TEST(RankedModels, NearestFirstAndTiesByIndex) {
-  EXPECT_THAT(ranked_models(every_row({0, 3, 1, 2, 1, 3}), 0), ElementsAre(2, 4, 3, 1, 5));
+TEST(FirstRanked, NearestFirstAndTiesByIndex) {
+  EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 9), ElementsAre(2, 4, 3, 1, 5));
 }
 
-TEST(RankedModels, TheQueryIsRemovedByItsIndexNotByItsDistance) {
-  EXPECT_THAT(ranked_models(every_row({0, 0, 7, 1}), 2), ElementsAre(0, 1, 3));
-  EXPECT_THAT(ranked_models(every_row({0, 0, 7, 1}), 1), ElementsAre(0, 3, 2));
+TEST(FirstRanked, NoMoreThanWanted) {
+  EXPECT_THAT(first_ranked(std::vector<double>{0, 3, 1, 2, 1, 3}, 0, 3), ElementsAre(2, 4, 3));
+  EXPECT_THAT(first_ranked(std::vector<double>{0}, 0, 3), ElementsAre());
 }
 
-TEST(RankedModels, InfinityRanksLastAndMinusInfinityFirst) {
-  EXPECT_THAT(ranked_models(every_row({0, infinity, 1e308, -infinity, infinity}), 0), ElementsAre(3, 2, 1, 4));
+TEST(FirstRanked, TheQueryIsRemovedByItsIndexNotByItsDistance) {
+  EXPECT_THAT(first_ranked(std::vector<double>{0, 0, 7, 1}, 2, 9), ElementsAre(0, 1, 3));
+  EXPECT_THAT(first_ranked(std::vector<double>{0, 0, 7, 1}, 1, 9), ElementsAre(0, 3, 2));
 }
 
-TEST(RankedModels, BothZerosAreEqual) {
-  EXPECT_THAT(ranked_models(every_row({9, 0.0, -0.0, 0.0}), 0), ElementsAre(1, 2, 3));
+TEST(FirstRanked, InfinityRanksLastAndMinusInfinityFirst) {
+  EXPECT_THAT(first_ranked(std::vector<double>{0, infinity, 1e308, -infinity, infinity}, 0, 9),
+              ElementsAre(3, 2, 1, 4));
+}
+
+TEST(FirstRanked, BothZerosAreEqual) {
+  EXPECT_THAT(first_ranked(std::vector<double>{9, 0.0, -0.0, 0.0}, 0, 9), ElementsAre(1, 2, 3));
 }
 
 RankedList ranked(const std::vector<double>& row, const std::vector<int>& alternating, Protocol protocol,

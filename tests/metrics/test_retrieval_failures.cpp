@@ -1,12 +1,15 @@
 #include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <iterator>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include "shapegauge/metrics/evaluation.h"
+#include "shapegauge/metrics/ranked_list.h"
 #include "shapegauge/metrics/retrieval_failures.h"
 #include "tests/metrics/random_cases.h"
 
@@ -14,6 +17,7 @@ namespace shapegauge {
 
 namespace {
 
+using Nearest = std::vector<std::int32_t>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using testing::ElementsAre;
 
@@ -24,20 +28,30 @@ Matrix on_a_line(const std::vector<double>& places) {
   return (column.replicate(1, count) - column.transpose().replicate(count, 1)).cwiseAbs();
 }
 
+/// The model nearest to each.
+Nearest nearest_of(const Matrix& distances) {
+  Nearest nearest;
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    const std::span row(distances.row(i).data(), static_cast<std::size_t>(distances.cols()));
+    nearest.push_back(static_cast<std::int32_t>(first_ranked(row, i, 1).front()));
+  }
+  return nearest;
+}
+
 TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
   // The toy of the known answers. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5 -> 4,
   // 7 -> 9, 9 -> 7.
   const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
   const std::vector<Eigen::Index> queries = {0, 1, 2, 3, 4, 5, 6};
   const Eigen::MatrixXi expected{{2, 1}, {2, 2}};
-  EXPECT_EQ(confusion_matrix(on_a_line({0, 1, 4, 2, 3.5, 7, 9}), labels, queries, 2), expected);
+  EXPECT_EQ(confusion_matrix(nearest_of(on_a_line({0, 1, 4, 2, 3.5, 7, 9})), labels, queries, 2), expected);
 }
 
 TEST(ConfusionMatrix, OnlyQueriesCountAndEveryModelAnswers) {
   const std::vector<int> labels = {2, 0, 2};
   const std::vector<Eigen::Index> queries = {0, 2};
   const Eigen::MatrixXi expected{{0, 0, 0}, {0, 0, 0}, {2, 0, 0}};
-  EXPECT_EQ(confusion_matrix(on_a_line({0, 1, 2}), labels, queries, 3), expected);
+  EXPECT_EQ(confusion_matrix(nearest_of(on_a_line({0, 1, 2})), labels, queries, 3), expected);
 }
 
 RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, ()) {
@@ -50,7 +64,7 @@ RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, 
   const Evaluation evaluation =
       evaluate(random.distances, labels, {.protocol = random.protocol, .measures = {measure_of("NN")}});
   const Eigen::MatrixXi confusion =
-      confusion_matrix(random.distances, labels, evaluation.queries, static_cast<int>(names.size()));
+      confusion_matrix(nearest_of(random.distances), labels, evaluation.queries, static_cast<int>(names.size()));
   RC_ASSERT(confusion.sum() == static_cast<int>(evaluation.queries.size()));
   for (std::size_t i = 0; i < evaluation.classes.size(); ++i) {
     const int label = evaluation.classes[i];
@@ -62,11 +76,11 @@ RC_GTEST_PROP(ConfusionMatrixProperty, ItsDiagonalIsTheNearestNeighbourMeasure, 
 TEST(ConfusionMatrix, RefusesWhatDoesNotFit) {
   const std::vector<int> labels = {0, 1, 0};
   const std::vector<Eigen::Index> queries = {0};
-  const Matrix distances = on_a_line({0, 1, 2});
-  EXPECT_THROW(confusion_matrix(distances, labels, queries, 1), std::invalid_argument) << "label 1 of 1 class";
-  EXPECT_THROW(confusion_matrix(distances, labels, std::vector<Eigen::Index>{3}, 2), std::invalid_argument);
-  EXPECT_THROW(confusion_matrix(on_a_line({0, 1}), labels, queries, 2), std::invalid_argument);
-  EXPECT_THROW(confusion_matrix(on_a_line({0}), std::vector<int>{0}, queries, 1), std::invalid_argument);
+  const Nearest nearest = {1, 0, 1};
+  EXPECT_THROW(confusion_matrix(nearest, labels, queries, 1), std::invalid_argument) << "label 1 of 1 class";
+  EXPECT_THROW(confusion_matrix(nearest, labels, std::vector<Eigen::Index>{3}, 2), std::invalid_argument);
+  EXPECT_THROW(confusion_matrix(Nearest{1, 0}, labels, queries, 2), std::invalid_argument);
+  EXPECT_THROW(confusion_matrix(Nearest{1, 0, 3}, labels, queries, 2), std::invalid_argument);
 }
 
 Evaluation evaluation() {

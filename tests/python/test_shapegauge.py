@@ -120,6 +120,21 @@ def test_segments_are_the_command_lines(torus_file, tmp_path):
     assert labels.dtype == np.int32
 
 
+def test_segments_of_the_paper_are_the_command_lines(torus_file, tmp_path):
+    labels = sg.segment(sg.read(torus_file), method="paper", field="cone", parts=2)
+    arguments = ["--method", "paper", "--field", "cone", "--parts", 2]
+    program("segment", torus_file, *arguments, "-o", tmp_path / "torus.seg")
+    np.testing.assert_array_equal(labels, np.loadtxt(tmp_path / "torus.seg", dtype=int))
+
+
+@pytest.mark.parametrize(
+    "settings", [{"method": "pape"}, {"method": "paper", "patches": 9}, {"part": 3}, {"perturbations": []}]
+)
+def test_segment_refuses_settings_that_it_does_not_have(torus_file, settings):
+    with pytest.raises(ValueError, match=list(settings)[-1]):
+        sg.segment(sg.read(torus_file), **settings)
+
+
 def test_features_are_the_command_lines(torus_file, tmp_path):
     features = sg.describe(sg.read(torus_file), descriptor="d2", points=500)
     program("describe", torus_file, "--descriptor", "d2", "--set", "points=500", "-o", tmp_path / "d2.npy")

@@ -5,6 +5,10 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/segmentation/dumbbell.h"
@@ -79,13 +83,35 @@ TEST(PartSegmentation, ComponentsAreDifferentParts) {
 }
 
 TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
-  // Every triangle a little smaller than its place: none touches another.
+  // Every triangle a little smaller than its place, so that none touches another, and with a back of its own.
   Shape scales = test::soup(test::sphere(1, 4));
   for (Eigen::Index v = 0; v < scales.vertices.rows(); v += 3) {
     const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(v).colwise().mean();
     for (Eigen::Index k = v; k < v + 3; ++k) scales.vertices.row(k) = 0.1 * middle + 0.9 * scales.vertices.row(k);
   }
+  const Eigen::Index fronts = scales.triangles.rows();
+  scales.triangles.conservativeResize(2 * fronts, 3);
+  scales.triangles.bottomRows(fronts) = scales.triangles.topRows(fronts).rowwise().reverse();
   EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
+}
+
+TEST(PartSegmentation, CracksAreNoBorders) {
+  RandomNumbers random(3);
+  const Shape cracked = remove_faces(test::sphere(1, 4), 0.15, random);
+  EXPECT_EQ(count_of(part_segmentation(cracked, {})), 1U);
+}
+
+TEST(PartSegmentation, ACoarseMeshHasThePartsOfAFineOne) {
+  // The dumbbell in a fourth of the triangles, whose parts are compared at the places of its own triangles.
+  const Shape coarse = test::dumbbell(3);
+  const Shape fine = test::dumbbell(4);
+  const std::vector<std::int32_t> fine_parts = part_segmentation(fine, {.parts = 3});
+  std::vector<std::int32_t> expected;
+  for (const std::int32_t i :
+       nearest_points(sample_shape(coarse, SampleSite::faces).points, sample_shape(fine, SampleSite::faces).points)) {
+    expected.push_back(fine_parts[static_cast<std::size_t>(i)]);
+  }
+  EXPECT_LT(disagreement(part_segmentation(coarse, {.parts = 3}), expected), 0.1);
 }
 
 TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {

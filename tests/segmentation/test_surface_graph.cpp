@@ -1,8 +1,12 @@
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <set>
 #include <utility>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/surface_graph.h"
@@ -72,16 +76,62 @@ TEST(SurfaceGraph, OfAClosedMeshHasThreeNeighboursEach) {
   }
 }
 
+/// How many links lead from each triangle that has no open edges, of so many from the first on.
+std::vector<std::size_t> link_counts(const SurfaceGraph& graph, std::int32_t count) {
+  std::vector<std::size_t> counts;
+  for (std::int32_t i = 0; i < count; ++i) counts.push_back(graph.links_of(i).size());
+  return counts;
+}
+
 TEST(SurfaceGraph, TrianglesAtAnEdgeOfManyAreLinkedInARow) {
-  Shape fan;
-  fan.vertices.resize(5, 3);
-  fan.vertices << 0, 0, 0, 0, 0, 1, 1, 0, 0, -1, 1, 0, -1, -1, 0;
-  fan.triangles.resize(3, 3);
-  fan.triangles << 0, 1, 2, 0, 1, 3, 0, 1, 4;
-  const SurfaceGraph graph = surface_graph(fan);
-  EXPECT_EQ(graph.links_of(0).size(), 1U);
-  EXPECT_EQ(graph.links_of(1).size(), 2U);
-  EXPECT_EQ(graph.links_of(2).size(), 1U);
+  // Three tetrahedra with an edge in common, which thus six triangles have.
+  Shape three;
+  three.vertices.resize(8, 3);
+  three.vertices.topRows(2) << 0, 0, 0, 0, 0, 1;
+  three.triangles.resize(12, 3);
+  for (int k = 0; k < 3; ++k) {
+    const int p = 2 + 2 * k;
+    const int q = p + 1;
+    three.vertices.row(p) << std::cos(2 * k), std::sin(2 * k), 0.5;
+    three.vertices.row(q) << std::cos(2 * k + 0.7), std::sin(2 * k + 0.7), 0.5;
+    three.triangles.middleRows(4 * k, 4) << 0, 1, p, 0, 1, q, 0, p, q, 1, p, q;
+  }
+  const SurfaceGraph graph = surface_graph(three);
+  std::vector<std::size_t> counts = link_counts(graph, graph.size());
+  std::ranges::sort(counts);
+  // Six triangles do not have the edge. Of those that do, the two at the ends of the row have one neighbour there.
+  EXPECT_THAT(counts, testing::ElementsAre(3, 3, 3, 3, 3, 3, 3, 3, 4, 4, 4, 4));
+}
+
+TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
+  const Shape whole = test::sphere(1, 2);
+  Shape holed = whole;
+  holed.triangles = whole.triangles.bottomRows(whole.triangles.rows() - 1);
+  const SurfaceGraph graph = surface_graph(holed);
+  const SurfaceGraph of_whole = surface_graph(whole);
+  std::vector<std::int32_t> around;
+  for (const SurfaceLink& link : of_whole.links_of(0)) around.push_back(link.to - 1);
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    const bool at_gap = std::ranges::count(around, i) > 0;
+    ASSERT_EQ(graph.links_of(i).size(), at_gap ? 4U : 3U);  // two neighbours, and the two others at the gap
+    if (!at_gap) continue;
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      EXPECT_LT(link.concavity, 0);  // a sphere is convex across the gap too
+      const double straight = (graph.samples.points.row(link.to) - graph.samples.points.row(i)).norm();
+      EXPECT_GE(link.distance, straight);
+      EXPECT_LE(link.distance, 2 * straight);
+    }
+  }
+}
+
+TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
+  // A strip of which every second triangle is missing: the others meet at vertices only.
+  Shape strip;
+  strip.vertices.resize(5, 3);
+  strip.vertices << 0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 1, 0, 4, 0, 0;
+  strip.triangles.resize(2, 3);
+  strip.triangles << 0, 2, 1, 2, 4, 3;
+  EXPECT_THAT(link_counts(surface_graph(strip), 2), testing::ElementsAre(1, 1));
 }
 
 TEST(SurfaceGraph, RefusesAnEmptyShape) { EXPECT_THROW(surface_graph(Shape{}), InputError); }

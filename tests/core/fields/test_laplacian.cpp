@@ -124,6 +124,30 @@ TEST(Laplacian, TrianglesWithoutAreaAndUnusedVerticesDoNotMatter) {
   EXPECT_TRUE(spectrum.eigenvectors.row(unused).array().isNaN().all());
 }
 
+TEST(Laplacian, HasAZeroForEachComponentBesidesThoseAskedFor) {
+  std::vector<Shape> spheres;
+  for (int i = 0; i < 4; ++i) {
+    spheres.push_back(test::transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3.0 * i, 0, 0}));
+  }
+  const Shape four = test::joined(spheres);
+  const Eigen::VectorXd eigenvalues = laplacian_spectrum(four, 5).eigenvalues;
+  ASSERT_EQ(eigenvalues.size(), 4 + 4);
+  EXPECT_LT(eigenvalues.head(4).maxCoeff(), 1e-9);
+  const double first = laplacian_spectrum(spheres.front(), 2).eigenvalues[1];  // three times each sphere's
+  EXPECT_LT((eigenvalues.tail(4).array() - first).abs().maxCoeff(), 1e-6);
+}
+
+TEST(Laplacian, RefusesThousandsOfComponents) {
+  const Shape scales = test::soup(sphere(1, 4));
+  Shape apart = scales;
+  for (Eigen::Index v = 0; v < apart.vertices.rows(); v += 3) {
+    const Eigen::RowVector3d middle = apart.vertices.middleRows<3>(v).colwise().mean();
+    for (Eigen::Index k = v; k < v + 3; ++k) apart.vertices.row(k) = 0.1 * middle + 0.9 * apart.vertices.row(k);
+  }
+  EXPECT_THROW(laplacian_spectrum(apart, 5), InputError);
+  EXPECT_EQ(laplacian_spectrum(scales, 5).eigenvalues.size(), 5);  // vertices at one place are one
+}
+
 TEST(Laplacian, RefusesCloudsAndWhatHasNoArea) {
   EXPECT_THROW(laplacian_spectrum(Shape{sphere(1, 1).vertices, {}}, 5), InputError);
   Shape line = test::box({1, 1, 1}, 1);

@@ -60,6 +60,18 @@ TEST(PointNeighbours, NoMoreThanThereAre) {
   EXPECT_EQ(nearest_neighbours(Points(0, 3), 8).indices.rows(), 0);
 }
 
+TEST(NearestPoints, AreThoseOfAllComparisons) {
+  const Points points = Points::Random(300, 3);
+  const Points among = Points::Random(80, 3);
+  const std::vector<std::int32_t> found = nearest_points(points, among);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    Eigen::Index nearest = 0;
+    (among.rowwise() - points.row(i)).rowwise().squaredNorm().minCoeff(&nearest);
+    EXPECT_EQ(found[static_cast<std::size_t>(i)], nearest);
+  }
+  EXPECT_EQ(nearest_points(points, points.topRows(1)), std::vector<std::int32_t>(300, 0));
+}
+
 Points random_points_of_sphere() { return test::random_points(test::sphere(1, 5), 5000, 1).vertices; }
 
 TEST(PointNormals, OfAPlaneAreItsNormalAtAnyScale) {

@@ -59,7 +59,10 @@ SampleReport make_hostile_report() {
   sample.signatures = {histograms(20, 0.3), histograms(30, 0.8)};
   for (const Signatures& table : sample.signatures) sample.distances.push_back(distance_matrix(table));
   sample.distances.push_back(sample.distances[0] + sample.distances[1]);
-  for (const DistanceMatrix& distances : sample.distances) sample.evaluations.push_back(evaluations_of(distances));
+  for (const DistanceMatrix& distances : sample.distances) {
+    sample.overviews.push_back(overview_of(distances, labels));
+    sample.evaluations.push_back(evaluations_of(distances));
+  }
   add_hostile_words(sample.report);
   for (int i = 0; i < models; ++i) sample.report.pictures.png.push_back(picture_of(i));
   sample.report.pictures.field = "<field>";
@@ -74,6 +77,7 @@ SampleReport make_plain_report() {
   }
   distances(2, 5) = std::numeric_limits<double>::infinity();
   sample.distances = {distances};
+  sample.overviews = {overview_of(distances, labels)};
   sample.evaluations = {{evaluate(distances, labels, {})}};
   sample.report.title = "plain";
   sample.report.classes = {"a", "b", "c"};
@@ -92,7 +96,7 @@ const SampleReport& hostile_report() {
   for (std::size_t i = 0; i < names.size(); ++i) {
     ReportMethod method{.name = names[i],
                         .description = "bins & <ranges>",
-                        .distances = &sample.distances[i],
+                        .distances = &sample.overviews[i],
                         .evaluations = sample.evaluations[i],
                         .histograms = {}};
     if (i < 2)
@@ -108,7 +112,7 @@ const SampleReport& plain_report() {
   if (!sample.report.methods.empty()) return sample;
   sample.report.methods.push_back({.name = "plain",
                                    .description = {},
-                                   .distances = &sample.distances[0],
+                                   .distances = &sample.overviews[0],
                                    .evaluations = sample.evaluations[0],
                                    .histograms = {}});
   return sample;

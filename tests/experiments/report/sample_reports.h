@@ -1,12 +1,14 @@
 #pragma once
 
 #include "shapegauge/experiments/report/report.h"
+#include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge::test_report {
 
 /// What reports point to.
 struct SampleReport {
   std::vector<DistanceMatrix> distances;
+  std::vector<DistanceOverview> overviews;
   std::vector<Signatures> signatures;
   std::vector<std::vector<Evaluation>> evaluations;  ///< by method and protocol
   Report report;

@@ -12,7 +12,6 @@ namespace shapegauge {
 namespace {
 
 using testing::Contains;
-using testing::ElementsAre;
 using testing::Not;
 
 TEST(Base64, AsInTheRfc) {
@@ -51,14 +50,10 @@ TEST(Rounded, KeepsTheLeadingDigits) {
   EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
 }
 
-TEST(OrderByClass, ClassByClassInTheModelsOrder) {
-  EXPECT_THAT(order_by_class(std::vector<int>{2, 0, 1, 0, 2}), ElementsAre(1, 3, 2, 0, 4));
-}
-
 TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
   // Models 1 and 2 are of the first class, 0 of the second.
   const DistanceMatrix distances{{0, 1, 2}, {1, 0, 4}, {2, 4, 0}};
-  const auto json = heat_map(distances, std::vector<int>{1, 0, 0});
+  const auto json = heat_map(overview_of(distances, std::vector<int>{1, 0, 0}));
   EXPECT_EQ(json["side"], 3);
   EXPECT_EQ(json["block"], 1);
   EXPECT_EQ(json["symmetric"], true);
@@ -68,7 +63,7 @@ TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
 
 TEST(HeatMap, OfAnyOtherMatrixHasAllCellsAndTheDiagonalPlaysNoPart) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
-  const auto json = heat_map(distances, std::vector<int>{0, 0});
+  const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
   EXPECT_EQ(json["values"], packed(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
 }
@@ -77,7 +72,7 @@ TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {
   const Eigen::Index models = 2 * largest_heat_map + 1;
   DistanceMatrix distances = DistanceMatrix::Constant(models, models, 6);
   distances.diagonal().setConstant(1e9);
-  const auto json = heat_map(distances, std::vector<int>(static_cast<std::size_t>(models), 0));
+  const auto json = heat_map(overview_of(distances, std::vector<int>(static_cast<std::size_t>(models), 0)));
   EXPECT_EQ(json["block"], 3);
   const Eigen::Index side = json["side"];
   EXPECT_EQ(side, 667);
@@ -126,12 +121,13 @@ TEST(ReportJson, OfALargeDataSetOnlyTheWorstQueriesHaveTheirNearest) {
     for (Eigen::Index j = 0; j < models; ++j) distances(i, j) = static_cast<double>((i * 31 + j * 17) % 101);
   }
   const std::vector<Evaluation> evaluations = {evaluate(distances, labels, {})};
+  const DistanceOverview overview = overview_of(distances, labels);
   Report report;
   report.classes = std::vector<std::string>(7, "x");
   report.ids = std::vector<std::string>(static_cast<std::size_t>(models), "x");
   report.labels = labels;
   report.methods.push_back(
-      {.name = "x", .description = {}, .distances = &distances, .evaluations = evaluations, .histograms = {}});
+      {.name = "x", .description = {}, .distances = &overview, .evaluations = evaluations, .histograms = {}});
   const auto method = report_json(report)["methods"][0];
   EXPECT_EQ(method["nearest"]["models"].size(), 20U);
   EXPECT_EQ(method["evaluations"][0]["worst"].size(), 20U);

@@ -40,7 +40,7 @@ TEST(AssembleSignatures, PartsStandInTheOrderOfTheirNames) {
   both.parts = {1, 0};
   const std::vector<SignatureConfiguration> signatures{histogram_of("two", {{"type", "cone_sdf"}}, 2),
                                                        histogram_of("one", {{"type", "cone_sdf"}}, 1), both};
-  const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures);
+  const std::vector<Signatures> tables = assemble_signatures({&model}, plan_fields(signatures), signatures, {});
   EXPECT_EQ(tables[2], (Signatures{{0.5F, 0.125F, 0.375F}}));
 }
 

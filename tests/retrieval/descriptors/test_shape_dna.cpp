@@ -52,6 +52,15 @@ TEST(ShapeDna, ABentSheetIsTheFlatOne) {
   EXPECT_LT((shape_dna(flat) - shape_dna(rolled)).cwiseAbs().maxCoeff(), 1e-4);
 }
 
+TEST(ShapeDna, OfTwoSpheresHasEachEigenvalueTwiceAndNoZero) {
+  const Shape one = test::sphere(1, 3);
+  const Shape two = test::joined({one, test::transformed(one, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
+  const ShapeDnaOptions options{.eigenvalues = 6, .divide_by_rank = false};
+  const Eigen::VectorXf of_one = shape_dna(one, options);
+  // 2 of each sphere, three times, with twice the area.
+  EXPECT_TRUE(shape_dna(two, options).isApprox(Eigen::VectorXf::Constant(6, 2 * of_one.head(3).mean()), 1e-3F));
+}
+
 TEST(ShapeDna, FewVerticesEndWithZeros) {
   const Eigen::VectorXf found = shape_dna(test::box({1, 1, 1}, 1));
   EXPECT_EQ(found.size(), 20);

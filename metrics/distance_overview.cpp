@@ -1,0 +1,159 @@
+#include "shapegauge/metrics/distance_overview.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/metrics/ranked_list.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr Eigen::Index nearest_kept = 10;
+
+/// The unit of sums: so fine that the picture's 16 bits do not show it, so coarse that they cannot overflow.
+double unit_for(double largest) {
+  constexpr int bits = 24;
+  return std::ldexp(1.0, (largest > 0 ? std::ilogb(largest) : 0) - bits);
+}
+
+/// A distance in units; what is out of proportion to the others is cut off.
+std::int64_t in_units(double distance, double unit) {
+  constexpr double most = 0x1p35;
+  return std::llround(std::clamp(distance / unit, -most, most));
+}
+
+void add_to_sums(std::span<const double> row, Eigen::Index model, SeenRows& seen) {
+  const std::int32_t cell_row = seen.places[static_cast<std::size_t>(model)] / static_cast<std::int32_t>(seen.block);
+  SeenRows::Cell* const cells = seen.sums.data() + cell_row * seen.side;
+  for (std::size_t other = 0; other < row.size(); ++other) {
+    const double distance = static_cast<Eigen::Index>(other) == model ? 0 : row[other];
+    if (!std::isfinite(distance)) continue;
+    SeenRows::Cell& cell = cells[seen.places[other] / seen.block];
+    cell.sum += in_units(distance, seen.unit);
+    ++cell.count;
+  }
+}
+
+/// The rows by the cells that they add to: those of one cell must not be added at the same time.
+std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::Index count, const SeenRows& seen) {
+  std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));
+  std::iota(rows.begin(), rows.end(), Eigen::Index{0});
+  const auto cell = [&](Eigen::Index row) { return seen.places[static_cast<std::size_t>(first + row)] / seen.block; };
+  std::ranges::stable_sort(rows, {}, cell);
+  std::vector<std::vector<Eigen::Index>> groups;
+  for (const Eigen::Index row : rows) {
+    if (groups.empty() || cell(groups.back().front()) != cell(row)) groups.emplace_back();
+    groups.back().push_back(row);
+  }
+  return groups;
+}
+
+std::span<const double> row_of(const DistanceTable& rows, Eigen::Index i) {
+  return {rows.row(i).data(), static_cast<std::size_t>(rows.cols())};
+}
+
+}  // namespace
+
+std::vector<Eigen::Index> order_by_class(std::span<const int> labels) {
+  std::vector<Eigen::Index> order(labels.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) { return labels[static_cast<std::size_t>(model)]; });
+  return order;
+}
+
+double largest_finite(std::span<const double> row, Eigen::Index itself) {
+  double largest = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (std::isfinite(row[i]) && static_cast<Eigen::Index>(i) != itself) largest = std::max(largest, std::abs(row[i]));
+  }
+  return largest;
+}
+
+SeenRows begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last) {
+  SeenRows seen;
+  const auto models = static_cast<Eigen::Index>(labels.size());
+  seen.first = first;
+  seen.unit = unit_for(largest);
+  seen.block = std::max<Eigen::Index>(1, (models + largest_heat_map - 1) / largest_heat_map);
+  seen.side = (models + seen.block - 1) / seen.block;
+  seen.places.resize(labels.size());
+  const std::vector<Eigen::Index> order = order_by_class(labels);
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    seen.places[static_cast<std::size_t>(order[place])] = static_cast<std::int32_t>(place);
+  }
+  if (seen.block > 1) {
+    seen.sums.resize(static_cast<std::size_t>(seen.side * seen.side));
+  } else {
+    seen.entries.resize(static_cast<std::size_t>((last - first) * models));
+  }
+  const Eigen::Index kept = std::clamp<Eigen::Index>(models - 1, 0, nearest_kept);
+  seen.nearest.resize(last - first, kept);
+  seen.nearest_distances.resize(last - first, kept);
+  return seen;
+}
+
+void look_at(const DistanceTable& rows, Eigen::Index first, SeenRows& seen) {
+  const Eigen::Index kept = seen.nearest.cols();
+  tbb::parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
+    const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), first + i, kept);
+    const Eigen::Index to = first - seen.first + i;
+    for (Eigen::Index k = 0; k < kept; ++k) {
+      const Eigen::Index other = nearest[static_cast<std::size_t>(k)];
+      seen.nearest(to, k) = static_cast<std::int32_t>(other);
+      seen.nearest_distances(to, k) = rows(i, other);
+    }
+    if (seen.block == 1) std::ranges::copy(row_of(rows, i), seen.entries.data() + to * rows.cols());
+  });
+  if (seen.block == 1) return;
+  const std::vector<std::vector<Eigen::Index>> groups = rows_by_cell(first, rows.rows(), seen);
+  tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t group) {
+    for (const Eigen::Index i : groups[group]) add_to_sums(row_of(rows, i), first + i, seen);
+  });
+}
+
+DistanceOverview overview_of(std::span<const SeenRows> parts) {
+  const SeenRows& any = parts.front();
+  const auto models = static_cast<Eigen::Index>(any.places.size());
+  DistanceOverview overview;
+  overview.block = any.block;
+  overview.cells.resize(any.side, any.side);
+  overview.nearest.resize(models, any.nearest.cols());
+  overview.nearest_distances.resize(models, any.nearest.cols());
+  std::vector<SeenRows::Cell> sums(any.sums.size());
+  for (const SeenRows& part : parts) {
+    overview.nearest.middleRows(part.first, part.nearest.rows()) = part.nearest;
+    overview.nearest_distances.middleRows(part.first, part.nearest.rows()) = part.nearest_distances;
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      sums[i].sum += part.sums[i].sum;
+      sums[i].count += part.sums[i].count;
+    }
+    for (std::size_t i = 0; i < part.entries.size(); ++i) {
+      const auto row = part.first + static_cast<Eigen::Index>(i) / models;
+      const auto column = static_cast<Eigen::Index>(i) % models;
+      const double entry = row == column ? 0 : part.entries[i];
+      overview.cells(any.places[static_cast<std::size_t>(row)], any.places[static_cast<std::size_t>(column)]) =
+          std::isfinite(entry) ? entry : std::numeric_limits<double>::infinity();
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i) / any.side;
+    const auto column = static_cast<Eigen::Index>(i) % any.side;
+    overview.cells(row, column) = sums[i].count > 0
+                                      ? static_cast<double>(sums[i].sum) / static_cast<double>(sums[i].count) * any.unit
+                                      : std::numeric_limits<double>::infinity();
+  }
+  return overview;
+}
+
+DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels) {
+  std::vector<SeenRows> all;
+  all.push_back(begin_overview(labels, largest_finite(row_of(distances, 0), 0), 0, distances.rows()));
+  look_at(distances, 0, all.back());
+  return overview_of(all);
+}
+
+}  // namespace shapegauge

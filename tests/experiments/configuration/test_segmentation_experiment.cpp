@@ -1,0 +1,73 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+SegmentationExperiment read(const Json& dataset, const Json& method) {
+  return segmentation_from_json({{"name", "x"}, {"dataset", dataset}, {"segmentation", {method}}}, "x.json", "/data");
+}
+
+const Json benchmark{{"layout", "psb_segmentation"}, {"root", "psb"}};
+
+TEST(SegmentationExperiment, IsTheSameAfterBeingWritten) {
+  const std::vector<std::pair<Json, Json>> cases{
+      {benchmark, {{"name", "a"}, {"patches", 70}, {"least_probability", 0.25}, {"border_width", 0}}},
+      {benchmark, {{"name", "b"}, {"method", "paper"}, {"field", "cone"}, {"parts", 3}}},
+      {{{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
+       {{"name", "c"}, {"perturbations", {{{"type", "remove_faces"}, {"fraction", 0.1}}}}}},
+      {{{"layout", "folders"}, {"root", "s"}, {"split", "test"}}, {{"name", "d"}}},
+      {{{"generate", {{"classes", 2}}}}, {{"name", "e"}}}};
+  for (const auto& [dataset, method] : cases) {
+    const Json written = to_json(read(dataset, method));
+    EXPECT_EQ(to_json(segmentation_from_json(written, "x.json", "/elsewhere")), written) << written.dump(2);
+    const Json& kept = written.at("segmentation").at(0);
+    for (const auto& [key, value] : method.items()) {
+      if (key == "perturbations") continue;
+      EXPECT_EQ(kept.at(key), value) << key;
+    }
+  }
+}
+
+TEST(SegmentationExperiment, HasPlacesAndSettingsAsGiven) {
+  const SegmentationExperiment experiment =
+      read({{"layout", "shrec11"}, {"root", "s"}, {"classification", "c.cla"}},
+           {{"name", "c"}, {"patches", 70}, {"least_probability", 0.25}, {"border_width", 0.01}});
+  EXPECT_EQ(experiment.location.root, "/data/s");
+  EXPECT_EQ(experiment.location.classification, "/data/s/c.cla");
+  EXPECT_EQ(experiment.methods[0].patches, 70);
+  EXPECT_EQ(experiment.methods[0].least_probability, 0.25);
+  EXPECT_EQ(experiment.methods[0].border_width, 0.01);
+  EXPECT_FALSE(experiment.methods[0].paper);
+}
+
+TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {
+  const auto refusal = [](const Json& dataset, const Json& method) {
+    return test::input_error_of([&] { read(dataset, method); });
+  };
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"method", "paper"}, {"patches", 70}}), HasSubstr("patches"));
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"method", "paper"}, {"border_width", 0}}), HasSubstr("border_width"));
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"field", "cone"}}), HasSubstr("field"));
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"patches", 0}}), HasSubstr("patches"));
+  EXPECT_THAT(refusal(benchmark, {{"name", "a"}, {"perturbations", {{{"type", "nois"}}}}}), HasSubstr("perturbations"));
+  EXPECT_THAT(refusal({{"layout", "psb_segmentation"}, {"root", "r"}, {"split", "all"}}, {{"name", "a"}}),
+              HasSubstr("split"));
+  EXPECT_THAT(refusal({{"layout", "folders"}, {"root", "r"}, {"classification", "c"}}, {{"name", "a"}}),
+              HasSubstr("classification"));
+  EXPECT_THAT(refusal({{"layout", "psb"}, {"root", "r"}}, {{"name", "a"}}), HasSubstr("layout"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge
