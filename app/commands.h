@@ -39,6 +39,7 @@ void add_info_command(CLI::App& app, int& status);                     ///< diag
 void add_perturb_command(CLI::App& app, int& status);                  ///< a shape, changed at random
 void add_convert_command(CLI::App& app, int& status);                  ///< a shape in another format
 void add_segment_command(CLI::App& app, int& status);                  ///< a shape, cut into parts
+void add_view_command(CLI::App& app, int& status);                     ///< a page of shapes that one can turn
 void add_describe_command(CLI::App& app, int& status);                 ///< the features of shapes
 void add_rerank_command(CLI::App& app, int& status);                   ///< distances, re-ranked
 void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix

@@ -22,3 +22,6 @@ endif()
 # D3 draws the charts of reports: one file of JavaScript, which the program carries.
 find_file(SHAPEGAUGE_D3_FILE d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/share/javascript/d3
           DOC "d3.min.js of D3 5 or later (Debian: node-d3)" NO_CACHE REQUIRED)
+# three.js draws the shapes that one can turn: one file as well.
+find_file(SHAPEGAUGE_THREE_FILE three.min.js PATHS /usr/share/javascript/three /usr/share/nodejs/three/build
+          DOC "three.min.js of three.js, release 110 to 150 (Debian: libjs-three)" NO_CACHE REQUIRED)

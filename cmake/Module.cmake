@@ -25,9 +25,9 @@ function(shapegauge_add_library name folder)
   if(arg_SEPARATELY)
     set_target_properties(shapegauge_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
-  install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${folder}
-          FILES_MATCHING PATTERN "*.h")
+          COMPONENT development FILES_MATCHING PATTERN "*.h")
 endfunction()
 # What all of our own targets share: the language standard, the warnings, the sanitizers, and sources compiled in
 # batches where that is wanted. Names in anonymous namespaces must therefore differ within a target.

@@ -22,16 +22,17 @@ enum class EntryKind {
   histogram,     ///< of one field on one shape
   distances,     ///< a distance matrix
   picture,       ///< of a shape, for the report
+  view,          ///< of a shape, to be turned in the report
   features,      ///< of a descriptor, of one shape
   learnt,        ///< what a descriptor has learnt from a data set
   segmentation,  ///< the parts of a shape
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 9;
+inline constexpr std::size_t number_of_entry_kinds = 10;
 
 /// The kinds' names, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
-    "shape", "samples", "field", "histogram", "distances", "picture", "features", "learnt", "segmentation"};
+    "shape", "samples", "field", "histogram", "distances", "picture", "view", "features", "learnt", "segmentation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

@@ -43,7 +43,8 @@ Json report_to_json(const Configuration& configuration) {
   if (!report.pictures) return {{"pictures", false}};
   const Interval& range = report.picture_options.range;
   return {{"pictures",
-           {{"of", configuration.signatures[report.pictured_signature].name}, {"range", {range.low, range.high}}}}};
+           {{"of", configuration.signatures[report.pictured_signature].name}, {"range", {range.low, range.high}}}},
+          {"views", report.views}};
 }
 
 Json evaluation_to_json(const Configuration& configuration) {

@@ -61,6 +61,7 @@ struct ReportConfiguration {
   bool pictures = true;                ///< of the models; there is a field that colours them
   std::size_t pictured_signature = 0;  ///< the signature whose pictured_field() that is
   PictureOptions picture_options;
+  bool views = true;  ///< of the models, that the reader can turn; where there are pictures
 };
 
 /// A whole experiment, checked, with all defaults filled in.

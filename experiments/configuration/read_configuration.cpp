@@ -59,6 +59,7 @@ ReportConfiguration read_report(const Json& setting, const std::vector<Signature
   if (setting.is_boolean()) report.wanted = setting;
   const Json pictures = setting.is_object() ? setting.value("pictures", Json(true)) : Json(report.wanted);
   report.pictures = pictures != Json(false) && first != signatures.end();
+  report.views = report.pictures && (!setting.is_object() || setting.value("views", true));
   if (!pictures.is_object()) return report;
   if (pictures.contains("of")) report.pictured_signature = signature_named(pictures.at("of"), signatures);
   if (pictures.contains("range")) report.picture_options.range = picture_range(pictures.at("range"));

@@ -93,6 +93,7 @@ Report report_of(const ExperimentResults& results) {
                        .range = configuration.report.picture_options.range,
                        .field = configuration.signatures[configuration.report.pictured_signature].name};
   }
+  report.views = {.fields = results.viewed, .shapes = results.views};
   report.warnings = field_warnings(results.fields);
   for (const FailedModel& failure : results.failures) report.failures.emplace_back(failure.model.id, failure.message);
   return report;

@@ -36,6 +36,12 @@ struct ReportPictures {
   std::string field;             ///< what the colours show
 };
 
+/// The models as shapes that one can turn.
+struct ReportViews {
+  std::vector<ViewedField> fields;  ///< of every view, in its order
+  std::vector<std::string> shapes;  ///< one a model, as model_view() gives them; none at all without views
+};
+
 /// All that the report shows. What it points to must outlive it.
 struct Report {
   std::string title;
@@ -46,6 +52,7 @@ struct Report {
   std::vector<int> labels;                                 ///< of the models
   std::vector<ReportMethod> methods;                       ///< at least one
   ReportPictures pictures;
+  ReportViews views;
   std::vector<std::string> warnings;
   std::vector<std::pair<std::string, std::string>> failures;  ///< models left out, and why
 };

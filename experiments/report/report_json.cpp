@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <openssl/evp.h>
 #include <set>
 #include <vector>
 
 #include "shapegauge/core/version.h"
+#include "shapegauge/experiments/view/html_page.h"
 #include "shapegauge/metrics/retrieval_failures.h"
 
 namespace shapegauge {
@@ -136,21 +135,19 @@ Json pictures_json(const ReportPictures& pictures) {
           {"png", std::move(images)}};
 }
 
-}  // namespace
-
-std::string base64(std::string_view bytes) {
-  std::string text;
-  // In pieces, as OpenSSL counts in int; whole groups of three bytes, so that the pieces fit together.
-  constexpr std::size_t piece = 3 << 20;
-  for (std::size_t begin = 0; begin < bytes.size(); begin += piece) {
-    const std::string_view part = bytes.substr(begin, piece);
-    std::vector<unsigned char> encoded(4 * (part.size() + 2) / 3 + 4);
-    const std::vector<unsigned char> plain(part.begin(), part.end());
-    const int length = EVP_EncodeBlock(encoded.data(), plain.data(), static_cast<int>(plain.size()));
-    text.append(encoded.begin(), encoded.begin() + length);
+Json views_json(const ReportViews& views) {
+  if (views.shapes.empty()) return nullptr;
+  Json fields = Json::array();
+  for (const ViewedField& field : views.fields) {
+    Json& json = fields.emplace_back(Json{{"name", field.name}});
+    if (field.colours) json["colours"] = {{"from", field.colours->low}, {"to", field.colours->high}, {"root", true}};
   }
-  return text;
+  Json shapes = Json::array();
+  for (const std::string& shape : views.shapes) shapes.push_back(Json::parse(shape));
+  return {{"fields", std::move(fields)}, {"shapes", std::move(shapes)}};
 }
+
+}  // namespace
 
 Json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
   constexpr double levels = 65534;
@@ -171,10 +168,6 @@ Json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
   return {{"scale", scale}, {"values", base64(bytes)}};
 }
 
-double rounded(double value, int digits) {
-  return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
-}
-
 Json heat_map(const DistanceOverview& distances) {
   const Eigen::MatrixXd& cells = distances.cells;
   const Eigen::Index side = cells.rows();
@@ -191,10 +184,18 @@ Json heat_map(const DistanceOverview& distances) {
 Json report_json(const Report& report) {
   Json methods = Json::array();
   for (const ReportMethod& method : report.methods) methods.push_back(method_json(report, method));
-  return {{"version", version()},        {"title", report.title},         {"description", report.description},
-          {"facts", report.facts},       {"classes", report.classes},     {"ids", report.ids},
-          {"labels", report.labels},     {"methods", std::move(methods)}, {"pictures", pictures_json(report.pictures)},
-          {"warnings", report.warnings}, {"failures", report.failures}};
+  return {{"version", version()},
+          {"title", report.title},
+          {"description", report.description},
+          {"facts", report.facts},
+          {"classes", report.classes},
+          {"ids", report.ids},
+          {"labels", report.labels},
+          {"methods", std::move(methods)},
+          {"pictures", pictures_json(report.pictures)},
+          {"views", views_json(report.views)},
+          {"warnings", report.warnings},
+          {"failures", report.failures}};
 }
 
 }  // namespace shapegauge

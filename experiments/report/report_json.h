@@ -2,24 +2,16 @@
 
 #include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
-#include <string_view>
 
 #include "shapegauge/experiments/report/report.h"
 #include "shapegauge/metrics/distance_overview.h"
 
 namespace shapegauge {
 
-/// The bytes in base64 (RFC 4648, with padding).
-std::string base64(std::string_view bytes);
-
 /// Non-negative numbers in two bytes each: {"scale", "values"}, where the value is scale * n / 65534 for each
 /// little-endian n in the base64 text, and 65535 stands for infinity and for no value. Scale is the largest finite
 /// value, or 1.
 nlohmann::ordered_json packed(const Eigen::Ref<const Eigen::VectorXd>& values);
-
-/// The value with so many significant digits: the fewest characters that say enough.
-double rounded(double value, int digits);
 
 /// The picture of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as packed(). Of a
 /// symmetric picture, row i has the cells from column i on.

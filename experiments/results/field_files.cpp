@@ -1,11 +1,8 @@
 #include "shapegauge/experiments/results/field_files.h"
 
-#include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -15,6 +12,7 @@
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/experiments/view/shape_view.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {
@@ -23,31 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The values between which all but the thinnest 2 % and the thickest 2 % of the area lie: a few rays along a limb
-/// would otherwise use up the scale.
-Interval central_range(const Samples& samples, const Eigen::VectorXd& values) {
-  constexpr double left_out = 0.02;
-  std::vector<std::pair<double, double>> known;  // value and weight
-  double total = 0;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (std::isnan(values[i]) || !(samples.weights[i] > 0)) continue;
-    known.emplace_back(values[i], samples.weights[i]);
-    total += samples.weights[i];
-  }
-  if (known.empty()) return {};
-  std::ranges::sort(known);
-  Interval range{known.front().first, known.back().first};
-  double below = 0;
-  for (const auto& [value, weight] : known) {
-    if (below <= left_out * total) range.low = value;
-    if (below <= (1 - left_out) * total) range.high = value;
-    below += weight;
-  }
-  return range;
-}
-
 std::vector<Colour> colours(const Samples& samples, const Eigen::VectorXd& values) {
-  const Interval range = central_range(samples, values);
+  const Interval range = central_range({.values = values, .weights = samples.weights}).value_or(Interval{});
   return colours_of(values, range.low, range.high);
 }
 

@@ -16,6 +16,7 @@
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/runner/build_information.h"
+#include "shapegauge/experiments/view/coarse_view.h"
 
 namespace shapegauge {
 
@@ -171,6 +172,11 @@ std::string picture_key(const std::string& field, const PictureOptions& options)
                                      {"version", picture_version}});
 }
 
+std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces) {
+  return key_of(EntryKind::view,
+                {{"fields", fields}, {"faces", faces}, {"versions", {model_view_version, coarse_shape_version}}});
+}
+
 std::string distances_key(const Signatures& signatures, const std::string& distance) {
   const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
@@ -225,7 +231,10 @@ CachedHistogram read_histogram_record(const Json& record) {
 }
 
 std::string described_bytes(const ModelDescription& model) {
-  Json record{{"sha256", model.sha256}, {"shape", shape_record(model)}, {"picture", picture_record(model.picture)}};
+  Json record{{"sha256", model.sha256},
+              {"shape", shape_record(model)},
+              {"picture", picture_record(model.picture)},
+              {"view", view_record(model.view)}};
   for (const FieldDescription& field : model.fields) record["fields"].push_back(facts_record(field));
   for (const FeatureDescription& features : model.features) record["seconds"].push_back(features.seconds);
   const std::vector<std::uint8_t> bytes = Json::to_cbor(record);
@@ -237,6 +246,7 @@ ModelDescription read_described(std::string_view bytes) {
   ModelDescription model = read_shape_record(record.at("shape"));
   model.sha256 = record.at("sha256");
   model.picture = read_picture(record.at("picture"));
+  model.view = read_view(record.at("view"));
   for (const Json& facts : record.value("fields", Json::array())) model.fields.push_back(read_facts(facts));
   for (const Json& seconds : record.value("seconds", Json::array())) {
     model.features.push_back({.features = {}, .seconds = seconds});
@@ -269,6 +279,9 @@ std::string read_picture(const Json& record) {
   const auto& bytes = record.get_binary();
   return {bytes.begin(), bytes.end()};
 }
+
+Json view_record(const std::string& view) { return view; }
+std::string read_view(const Json& record) { return record.get<std::string>(); }
 
 Json distances_record(const DistanceMatrix& distances) {
   return {{"rows", distances.rows()}, {"numbers", binary(distances.data(), distances.size())}};

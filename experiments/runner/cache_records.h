@@ -13,6 +13,7 @@
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/model_picture.h"
+#include "shapegauge/experiments/runner/model_view.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 /// Keys of the cache: SHA-256 of all that a result depends on, which is the keys of what it is made of, the parameters
@@ -58,6 +59,9 @@ std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::ve
 
 /// Of the picture of a shape that is coloured by that field.
 std::string picture_key(const std::string& field, const PictureOptions& options);
+
+/// Of the view of a shape with those fields, of at most so many faces.
+std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces);
 
 /// Of the distance matrix of the signatures. `distance`: its name.
 std::string distances_key(const Signatures& signatures, const std::string& distance);
@@ -110,6 +114,10 @@ LearntFeatures read_learnt(const nlohmann::json& record);
 /// A picture: the bytes of its file.
 nlohmann::json picture_record(std::string_view png);
 std::string read_picture(const nlohmann::json& record);
+
+/// A view: its text.
+nlohmann::json view_record(const std::string& view);
+std::string read_view(const nlohmann::json& record);
 
 /// A distance matrix.
 nlohmann::json distances_record(const DistanceMatrix& distances);

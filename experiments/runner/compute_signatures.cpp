@@ -217,6 +217,24 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
 
 namespace {
 
+/// The fields of the views, on the scales of the pictures and of the histograms.
+std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
+                                          const Configuration& configuration) {
+  std::vector<ViewedField> viewed;
+  for (const std::size_t i : viewed_fields(plan, configuration)) {
+    const bool pictured = is_pictured(plan[i], configuration);
+    const std::size_t signature = pictured ? configuration.report.pictured_signature : plan[i].signatures.front();
+    ViewedField& field =
+        viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
+    if (pictured)
+      field.colours = configuration.report.picture_options.range;
+    else if (configuration.signatures[signature].histogram.range != HistogramRange::per_shape) {
+      field.colours = computed.histogram_ranges[signature].front();
+    }
+  }
+  return viewed;
+}
+
 /// Collective. By field of the plan its range over all models of all ranks.
 std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
                                            Communicator& ranks) {
@@ -321,7 +339,9 @@ void report(std::vector<ModelDescription> models, const Configuration& configura
   for (ModelDescription& model : models) {
     computed.shapes.push_back(report_shape(model));
     if (!model.picture.empty()) computed.pictures.push_back(std::move(model.picture));
+    if (!model.view.empty()) computed.views.push_back(std::move(model.view));
   }
+  if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, plan, configuration);
 }
 
 }  // namespace

@@ -67,6 +67,19 @@ bool is_pictured(const PlannedField& planned, const Configuration& configuration
   return planned.field.settings == pictured_field(configuration.signatures[report.pictured_signature])->settings;
 }
 
+std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const Configuration& configuration) {
+  std::vector<std::size_t> fields;
+  const ReportConfiguration& report = configuration.report;
+  if (!report.wanted || !report.pictures || !report.views) return fields;
+  for (const bool pictured : {true, false}) {
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+      if (is_pictured(plan[i], configuration) != pictured || (!pictured && plan[i].signatures.empty())) continue;
+      if (fields.size() < most_viewed_fields) fields.push_back(i);
+    }
+  }
+  return fields;
+}
+
 namespace {
 
 /// The samples of a shape by plan, taken when first asked for.

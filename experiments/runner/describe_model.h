@@ -41,6 +41,13 @@ std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfi
 /// Whether it is the field that colours the models in the report.
 bool is_pictured(const PlannedField& planned, const Configuration& configuration);
 
+/// The most fields in the view of a model.
+inline constexpr std::size_t most_viewed_fields = 6;
+
+/// The indices of the fields that the views of the models show: the one that colours their pictures, then those that
+/// signatures are histograms of. None where the configuration wants no views.
+std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const Configuration& configuration);
+
 /// What one shape gave for one field.
 struct FieldDescription {
   Interval range;           ///< of the values
@@ -70,6 +77,7 @@ struct ModelDescription {
   double noise = 0;                          ///< NoiseLevel::relative(), where the preparation looks for noise
   double pass_band = 0;                      ///< of the preparation's smoothing; 0: none
   std::string picture;                       ///< model_picture(), where the configuration wants one
+  std::string view;                          ///< model_view(), where the configuration wants one
 };
 
 /// Called for each field of a plan once it is computed, with its index, the prepared shape, the samples and the values.

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/runner/describe_through_cache.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -14,6 +15,7 @@
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/experiments/runner/model_picture.h"
+#include "shapegauge/experiments/runner/model_view.h"
 
 namespace shapegauge {
 
@@ -22,9 +24,10 @@ namespace {
 /// A model whose description comes together, from the cache and by computing.
 class DescribedModel {
  public:
+  /// view_faces: of its view; 0: none is wanted.
   DescribedModel(const Configuration& configuration, std::span<const PlannedField> plan, std::string shape_key,
-                 Cache& cache)
-      : configuration_(&configuration), shape_key_(std::move(shape_key)), cache_(&cache) {
+                 Eigen::Index view_faces, Cache& cache)
+      : configuration_(&configuration), shape_key_(std::move(shape_key)), cache_(&cache), view_faces_(view_faces) {
     histograms_.resize(configuration.signatures.size());
     for (const PlannedField& field : plan) {
       fields_.push_back({.rest = field, .key = field_key(shape_key_, field.field), .found = {}});
@@ -32,6 +35,10 @@ class DescribedModel {
       pictured_ = fields_.size() - 1;
       picture_key_ = picture_key(fields_.back().key, configuration.report.picture_options);
     }
+    if (view_faces > 0) viewed_ = viewed_fields(plan, configuration);
+    std::vector<std::string> viewed_keys;
+    for (const std::size_t field : viewed_) viewed_keys.push_back(fields_[field].key);
+    view_key_ = view_key(viewed_keys, view_faces);
     for (PlannedDescriptor& descriptor : plan_descriptors(configuration.signatures, plan)) {
       std::vector<std::string> keys;
       for (const std::size_t field : descriptor.fields) keys.push_back(fields_[field].key);
@@ -50,6 +57,10 @@ class DescribedModel {
     if (pictured_) {
       picture_ = cache_->lookup(EntryKind::picture, picture_key_, read_picture);
       cache_->count(EntryKind::picture, picture_.has_value());
+    }
+    if (!viewed_.empty()) {
+      view_ = cache_->lookup(EntryKind::view, view_key_, read_view);
+      cache_->count(EntryKind::view, view_.has_value());
     }
     for (PartlyKnownFeatures& descriptor : descriptors_) {
       if (descriptor.plan.learns) {
@@ -83,6 +94,7 @@ class DescribedModel {
   void take_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
     PartlyKnownField& field = *missing_fields().at(index);
     if (field.described) field.values = {.values = computed.values, .weights = samples.weights};
+    if (draws(field)) field.drawn = computed.values;
     store_values(index, samples, computed);
   }
 
@@ -97,16 +109,26 @@ class DescribedModel {
     }
   }
 
-  /// Draws the picture where it is missing and the missing field of that index colours it.
-  void draw_computed(std::size_t index, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
-    if (is_picture_missing() && missing_fields().at(index) == &fields_[*pictured_]) draw(shape, samples, values);
-  }
+  [[nodiscard]] bool is_drawing_missing() const { return is_picture_missing() || is_view_missing(); }
 
-  [[nodiscard]] bool is_picture_missing() const { return pictured_ && !picture_; }
-
-  /// Draws the picture that is missing by the values in the cache.
-  void draw_cached(const Shape& shape) {
-    draw(shape, take_samples(shape, fields_[*pictured_].rest.field.samples), values_to_draw_);
+  /// Draws what is missing, once all fields are there.
+  void draw(const Shape& shape) {
+    if (is_picture_missing()) {
+      const PartlyKnownField& field = fields_[*pictured_];
+      picture_ = model_picture(shape, take_samples(shape, field.rest.field.samples), field.drawn,
+                               configuration_->report.picture_options);
+      cache_->store(EntryKind::picture, picture_key_, picture_record(*picture_));
+    }
+    if (!is_view_missing()) return;
+    std::map<SamplePlan, Samples> samples;
+    std::vector<SampledField> fields;
+    for (const std::size_t i : viewed_) {
+      const SamplePlan& plan = fields_[i].rest.field.samples;
+      if (!samples.contains(plan)) samples.emplace(plan, take_samples(shape, plan));
+      fields.push_back({.samples = samples.at(plan), .values = fields_[i].drawn});
+    }
+    view_ = model_view(shape, fields, view_faces_);
+    cache_->store(EntryKind::view, view_key_, view_record(*view_));
   }
 
   /// Adds what was computed of the missing fields, and stores it.
@@ -134,6 +156,7 @@ class DescribedModel {
     }
     description.shape_key = shape_key_;
     description.picture = std::move(picture_).value_or("");
+    description.view = std::move(view_).value_or("");
     return description;
   }
 
@@ -142,8 +165,9 @@ class DescribedModel {
     PlannedField rest;  ///< with the signatures that are still to be computed
     std::string key;
     std::optional<FieldDescription> found;
-    bool described = false;   ///< by descriptors whose features are missing
-    ScalarField values = {};  ///< where it is
+    bool described = false;      ///< by descriptors whose features are missing
+    ScalarField values = {};     ///< where it is
+    Eigen::VectorXd drawn = {};  ///< the values, where draws()
   };
 
   struct PartlyKnownFeatures {
@@ -182,13 +206,14 @@ class DescribedModel {
     return missing;
   }
 
-  [[nodiscard]] bool draws(const PartlyKnownField& field) const {
-    return is_picture_missing() && &field == &fields_[*pictured_];
-  }
+  [[nodiscard]] bool is_picture_missing() const { return pictured_ && !picture_; }
+  [[nodiscard]] bool is_view_missing() const { return !viewed_.empty() && !view_; }
 
-  void draw(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
-    picture_ = model_picture(shape, samples, values, configuration_->report.picture_options);
-    cache_->store(EntryKind::picture, picture_key_, picture_record(*picture_));
+  /// Whether its values are wanted for what is missing.
+  [[nodiscard]] bool draws(const PartlyKnownField& field) const {
+    const auto index = static_cast<std::size_t>(&field - fields_.data());
+    return (is_picture_missing() && index == *pictured_) ||
+           (is_view_missing() && std::ranges::find(viewed_, index) != viewed_.end());
   }
 
   void lookup_field(PartlyKnownField& field) {
@@ -216,7 +241,7 @@ class DescribedModel {
     if (!weights) return std::nullopt;
     auto cached = cache_->lookup(EntryKind::field, field.key, read_field_record);
     if (!cached || cached->values.size() != weights->size()) return std::nullopt;
-    if (draws(field)) values_to_draw_ = cached->values;
+    if (draws(field)) field.drawn = cached->values;
     if (field.described) field.values = {.values = cached->values, .weights = *weights};
     std::vector<Eigen::VectorXf> histograms(histograms_.size());
     try {
@@ -257,7 +282,10 @@ class DescribedModel {
   std::optional<std::size_t> pictured_;      ///< the field that colours the picture, where one is wanted
   std::string picture_key_;
   std::optional<std::string> picture_;
-  Eigen::VectorXd values_to_draw_;  ///< from the cache, where the picture is not in it
+  std::vector<std::size_t> viewed_;  ///< the fields of the view, where one is wanted
+  Eigen::Index view_faces_;
+  std::string view_key_;
+  std::optional<std::string> view_;
 };
 
 }  // namespace
@@ -268,7 +296,9 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   const std::string bytes = read_file_bytes(source.file);
   const std::string hash = sha256(bytes);
   const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
-  DescribedModel described(configuration, plan, shape_key(depends_on, configuration), cache);
+  const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
+  DescribedModel described(configuration, plan, shape_key(depends_on, configuration),
+                           viewed ? faces_of_views(dataset.models.size()) : 0, cache);
   described.lookup();
   const auto perturbed = [&] {
     return perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed, source.id,
@@ -276,17 +306,15 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   };
   if (!described.is_complete()) {
     PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
-    describe_fields(
-        prepared, configuration.signatures, described.missing(), parallel,
-        [&](std::size_t field, const PreparedShape& shape, const Samples& samples, const FieldValues& computed) {
-          described.take_values(field, samples, computed);
-          described.draw_computed(field, shape.shape, samples, computed.values);
-        });
+    describe_fields(prepared, configuration.signatures, described.missing(), parallel,
+                    [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
+                      described.take_values(field, samples, computed);
+                    });
     described.complete(std::move(prepared.description));
     described.describe(prepared.prepared.shape);
-  }
-  if (described.is_picture_missing()) {
-    described.draw_cached(prepare_shape(perturbed().shape, configuration.preparation).shape);
+    described.draw(prepared.prepared.shape);
+  } else if (described.is_drawing_missing()) {
+    described.draw(prepare_shape(perturbed().shape, configuration.preparation).shape);
   }
   ModelDescription description = std::move(described).description();
   description.sha256 = hash;

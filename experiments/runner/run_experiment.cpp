@@ -308,6 +308,8 @@ void run_stages(const Configuration& configuration, const RunPlaces& places, con
   results.fields = std::move(computed.fields);
   results.shapes = std::move(computed.shapes);
   results.pictures = std::move(computed.pictures);
+  results.views = std::move(computed.views);
+  results.viewed = std::move(computed.viewed);
   results.timings.emplace_back("signatures", stopwatch.lap());
 
   MethodsRun(configuration, places, control, cache, ranks).run(labels_of(results.models), computed, results);

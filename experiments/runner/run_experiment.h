@@ -43,6 +43,8 @@ struct ExperimentResults {
   std::vector<Model> models;          ///< those that have signatures
   std::vector<ShapeReport> shapes;    ///< of the models
   std::vector<std::string> pictures;  ///< of the models, as PNG files; none at all where the configuration wants none
+  std::vector<std::string> views;     ///< the same, for shapes that one can turn (model_view())
+  std::vector<ViewedField> viewed;    ///< the fields of the views
   std::vector<FailedModel> failures;
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -96,6 +97,13 @@ class ShapeJob {
     const std::string key =
         segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
                          version_of(method), experiment_.seed);
+    // Several methods may ask for the same undamaged parts, and there may be no cache.
+    const auto done = done_.find(key);
+    if (done != done_.end()) return done->second;
+    return done_[key] = looked_up_labels(method, key);
+  }
+
+  Labels looked_up_labels(const SegmentationMethod& method, const std::string& key) {
     const auto read = [](const nlohmann::json& value) { return value.get<Labels>(); };
     std::optional<Labels> found = cache_.lookup(EntryKind::segmentation, key, read);
     const bool hit = found && std::ssize(*found) == mesh_.triangles.rows();
@@ -132,6 +140,7 @@ class ShapeJob {
   Cache& cache_;
   Shape mesh_;
   std::vector<Labels> people_;
+  std::map<std::string, Labels> done_;  ///< by key of the cache
 };
 
 /// A data set that nobody has cut.

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/experiments/report/report_json.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
+#include "shapegauge/experiments/view/html_page.h"
 
 namespace shapegauge {
 
@@ -43,29 +43,6 @@ figure img { display: block; max-width: 100%; background: #fff; border-radius: 4
 )";
 
 constexpr std::size_t bar_colours = 6;
-
-std::string html_text(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string html_row(const std::vector<std::string>& cells, std::string_view tag) {
   std::string row = "<tr>";

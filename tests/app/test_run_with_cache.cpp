@@ -224,7 +224,7 @@ TEST_F(RunWithCache, AFullDiskUnderTheCacheIsOneWarningAndTheRunGoesOn) {
 }
 
 TEST_F(RunWithCache, AFullDiskUnderTheResultsLeavesTheEarlierOnes) {
-  const SmallDisk disk(at("out"), "640k");
+  const SmallDisk disk(at("out"), "2m");
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
   ASSERT_EQ(run_with_cache("out").status, 0) << "one set of results fits";
   const auto earlier = results_in(at("out"));

@@ -111,7 +111,7 @@ TEST(PartSegmentation, ACoarseMeshHasThePartsOfAFineOne) {
        nearest_points(sample_shape(coarse, SampleSite::faces).points, sample_shape(fine, SampleSite::faces).points)) {
     expected.push_back(fine_parts[static_cast<std::size_t>(i)]);
   }
-  EXPECT_LT(disagreement(part_segmentation(coarse, {.parts = 3}), expected), 0.1);
+  EXPECT_LT(disagreement(part_segmentation(coarse, {.parts = 3}), expected), 0.1);  // unrelated parts: 0.4
 }
 
 TEST(PartSegmentation, TrianglesWithoutAreaHaveAPartToo) {

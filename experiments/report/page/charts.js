@@ -1,15 +1,7 @@
-// What the charts share: a drawing area, legends that toggle methods, and files to keep.
+// What the charts share: their width, legends that toggle methods, and files to keep.
 
 // The width of a drawing: what there is room for, up to a limit.
 const widthIn = (place, largest) => Math.max(420, Math.min(largest, place.clientWidth || largest));
-
-function drawing(place, { width, height, left, right, top, bottom, label }) {
-  const svg = d3.create('svg').attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height)
-    .attr('role', 'img').attr('aria-label', label);
-  const area = svg.append('g').attr('transform', `translate(${left},${top})`);
-  place.replaceChildren(svg.node());
-  return { svg, area, width: width - left - right, height: height - top - bottom };
-}
 
 // A button for each method that hides it in the charts or shows it again.
 function drawLegend(place) {
@@ -51,12 +43,4 @@ function saveButton(svg, name) {
     setTimeout(() => URL.revokeObjectURL(address), 10000);
   };
   return make('button', { type: 'button', class: 'save', click: save }, 'Download SVG');
-}
-
-// A ramp of the colour map with ticks; place(value) is where a value is, from 0 to 1.
-function colourScale(title, ticks, place, format = number) {
-  const stops = d3.range(0, 1.01, 0.1).map((t) => d3.interpolateViridis(t)).join(',');
-  const marks = ticks.map((tick) => make('span', { style: `left:${100 * place(tick)}%` }, format(tick)));
-  return make('div', { class: 'scale' }, make('span', {}, title),
-    make('div', {}, make('div', { class: 'ramp', style: `background:linear-gradient(to right,${stops})` }), make('div', { class: 'ticks' }, ...marks)));
 }

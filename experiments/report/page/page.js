@@ -1,15 +1,5 @@
 // Puts the page together.
 
-const darkByDefault = window.matchMedia('(prefers-color-scheme: dark)');
-
-function setTheme(theme) {
-  document.documentElement.dataset.theme = theme;
-  const other = theme === 'dark' ? 'light' : 'dark';
-  byId('theme').textContent = other === 'dark' ? 'Dark' : 'Light';
-  byId('theme').setAttribute('aria-label', `Show the page in ${other} colours`);
-  byId('theme').onclick = () => setTheme(other);
-}
-
 function drawHead() {
   byId('title').textContent = report.title;
   byId('description').textContent = report.description;
@@ -19,7 +9,7 @@ function drawHead() {
   for (const section of document.querySelectorAll('main section')) {
     byId('contents').append(make('a', { href: `#${section.id}` }, section.querySelector('h2').textContent));
   }
-  byId('footer').textContent = `Made by shapegauge ${report.version}. Everything is in this file. Charts: D3 (BSD licence, in the source of this page).`;
+  byId('footer').textContent = `Made by shapegauge ${report.version}. Everything is in this file. Charts: D3 (BSD licence)${report.views ? ', shapes: three.js (MIT licence)' : ''}, in the source of this page.`;
 }
 
 function drawChoices() {
@@ -78,8 +68,7 @@ function followScrolling() {
   document.querySelectorAll('main section').forEach((section) => observer.observe(section));
 }
 
-setTheme(darkByDefault.matches ? 'dark' : 'light');
-darkByDefault.addEventListener('change', () => setTheme(darkByDefault.matches ? 'dark' : 'light'));
+followTheme();
 drawHead();
 show(['method', 'protocol', 'average'], drawChoices);
 show(['protocol', 'average', 'method'], drawSummary);

@@ -48,17 +48,41 @@ function pictureScale() {
 const visited = [];
 
 function openShape(model) {
-  tooltip.hide();
   const dialog = byId('shape');
   if (!dialog.open) visited.length = 0;
   visited.push(model);
   drawShape(dialog, model);
   if (!dialog.open) dialog.showModal();
+  dialog.onclose = () => { if (!dialog.open) closeView(); }; // the event may come when the next shape is open
   dialog.scrollTop = 0;
+}
+
+// The shape in the dialog, where it can be turned.
+let turned = null;
+
+function closeView() {
+  if (turned) turned.view.destroy();
+  turned = null;
+}
+
+// The model as a view, or as its picture where the report has no views. The view of the model that is there already
+// stays as its reader turned it.
+function portraitOf(model) {
+  if (!report.views) return report.pictures ? picture(model) : null;
+  if (turned && turned.model === model) return turned.place;
+  closeView();
+  const { fields, shapes } = report.views;
+  const packed = { ...shapes[model], name: report.ids[model], picture: `data:image/png;base64,${report.pictures.png[model]}` };
+  packed.fields = packed.fields.map((field, index) => ({ ...field, name: fields[index].name }));
+  const scales = Object.fromEntries(fields.filter(({ colours }) => colours).map(({ name, colours }) => [name, colours]));
+  const place = make('div', { class: 'turned' });
+  turned = { model, place, view: new ShapeView(place, [packed], { scales, note: 'The shape is simplified; lengths are those of shapes of unit area.' }) };
+  return place;
 }
 
 // Puts the model into the dialog; focus: the part of it that has the keyboard then.
 function drawShape(dialog, model, focus = '.close') {
+  tooltip.hide();
   const back = () => { visited.pop(); drawShape(dialog, visited[visited.length - 1]); };
   const head = make('div', { class: 'dialog-head' }, make('h2', { id: 'shape-title' }, `${report.ids[model]}, ${className(model)}`),
     visited.length > 1 ? make('button', { type: 'button', click: back }, 'Back') : null,
@@ -67,7 +91,7 @@ function drawShape(dialog, model, focus = '.close') {
   const position = evaluation().queries.indexOf(model);
   const values = position < 0 ? make('p', {}, 'Never a query: its class is too small.')
     : make('dl', { class: 'values' }, ...queryValues(position).flatMap(([name, value]) => [make('dt', {}, name === 'mAP' ? 'AP' : name), make('dd', {}, percent(value))]));
-  const portrait = make('div', { class: 'portrait' }, report.pictures ? picture(model) : null,
+  const portrait = make('div', { class: 'portrait' }, portraitOf(model),
     make('div', {}, make('div', { class: 'tools' }, chosen), make('p', { class: 'stamp' }, `As a query: ${protocolWords()}, in percent.`), values));
   const body = make('div', { class: 'dialog-body' }, portrait, make('h3', {}, 'Nearest ten'), nearestStrip(model), ...histogramParts(model));
   dialog.replaceChildren(head, body);

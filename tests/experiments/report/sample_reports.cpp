@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/runner/model_picture.h"
+#include "shapegauge/experiments/runner/model_view.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge::test_report {
@@ -33,10 +34,20 @@ std::vector<Evaluation> evaluations_of(const DistanceMatrix& distances) {
           evaluate(distances, labels, {.protocol = Protocol::paper})};
 }
 
-std::string picture_of(int model) {
-  const Shape shape = test::box({1, 0.3 + 0.1 * labels[static_cast<std::size_t>(model)], 0.2}, 3);
-  const Samples samples = sample_shape(shape, SampleSite::faces);
-  return model_picture(shape, samples, samples.points.col(0).cwiseAbs(), {});
+/// A picture and a view of each model, coloured by distances from the middle.
+void add_shapes(Report& report) {
+  for (const int label : labels) {
+    const Shape shape = test::box({1, 0.3 + 0.1 * label, 0.2}, 3);
+    const Samples samples = sample_shape(shape, SampleSite::faces);
+    const Eigen::VectorXd along = samples.points.col(0).cwiseAbs();
+    const Eigen::VectorXd away = samples.points.rowwise().norm();
+    report.pictures.png.push_back(model_picture(shape, samples, along, {}));
+    const std::vector<SampledField> fields{{samples, along}, {samples, away}};
+    report.views.shapes.push_back(model_view(shape, fields, 400));
+  }
+  report.pictures.field = "<field>";
+  report.views.fields = {{.name = "<field>", .colours = report.pictures.range},
+                         {.name = "</script><i>away", .colours = std::nullopt}};
 }
 
 void add_hostile_words(Report& report) {
@@ -64,8 +75,7 @@ SampleReport make_hostile_report() {
     sample.evaluations.push_back(evaluations_of(distances));
   }
   add_hostile_words(sample.report);
-  for (int i = 0; i < models; ++i) sample.report.pictures.png.push_back(picture_of(i));
-  sample.report.pictures.field = "<field>";
+  add_shapes(sample.report);
   return sample;
 }
 

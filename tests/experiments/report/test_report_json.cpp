@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "shapegauge/experiments/report/report_json.h"
+#include "shapegauge/experiments/view/html_page.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/experiments/report/sample_reports.h"
 
@@ -13,23 +14,6 @@ namespace {
 
 using testing::Contains;
 using testing::Not;
-
-TEST(Base64, AsInTheRfc) {
-  // RFC 4648, section 10.
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
-TEST(Base64, ALongTextIsEncodedInOnePiece) {
-  const std::string text = base64(std::string(7 << 20, '\0'));
-  EXPECT_EQ(text.size(), 4U * (((7 << 20) + 2) / 3));
-  EXPECT_EQ(text.find('='), text.size() - 2);
-}
 
 TEST(PackedValues, TwoBytesEachOfTheLargest) {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -42,12 +26,6 @@ TEST(PackedValues, TwoBytesEachOfTheLargest) {
 TEST(PackedValues, AllZeroOrNothing) {
   EXPECT_EQ(packed(Eigen::VectorXd{{0, 0}})["scale"], 1);
   EXPECT_EQ(packed(Eigen::VectorXd(0))["values"], "");
-}
-
-TEST(Rounded, KeepsTheLeadingDigits) {
-  EXPECT_EQ(rounded(0.123456789, 3), 0.123);
-  EXPECT_EQ(rounded(98765.4321, 3), 98800);
-  EXPECT_TRUE(std::isinf(rounded(std::numeric_limits<double>::infinity(), 3)));
 }
 
 TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
@@ -148,6 +126,17 @@ TEST(ReportJson, PicturesAreThereOrNot) {
   const auto pictures = report_json(sample.report)["pictures"];
   EXPECT_EQ(pictures["png"][7], base64(sample.report.pictures.png[7]));
   EXPECT_TRUE(report_json(test_report::plain_report().report)["pictures"].is_null());
+}
+
+TEST(ReportJson, ViewsAreThereOrNot) {
+  const test_report::SampleReport& sample = test_report::hostile_report();
+  const auto views = report_json(sample.report)["views"];
+  ASSERT_EQ(views["shapes"].size(), sample.report.ids.size());
+  EXPECT_EQ(views["shapes"][7].dump(), sample.report.views.shapes[7]);
+  ASSERT_EQ(views["fields"].size(), views["shapes"][7]["fields"].size());
+  EXPECT_EQ(views["fields"][0]["colours"]["to"], sample.report.views.fields[0].colours->high);
+  EXPECT_FALSE(views["fields"][1].contains("colours"));
+  EXPECT_TRUE(report_json(test_report::plain_report().report)["views"].is_null());
 }
 
 }  // namespace

@@ -108,17 +108,17 @@ INSTANTIATE_TEST_SUITE_P(
                               {0.50818944009, 0.0340711017093, 1},
                               {0.508725727755, 0.0371406930241, 1}}},
                     Recorded{{{"type", "heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 1}},
+                             {{"heat_kernel", 2}},
                              {{2.77857635004, 0.0592608896745, 1},
                               {4.98598287561, 0.952004588327, 1},
                               {5.87461205629, 0.946088913311, 1}}},
                     Recorded{{{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 1}},
+                             {{"heat_kernel", 2}},
                              {{2.74588568815, 0.356760653803, 1},
                               {2.93777064724, 0.047911871497, 1},
                               {2.92259960366, 0.155531032212, 1}}},
                     Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 1}},
+                             {{"heat_kernel", 2}},
                              {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}}));
 
 /// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
                            {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
         RecordedDescriptor{
             {{"type", "shape_dna"}},
-            1,
+            2,
             {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {

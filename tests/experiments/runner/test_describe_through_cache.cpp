@@ -108,7 +108,7 @@ TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
   const auto fresh = fresh_files(document());
   run(document());
   for (const EntryKind kind : {EntryKind::shape, EntryKind::samples, EntryKind::field, EntryKind::histogram,
-                               EntryKind::distances, EntryKind::picture}) {
+                               EntryKind::distances, EntryKind::picture, EntryKind::view}) {
     for (const CacheFile& file : cache_files(cache())) {
       if (file.kind == kind) fs::remove(file.path);
     }
@@ -145,6 +145,32 @@ TEST_F(DescribeThroughCache, AFieldIsComputedForThePictureWhereItsValuesAreGone)
     if (file.kind == EntryKind::picture || file.kind == EntryKind::field) fs::remove(file.path);
   }
   EXPECT_EQ(files_of(run(document())), fresh_files(document()));
+}
+
+TEST_F(DescribeThroughCache, ViewsAreMadeOfTheValuesInTheCacheOnce) {
+  const ExperimentResults first = run(document());
+  ASSERT_EQ(first.views.size(), 9U);
+  ASSERT_EQ(first.viewed.size(), 3U) << "one a field";
+  EXPECT_EQ(first.viewed[0].name, "fixed");
+  EXPECT_FALSE(first.viewed[1].colours) << "histograms with each model's own range";
+  for (const CacheFile& file : cache_files(cache())) {
+    if (file.kind == EntryKind::view) fs::remove(file.path);
+  }
+  const ExperimentResults again = run(document());
+  EXPECT_EQ(uses_of(again), all_taken);
+  EXPECT_EQ(again.views, first.views);
+  const CacheUse& views = run(document()).cache.uses.at(static_cast<std::size_t>(EntryKind::view));
+  EXPECT_EQ(views.hits, 9U);
+  EXPECT_EQ(views.computed, 0U);
+}
+
+TEST_F(DescribeThroughCache, NoViewsWhereTheyAreNotWantedOrThereAreNoPictures) {
+  for (const char* setting : {"views", "pictures"}) {
+    Json without = document();
+    without["report"][setting] = false;
+    const ExperimentResults results = run(without);
+    EXPECT_TRUE(results.views.empty() && results.viewed.empty()) << setting;
+  }
 }
 
 TEST_F(DescribeThroughCache, AChosenOffsetIsReportedFromTheCacheToo) {

@@ -1,0 +1,246 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/shape_files.h"
+#include "app/standard_streams.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/view/coarse_view.h"
+#include "shapegauge/experiments/view/shape_view.h"
+#include "shapegauge/segmentation/part_segmentation.h"
+#include "shapegauge/segmentation/segment_labels.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct ViewArguments {
+  ShapeFiles files;
+  fs::path output;
+  std::vector<std::string> fields;
+  std::string offset = "auto";
+  int parts = 0;
+  bool no_parts = false;
+  Eigen::Index most_faces = 200'000;
+  std::string title;
+  bool denoise = false;
+};
+
+/// A field that is asked for.
+struct WantedField {
+  std::string name;  ///< what the page calls it
+  Json settings;
+  bool chooses_offset = false;  ///< --offset is its offset
+};
+
+/// "offset_sdf,offset=0.03", or JSON as of a configuration: the type and settings of a field.
+Json field_settings_of(const std::string& text, const std::string& source) {
+  if (text.starts_with('{')) return parse_json(text, source);
+  std::istringstream words(text);
+  std::string type;
+  std::getline(words, type, ',');
+  Json settings{{"type", type}};
+  for (std::string assignment; std::getline(words, assignment, ',');) apply_override(settings, assignment);
+  return settings;
+}
+
+WantedField wanted_field(const std::string& text) {
+  const std::string source = fmt::format("--field {}", text);
+  Json settings = field_settings_of(text, source);
+  const bool chooses_offset =
+      settings.contains("type") && settings["type"] == "offset_sdf" && !settings.contains("offset");
+  if (chooses_offset) settings["offset"] = "auto";
+  check_against_schema(settings, "field", source);
+  if (settings.contains("at")) {
+    throw InputError(fmt::format("{}: a view has values at the faces of a mesh and the points of a cloud", source));
+  }
+  make_field(settings);  // what is wrong with it is told before anything is read
+  const std::string type = settings.at("type");
+  std::string name = type;
+  if (type == "offset_sdf") name = "SDF of the offset surface";
+  if (type == "cone_sdf") name = "Conventional SDF";
+  for (const auto& [key, value] : settings.items()) {
+    if (key == "type" || (key == "offset" && chooses_offset)) continue;
+    name += fmt::format(", {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return {.name = std::move(name), .settings = std::move(settings), .chooses_offset = chooses_offset};
+}
+
+/// Those of --field or, without any, the two SDFs.
+std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offset_given) {
+  if (arguments.fields.empty()) return {wanted_field("offset_sdf"), wanted_field("cone_sdf")};
+  std::vector<WantedField> fields;
+  std::set<std::string> known;
+  for (const std::string& text : arguments.fields) {
+    fields.push_back(wanted_field(text));
+    if (!known.insert(fields.back().settings.dump()).second) {
+      throw InputError(fmt::format("--field {} is given twice", text));
+    }
+  }
+  if (offset_given && std::ranges::none_of(fields, &WantedField::chooses_offset)) {
+    throw InputError("--offset goes with --field offset_sdf, without an offset of its own");
+  }
+  return fields;
+}
+
+/// Adds a field to the view, and the normals of the first one that estimates them.
+void add_field(const WantedField& wanted, std::optional<double> offset, FieldSource& source, const Samples& samples,
+               ShapeView& view, Remarks& remarks) {
+  Json settings = wanted.settings;
+  if (wanted.chooses_offset) {
+    const ChosenOffset chosen = choose_offset(offset, source.shape());
+    settings["offset"] = chosen.offset;
+    remark_on(chosen, remarks);
+    view.note = fmt::format("offset {:.3g} % of the diagonal", 100 * chosen.offset);
+  }
+  FieldValues computed = make_field(settings).compute(source, samples, true);
+  const auto range = central_range({.values = computed.values, .weights = samples.weights});
+  const auto missing = computed.values.array().isNaN().count();
+  if (missing > 0) {
+    remarks.warnings.push_back(
+        fmt::format("{}: {} of {} samples missing", wanted.name, missing, samples.points.rows()));
+  }
+  view.fields.push_back(
+      {.name = wanted.name, .values = std::move(computed.values), .colours = range.value_or(Interval{})});
+  if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
+}
+
+/// The parts as `shapegauge segment` cuts them; without them where a shape cannot be cut.
+void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
+  try {
+    view.parts = part_segmentation(view.shape, {.parts = wanted});
+    const std::vector<Colour> colours = label_colours(surface_graph(view.shape), view.parts);
+    view.part_colours.resize(static_cast<std::size_t>(*std::ranges::max_element(view.parts)) + 1);
+    for (std::size_t i = 0; i < view.parts.size(); ++i) {
+      view.part_colours[static_cast<std::size_t>(view.parts[i])] = colours[i];
+    }
+  } catch (const InputError& error) {
+    view.parts.clear();
+    remarks.warnings.push_back(fmt::format("shown without parts: {}", error.what()));
+  }
+}
+
+ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields, std::optional<double> offset,
+                   const Shape& given, const ShapeJob& job, Remarks& remarks) {
+  ShapeView view{.name = fs::path(job.input).filename().string(),
+                 .shape = arguments.denoise ? denoised_with_remark(given, remarks) : given};
+  const bool cloud = is_cloud(view.shape);
+  view.site = cloud ? SampleSite::vertices : SampleSite::faces;
+  if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent: there is nothing to show");
+  const Samples samples = sample_shape(view.shape, view.site);
+  FieldSource source(view.shape);
+  for (const WantedField& field : fields) {
+    // Nobody asked for what a cloud cannot have.
+    if (cloud && arguments.fields.empty() && field.settings.at("type") == "cone_sdf") continue;
+    add_field(field, offset, source, samples, view, remarks);
+  }
+  if (view.normals.rows() == 0) view.normals = samples.normals;
+  if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);
+  const Eigen::Index count = samples.points.rows();
+  view = coarse_view(std::move(view), arguments.most_faces);
+  const Eigen::Index kept = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
+  const std::string counts = fmt::format("{} {}", count, cloud ? "points" : "faces");
+  view.note = fmt::format("{}{}{}", kept < count ? fmt::format("{} of which {} are shown", counts, kept) : counts,
+                          view.note.empty() ? "" : ", ", view.note);
+  return view;
+}
+
+std::string title_of(const ViewArguments& arguments, const std::vector<ShapeView>& shapes) {
+  if (!arguments.title.empty()) return arguments.title;
+  if (shapes.size() > 3) return fmt::format("{} and {} more", shapes.front().name, shapes.size() - 1);
+  std::vector<std::string> names;
+  for (const ShapeView& shape : shapes) names.push_back(shape.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void check_output(const fs::path& output) {
+  const std::string extension = lower_case(output.extension().string());
+  if (is_standard_stream(output) || extension == ".html" || extension == ".htm") return;
+  throw InputError(fmt::format("cannot write {}: a view is a page, its name must end in .html", output.string()));
+}
+
+int run(const ViewArguments& arguments, bool offset_given) {
+  check_output(arguments.output);
+  const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
+  const std::optional<double> offset = parse_offset(arguments.offset);
+  std::vector<std::optional<ShapeView>> views(arguments.files.inputs.size());
+  const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
+    try {
+      views[job.index] = measured(arguments, fields, offset, shape, job, remarks);
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("{}: {}", job.input, error.what()));
+    }
+  });
+  ViewPage page;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i])
+      page.shapes.push_back(std::move(*views[i]));
+    else
+      page.missing.push_back(arguments.files.inputs[i].filename().string());
+  }
+  if (page.shapes.empty()) return exit_unusable_input;
+  page.title = title_of(arguments, page.shapes);
+  const std::string html = view_page(page);
+  if (is_standard_stream(arguments.output))
+    write_standard_output(html);
+  else
+    write_file_atomically(arguments.output, html);
+  if (status != exit_success) warn(fmt::format("{} does not show these shapes", arguments.output.string()));
+  return status;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("view", "Make a page with shapes that one can turn, coloured by their fields");
+  command->footer(
+      "Example: shapegauge view hand.off -o hand.html\n"
+      "         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o three.html\n"
+      "         shapegauge view hand.off --field offset_sdf,offset=0.01 --field heat_kernel,time=0.05 -o hand.html\n"
+      "The page is one file that needs no network. Values are in the units of the files.");
+  const auto arguments = std::make_shared<ViewArguments>();
+  add_shape_inputs(*command, arguments->files);
+  command->add_option("-o,--output", arguments->output, "The page: .html; -: standard output")->required();
+  std::vector<std::string> types;
+  for (const FieldType& type : field_types()) types.push_back(type.name);
+  command
+      ->add_option("--field", arguments->fields,
+                   "A field to show, with settings as of a configuration: offset_sdf,offset=0.03; may be given more "
+                   "than once (default: offset_sdf and, of meshes, cone_sdf)")
+      ->type_name(fmt::format("{{{}}}", fmt::join(types, ",")));
+  const CLI::Option* offset = add_offset_option(*command, arguments->offset);
+  CLI::Option* parts = command->add_option("--parts", arguments->parts, "Parts wanted; 0: as many as there are")
+                           ->check(CLI::NonNegativeNumber)
+                           ->capture_default_str();
+  command->add_flag("--no-parts", arguments->no_parts, "Do not cut the shapes into parts")->excludes(parts);
+  command
+      ->add_option("--max-faces", arguments->most_faces,
+                   "Meshes with more faces, and clouds with more points, are measured whole and shown simplified")
+      ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
+      ->capture_default_str();
+  command->add_option("--title", arguments->title, "Title of the page (default: the names of the shapes)");
+  add_denoise_option(*command, arguments->denoise);
+  command->callback([arguments, &status, offset] { status = run(*arguments, offset->count() > 0); });
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "tests/app/program.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using nlohmann::ordered_json;
+using test::text_of;
+using test::write_text;
+using test_command_line::expect_error_lines;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using test_command_line::UnusableCall;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ViewCommand : public testing::Test {
+ protected:
+  void SetUp() override { write_off(folder_.path() / "capsule.off", capsule); }
+  [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] Outcome view(const std::string& arguments) const {
+    return run_executable("view " + arguments + " -o '" + at("page.html") + "'");
+  }
+  /// What the page shows.
+  [[nodiscard]] ordered_json page() const {
+    const std::string html = text_of(at("page.html"));
+    const std::string opening = R"(id="view-data">)";
+    const std::size_t begin = html.find(opening) + opening.size();
+    return ordered_json::parse(html.substr(begin, html.find("</script>", begin) - begin));
+  }
+  [[nodiscard]] std::vector<std::string> field_names() const {
+    std::vector<std::string> names;
+    const ordered_json shown = page();
+    for (const ordered_json& field : shown["shapes"][0]["fields"]) names.push_back(field["name"]);
+    return names;
+  }
+
+  Shape capsule = test::capsule(1, 4, 16, 6);
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
+  const Outcome outcome = view("'" + at("capsule.off") + "' --offset 0.02");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_THAT(field_names(), ElementsAre("SDF of the offset surface", "Conventional SDF"));
+  const ordered_json shape = page()["shapes"][0];
+  EXPECT_EQ(shape["name"], "capsule.off");
+  EXPECT_EQ(page()["title"], "capsule.off");
+  EXPECT_EQ(shape["triangles"]["count"], capsule.triangles.rows());
+  EXPECT_TRUE(shape.contains("parts") && shape.contains("directions"));
+  const Samples samples = sample_shape(capsule, SampleSite::faces);
+  const Eigen::VectorXd expected = offset_sdf(capsule, samples, {.offset = 0.02}).values;
+  EXPECT_EQ(shape["fields"][0]["low"], expected.minCoeff());
+  EXPECT_EQ(shape["fields"][0]["high"], expected.maxCoeff());
+}
+
+TEST_F(ViewCommand, FieldsAreAskedForByNameAndSettings) {
+  const std::string calls =
+      R"( --no-parts --field centricity --field offset_sdf,offset=0.03 --field '{"type": "heat_kernel", "time": 0.1}')";
+  ASSERT_EQ(view("'" + at("capsule.off") + "'" + calls).status, 0);
+  EXPECT_THAT(field_names(),
+              ElementsAre("centricity", "SDF of the offset surface, offset 0.03", "heat_kernel, time 0.1"));
+  EXPECT_FALSE(page()["shapes"][0].contains("parts"));
+}
+
+TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
+  const Shape fine = test::sphere(1, 4);
+  write_off(at("fine.off"), fine);
+  ASSERT_EQ(view("'" + at("fine.off") + "' --max-faces 500 --no-parts --field cone_sdf").status, 0);
+  const ordered_json shape = page()["shapes"][0];
+  EXPECT_LE(shape["triangles"]["count"], 500);
+  EXPECT_GE(shape["triangles"]["count"], 250);
+  EXPECT_THAT(shape["note"].get<std::string>(), HasSubstr("5120 faces of which "));
+  // Means of the sphere's values; the simplified mesh has others of its own.
+  const Eigen::VectorXd values = cone_sdf(fine, sample_shape(fine, SampleSite::faces), {}).values;
+  EXPECT_GE(shape["fields"][0]["low"], values.minCoeff());
+  EXPECT_LE(shape["fields"][0]["high"], values.maxCoeff());
+  const Shape coarse = test::sphere(1, 2);
+  EXPECT_LT(cone_sdf(coarse, sample_shape(coarse, SampleSite::faces), {}).values.minCoeff(), values.minCoeff());
+}
+
+TEST_F(ViewCommand, ABadShapeIsNamedAndTheOthersAreShown) {
+  write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n");
+  write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
+  const Outcome outcome = view(
+      fmt::format("'{}' '{}' '{}' --title Three --offset 0.4", at("broken.off"), at("capsule.off"), at("cloud.xyz")));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
+  EXPECT_EQ(page()["title"], "Three");
+  EXPECT_EQ(page()["missing"], ordered_json({"broken.off"}));
+  ASSERT_EQ(page()["shapes"].size(), 2U);
+  EXPECT_EQ(page()["shapes"][1]["fields"].size(), 1U) << "a cloud has no conventional SDF";
+}
+
+TEST_F(ViewCommand, TheSameBytesForAnyNumberOfThreadsAndToStandardOutput) {
+  const std::string call = fmt::format("'{0}' '{0}' --offset 0.05", at("capsule.off"));
+  ASSERT_EQ(view(call + " --threads 1").status, 0);
+  const std::string bytes = text_of(at("page.html"));
+  ASSERT_EQ(view(call + " --threads 3").status, 0);
+  EXPECT_TRUE(text_of(at("page.html")) == bytes);
+  EXPECT_TRUE(run_executable("view " + call + " -o -").output == bytes);
+}
+
+TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
+  write_text(at("cloud.xyz"), "0 0 0\n1 0 0\n0 1 0\n0 0 1\n");
+  const std::string good = "view '" + at("capsule.off") + "' ";
+  const std::string out = " -o '" + at("x.html") + "' ";
+  const std::vector<UnusableCall> cases{
+      {"view /nowhere.off" + out, "/nowhere.off"},
+      {good, "--output is required"},
+      {good + "-o x.png", "its name must end in .html"},
+      {good + "--field cone" + out, "--field cone"},
+      {good + "--field offset_sdf,ofset=0.1" + out, "offset"},
+      {good + "--field offset_sdf,offset=0" + out, "offset"},
+      {good + "--field cone_sdf --field cone_sdf" + out, "given twice"},
+      {good + "--field cone_sdf,at=vertices" + out, "at the faces of a mesh"},
+      {good + "--field cone_sdf --offset 0.1" + out, "--offset goes with"},
+      {good + "--parts 3 --no-parts" + out, "--no-parts"},
+      {good + "--max-faces 3" + out, "--max-faces"},
+      {"view '" + at("cloud.xyz") + "' --field cone_sdf" + out, "cloud.xyz: the conventional SDF needs triangles"}};
+  expect_error_lines(cases);
+}
+
+}  // namespace
+
+}  // namespace shapegauge
