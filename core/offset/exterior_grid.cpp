@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <tbb/blocked_range.h>
@@ -284,39 +285,68 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
   }
 }
 
-CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
-  CellsAround result;
-  const BlockGrid& grid = exterior.grid();
-  // Of the lower and the upper cell along each axis the block's part of the index, and the place in the block.
-  std::array<std::array<std::size_t, 2>, 3> block;
-  std::array<std::array<unsigned, 2>, 3> place;
+namespace {
+
+/// The eight cells around a point, as the blocks that hold them and their cells in each: one block, or two, four or
+/// eight where its sides are near.
+template <typename Visit>
+void visit_cells_around(const BlockGrid& grid, const Eigen::Vector3d& x, const Visit& visit) {
+  // Of the lower and the upper cell along each axis those in the first block, and in the next, if any.
+  std::array<std::array<Cells, 2>, 3> layers;
+  std::array<std::size_t, 3> parts;
+  std::array<std::size_t, 3> strides;
+  constexpr std::array<Cells, 3> lowest{low_x, low_y, low_z};
+  std::size_t block = 0;
   std::size_t stride = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const int last = block_edge * grid.blocks[axis] - 1;
     const int low = std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1);
-    for (std::size_t i = 0; i < 2; ++i) {
-      const int cell = low + static_cast<int>(i);
-      block[k][i] = static_cast<std::size_t>(cell >> 2) * stride;
-      place[k][i] = static_cast<unsigned>(cell & 3) << (2 * k);
-    }
+    const Cells first = lowest[k] << (static_cast<unsigned>(low & 3) << (2 * k));
+    const bool is_split = (low & 3) == 3;
+    layers[k] = {is_split ? first : first | first << (1U << (2 * k)), lowest[k]};
+    parts[k] = is_split ? 2 : 1;
+    block += static_cast<std::size_t>(low >> 2) * stride;
+    strides[k] = stride;
     stride *= static_cast<std::size_t>(grid.blocks[axis]);
   }
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const std::size_t i = corner & 1U;
-    const std::size_t j = corner >> 1U & 1U;
-    const std::size_t k = corner >> 2U;
-    const std::int32_t state = exterior.block(block[0][i] + block[1][j] + block[2][k]);
+  for (std::size_t z = 0; z < parts[2]; ++z) {
+    for (std::size_t y = 0; y < parts[1]; ++y) {
+      for (std::size_t i = 0; i < parts[0]; ++i) {
+        visit(block + i * strides[0] + y * strides[1] + z * strides[2], layers[0][i] & layers[1][y] & layers[2][z]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  CellsAround result;
+  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
+    const std::int32_t state = exterior.block(block);
     if (state < 0) {
       result.touches_exterior |= state == ExteriorGrid::all_exterior;
-      continue;
+      return;
     }
-    const BoundaryBlock& cells = exterior.boundary()[static_cast<std::size_t>(state)];
-    const unsigned bit = place[0][i] | place[1][j] | place[2][k];
-    result.touches_exterior |= (cells.exterior >> bit & 1U) != 0;
-    result.triangles[static_cast<std::size_t>(result.count++)] = cells.nearest[bit];
-  }
+    const BoundaryBlock& boundary = exterior.boundary()[static_cast<std::size_t>(state)];
+    result.touches_exterior |= (boundary.exterior & cells) != 0;
+    for (; cells != 0; cells &= cells - 1) {
+      const auto bit = static_cast<std::size_t>(std::countr_zero(cells));
+      result.triangles[static_cast<std::size_t>(result.count++)] = boundary.nearest[bit];
+    }
+  });
   std::fill(result.triangles.begin() + result.count, result.triangles.end(), result.triangles[0]);
+  return result;
+}
+
+bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  bool result = false;
+  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
+    const std::int32_t state = exterior.block(block);
+    result |= state < 0 ? state == ExteriorGrid::all_exterior
+                        : (exterior.boundary()[static_cast<std::size_t>(state)].exterior & cells) != 0;
+  });
   return result;
 }
 

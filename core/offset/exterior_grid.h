@@ -64,6 +64,9 @@ struct CellsAround {
 };
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
 
+/// Whether one of the eight cells is exterior, and nothing else.
+bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
+
 /// From the closest points of the triangles around to x; false, and nothing, where none is known.
 inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x,
                            TriangleTable::Vectors& vectors) {

@@ -74,11 +74,11 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
       t += inner;
       continue;
     }
-    const CellsAround around = cells_around(exterior, x);
-    if (!around.touches_exterior) {
+    if (!touches_exterior(exterior, x)) {
       t += leave_cube(x, inverse, 1, 0.5);
       continue;
     }
+    const CellsAround around = cells_around(exterior, x);
     // Balls about the closest points of the triangles around cover a stretch of the ray; the farthest end counts.
     if (!vectors_around(exterior, around, x, vectors)) return t;
     double covered = end_of_balls(vectors, direction, r);

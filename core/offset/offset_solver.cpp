@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <tbb/parallel_for.h>
+#include <utility>
 
 #include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
@@ -69,12 +71,13 @@ struct Group {
 class Solver {
  public:
   Solver(const ExteriorGrid& exterior, const OffsetSites& sites, const Points& points, const Points& normals,
-         OffsetAnswers& answers)
+         std::vector<std::int32_t> likely, OffsetAnswers& answers)
       : exterior_(exterior),
         grid_(exterior.grid()),
         sites_(sites),
         points_(points),
         normals_(normals),
+        likely_(std::move(likely)),
         answers_(answers) {
     sort();
   }
@@ -99,7 +102,7 @@ class Solver {
 
   void sort();
   void answer(const Group& group);
-  [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, NearbyPoints& nearby) const;
+  [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const;
   bool touches_points_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Eigen::Vector3d& p,
                          double reach, double near_enough, NearbyPoints& nearby) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
@@ -112,10 +115,25 @@ class Solver {
   const OffsetSites& sites_;
   const Points& points_;
   const Points& normals_;
+  std::vector<std::int32_t> likely_;  ///< triangles that the samples are likely to lie on
   OffsetAnswers& answers_;
   std::vector<Eigen::Index> order_;
   std::vector<Group> groups_;
 };
+
+/// For each sample a triangle that it is likely to lie on: its own where all faces are sampled, one of its vertex's
+/// where all vertices are.
+std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samples) {
+  std::vector<std::int32_t> likely(static_cast<std::size_t>(samples), 0);
+  if (samples == (is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
+    std::iota(likely.begin(), likely.end(), 0);
+  } else if (samples == shape.vertices.rows()) {
+    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+      for (int k = 0; k < 3; ++k) likely[static_cast<std::size_t>(shape.triangles(f, k))] = static_cast<std::int32_t>(f);
+    }
+  }
+  return likely;
+}
 
 /// Sorts the samples by blocks; those that are in none are missing.
 void Solver::sort() {
@@ -136,9 +154,11 @@ void Solver::sort() {
   }
 }
 
-/// By the triangles of the surface's points near p, first those in its own block.
-bool Solver::is_on_surface(const Eigen::Vector3d& p, NearbyPoints& nearby) const {
+/// By the triangle that it is likely to lie on, then by those of the surface's points near p, first those in its own
+/// block.
+bool Solver::is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const {
   const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
+  if (exterior_.surface().triangles.squared_distance(p, likely) <= near_enough * near_enough) return true;
   // The apex of an equilateral triangle is as far from the points of its columns as that.
   const double reach = 1.5 * exterior_.surface().spacing + near_enough;
   const Eigen::Vector3i own = grid_.block_of(p);
@@ -270,7 +290,7 @@ void Solver::answer(const Group& group) {
     const Eigen::Index i = order_[k];
     OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(i)];
     const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
-    if (!is_on_surface(p, room.surface)) continue;
+    if (!is_on_surface(p, likely_[static_cast<std::size_t>(i)], room.surface)) continue;
     const Eigen::Vector3d normal = normals_.row(i).transpose();
     outcome = OffsetOutcome::direct;
     auto q = direct(p, normal);
@@ -306,7 +326,7 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   answers.heights = answers.values;
   answers.directions = Points::Zero(points.rows(), 3);
   answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
-  Solver(exterior, sites, points, normals, answers).solve(options.parallel);
+  Solver(exterior, sites, points, normals, likely_triangles(shape, points.rows()), answers).solve(options.parallel);
   return answers;
 }
 

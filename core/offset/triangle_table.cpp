@@ -157,6 +157,14 @@ void TriangleTable::vectors_to(const Eigen::Vector3d& x, const std::int32_t* tri
   HWY_DYNAMIC_DISPATCH(vectors)(records_.front().data(), triangles, result);
 }
 
+double TriangleTable::squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const {
+  std::array<std::int32_t, at_once> triangles;
+  triangles.fill(triangle);
+  Vectors vectors;
+  vectors_to(x, triangles.data(), vectors);
+  return static_cast<double>(vectors.squared[0]);
+}
+
 void TriangleTable::vectors_to_each(Vectors& points, const std::int32_t* triangles) const {
   HWY_DYNAMIC_DISPATCH(vectors)(records_.front().data(), triangles, points);
 }

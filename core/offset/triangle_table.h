@@ -35,6 +35,9 @@ class TriangleTable {
   /// The vectors from the closest points of the triangles to x.
   void vectors_to(const Eigen::Vector3d& x, const std::int32_t* triangles, Vectors& result) const;
 
+  /// The squared distance from x to one of them.
+  [[nodiscard]] double squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const;
+
   /// The same for a point for each triangle: the points are replaced.
   void vectors_to_each(Vectors& points, const std::int32_t* triangles) const;
 
