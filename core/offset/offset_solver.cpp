@@ -129,7 +129,8 @@ std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samp
     std::iota(likely.begin(), likely.end(), 0);
   } else if (samples == shape.vertices.rows()) {
     for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
-      for (int k = 0; k < 3; ++k) likely[static_cast<std::size_t>(shape.triangles(f, k))] = static_cast<std::int32_t>(f);
+      for (int k = 0; k < 3; ++k)
+        likely[static_cast<std::size_t>(shape.triangles(f, k))] = static_cast<std::int32_t>(f);
     }
   }
   return likely;
