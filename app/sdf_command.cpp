@@ -29,6 +29,7 @@ struct SdfArguments {
   std::string method;
   std::string site = "faces";
   std::string offset = "0.05";
+  std::string accuracy = "standard";
   std::string engine = "embree";
   double opening_angle = 60;
   int rays = 25;
@@ -78,7 +79,8 @@ FieldPicture picture_of(const SdfArguments& arguments) {
 /// The field as a configuration would ask for it. `offset`: of the offset method.
 nlohmann::json field_settings(const SdfArguments& arguments, std::optional<double> offset) {
   if (arguments.method == "offset") {
-    nlohmann::json settings{{"type", "offset_sdf"}, {"offset", "auto"}, {"at", arguments.site}};
+    nlohmann::json settings{
+        {"type", "offset_sdf"}, {"offset", "auto"}, {"accuracy", arguments.accuracy}, {"at", arguments.site}};
     if (offset) settings["offset"] = *offset;
     return settings;
   }
@@ -124,11 +126,7 @@ void write_timings(const fs::path& path, const Shape& shape, double read_seconds
 }
 
 void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
-  for (const char* outcome : {"undecided", "missing"}) {
-    const auto count = outcomes.find(outcome);
-    if (count == outcomes.end() || count->second == 0) continue;
-    remarks.warnings.push_back(fmt::format("{} of {} samples {}", count->second, outcomes.at("total"), outcome));
-  }
+  for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
 int run(const SdfArguments& arguments) {
@@ -167,7 +165,11 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
-  const CLI::Option* offset = add_offset_option(*command, arguments->offset);
+  std::vector<CLI::Option*> of_offset{
+      add_offset_option(*command, arguments->offset),
+      command->add_option("--accuracy", arguments->accuracy, "offset: how fine its grid is")
+          ->check(CLI::IsMember({"fast", "standard", "fine"}))
+          ->capture_default_str()};
   std::vector<CLI::Option*> of_cone{
       command->add_option("--engine", arguments->engine, "cone: who casts the rays")
           ->check(CLI::IsMember({"embree", "cgal"})),
@@ -183,12 +185,14 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
-  command->callback([arguments, &status, offset, of_cone] {
+  command->callback([arguments, &status, of_offset, of_cone] {
     const bool is_offset = arguments->method == "offset";
     for (const CLI::Option* option : of_cone) {
       if (is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method cone only");
     }
-    if (!is_offset && offset->count() > 0) throw InputError("--offset goes with --method offset only");
+    for (const CLI::Option* option : of_offset) {
+      if (!is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method offset only");
+    }
     status = run(*arguments);
   });
 }

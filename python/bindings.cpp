@@ -88,12 +88,6 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   return shape;
 }
 
-py::dict outcomes_of(const FieldValues& values) {
-  py::dict outcomes;
-  for (const auto& [name, count] : values.outcomes) outcomes[py::str(name)] = count;
-  return outcomes;
-}
-
 py::tuple field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                 const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
   struct Computed {
@@ -111,9 +105,9 @@ py::tuple field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const
     return Computed{std::move(samples), std::move(values)};
   });
   const py::object offset = py::cast(computed.values.offset);
-  const py::dict outcomes = outcomes_of(computed.values);
+  const py::object warnings = py::cast(outcome_warnings(computed.values.outcomes));
   return py::make_tuple(array_of(std::move(computed.values.values)), array_of(std::move(computed.samples.weights)),
-                        array_of(std::move(computed.values.normals)), outcomes, offset);
+                        array_of(std::move(computed.values.normals)), warnings, offset);
 }
 
 py::array segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,

@@ -1,5 +1,6 @@
 #include "shapegauge/core/shape/samples.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -142,6 +143,39 @@ Samples sample_cloud(const Shape& shape) {
   return samples;
 }
 
+/// Where triangles are turned at random, their normals cancel though all lie in about one plane: what they agree on is
+/// then the direction that most of them have one way or the other. Replaces the sums of normals of such vertices.
+void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_angles, Points& sums) {
+  constexpr double cancelled = 0.5;  // of the sum's length, what is left
+  constexpr double agreed = 0.8;     // of the squares of the normals, what lies along one line
+  std::vector<std::int32_t> place(static_cast<std::size_t>(shape.vertices.rows()), -1);
+  std::vector<Eigen::Matrix3d> squares;
+  for (Eigen::Index v = 0; v < sums.rows(); ++v) {
+    const double length = sums.row(v).norm();
+    if (length >= cancelled * total_angles[v] || length <= 1e-12 * total_angles[v]) continue;
+    place[static_cast<std::size_t>(v)] = static_cast<std::int32_t>(squares.size());
+    squares.emplace_back(Eigen::Matrix3d::Zero());
+  }
+  if (squares.empty()) return;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    for (int k = 0; k < 3; ++k) {
+      const std::int32_t at = place[static_cast<std::size_t>(shape.triangles(f, k))];
+      if (at < 0) continue;
+      const TriangleForm form = form_of(corners_of(shape, f));
+      if (form.degenerate) continue;
+      squares[static_cast<std::size_t>(at)] += form.angles[k] * form.normal * form.normal.transpose();
+    }
+  }
+  for (Eigen::Index v = 0; v < sums.rows(); ++v) {
+    if (place[static_cast<std::size_t>(v)] < 0) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+        squares[static_cast<std::size_t>(place[static_cast<std::size_t>(v)])]);
+    if (solver.eigenvalues()[2] < agreed * solver.eigenvalues().sum()) continue;
+    const Eigen::RowVector3d direction = solver.eigenvectors().col(2).transpose();
+    sums.row(v) = total_angles[v] * (direction.dot(sums.row(v)) < 0 ? -direction : direction);
+  }
+}
+
 Samples sample_vertices(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;
@@ -156,6 +190,7 @@ Samples sample_vertices(const Shape& shape) {
       total_angles[v] += form.angles[k];
     }
   }
+  settle_cancelled_normals(shape, total_angles, samples.normals);
   for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
     const double length = samples.normals.row(v).norm();
     // Normals that cancel (a sheet with two sides) leave rounding noise, which is no direction.

@@ -22,7 +22,7 @@ SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumber
 
 /// Raised with every change of the samples of a shape (places, normals, weights), which makes cached results of earlier
 /// versions stale.
-inline constexpr int samples_version = 1;
+inline constexpr int samples_version = 2;
 
 /// Where a field is sampled (docs/definitions.md#samples-and-weights). The points of a cloud are its vertices.
 enum class SampleSite {
@@ -42,10 +42,10 @@ struct Samples {
 };
 
 /// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
-/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals). A point cloud is
-/// sampled at its points whatever the site (weight: point_weights(), whose errors it throws; normal: the file's, or
-/// unsigned_point_normals()), and the result's site is `vertices`. Throws InputError for an unusable shape
-/// (require_usable()).
+/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals or, where they cancel
+/// as some triangles are turned over, the line along which they lie). A point cloud is sampled at its points whatever
+/// the site (weight: point_weights(), whose errors it throws; normal: the file's, or unsigned_point_normals()), and the
+/// result's site is `vertices`. Throws InputError for an unusable shape (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 /// Samples at `count` points of the surface (SampleSite::surface; see surface_points()), with the triangles' normals

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -18,12 +16,6 @@ struct ClosestHit {
   std::int32_t triangle = -1;
   double distance = std::numeric_limits<double>::infinity();
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
-};
-
-/// How a ray crosses the surface.
-struct RayParity {
-  int count = 0;
-  int balance = 0;  ///< crossings along the triangles' normals minus those against them
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries: eight children a node, sixteen
@@ -49,25 +41,6 @@ class TriangleBVH {
   [[nodiscard]] std::optional<ClosestHit> closest(const Eigen::Vector3d& x,
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
-
-  /// A triangle and its distance from a point, in single precision.
-  struct Nearest {
-    std::int32_t triangle = -1;  ///< -1: none is near enough
-    float distance = std::numeric_limits<float>::infinity();
-  };
-  static constexpr std::size_t most_points_at_once = 8;
-
-  /// The closest triangle to each of a few points that are near each other, among those nearer than max_distance: finds
-  /// the leaves within reach once for all. Where some triangle is nearer than `enough`, it will do.
-  [[nodiscard]] std::array<Nearest, most_points_at_once> closest_to_each(std::span<const Eigen::Vector3d> points,
-                                                                         double max_distance, double enough = 0) const;
-
-  /// Some triangle nearer than the distance, or nothing. Cheaper than the closest one.
-  [[nodiscard]] std::optional<std::int32_t> any_within(const Eigen::Vector3d& x, double distance,
-                                                       std::int32_t hint = -1) const;
-
-  /// The crossings of the ray from x with the surface, or nothing where one is too close to an edge to be sure.
-  [[nodiscard]] std::optional<RayParity> ray_parity(const Eigen::Vector3d& x, const Eigen::Vector3d& direction) const;
 
   /// The corners of a triangle, in the shape's numbering.
   [[nodiscard]] const Triangle& triangle(std::int32_t index) const;

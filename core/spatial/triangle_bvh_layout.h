@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "shapegauge/core/spatial/closest_point.h"
@@ -61,15 +60,5 @@ void build_triangle_bvh(std::vector<TriangleBvhNode>& nodes, std::vector<Triangl
 /// The triangle of smallest squared distance to x below the limit, or `otherwise`.
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise);
-
-/// For each of a few points the triangle of smallest squared distance below its limit, which it becomes; triangles are
-/// left as they are where there is none. One of a squared distance below `enough` will do.
-void closest_triangles(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
-                       std::span<std::int32_t> triangles);
-
-/// Some triangle of squared distance to x below the limit, or -1.
-std::int32_t any_triangle_within(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                                 const Eigen::Vector3d& x, float squared_limit);
 
 }  // namespace shapegauge

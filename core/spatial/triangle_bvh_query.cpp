@@ -143,7 +143,7 @@ HWY_INLINE int push_children(const TriangleBvhNode& node, const Eigen::Vector3f&
   return top;
 }
 
-/// Visits leaves from near to far; the visitor gets a leaf and the limit and may lower it. A limit below 0 ends it.
+/// Visits leaves from near to far; the visitor gets a leaf and the limit and may lower it.
 template <typename Visit>
 HWY_INLINE void visit_leaves(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                              const Eigen::Vector3d& x, float squared_limit, const Visit& visit) {
@@ -171,117 +171,6 @@ std::int32_t closest(const std::vector<TriangleBvhNode>& nodes, const std::vecto
   return best;
 }
 
-/// The leaves that a search for several points found within reach, with their boxes.
-struct Reached {
-  static constexpr std::size_t most = 64;
-  std::size_t count = 0;
-  alignas(64) std::array<std::array<float, most>, 3> low, high;
-  std::array<std::int32_t, most> leaf;
-  float nearest = std::numeric_limits<float>::infinity();
-
-  /// The nearest comes first: what is found in it rules out most of the others.
-  void add(const TriangleBvhNode& node, std::size_t child, float distance) {
-    const bool first = count > 0 && distance < nearest;
-    nearest = std::min(nearest, distance);
-    if (first) move(0, count);
-    put(node, child, first ? 0 : count);
-    ++count;
-  }
-
- private:
-  void move(std::size_t from, std::size_t to) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k][to] = low[k][from];
-      high[k][to] = high[k][from];
-    }
-    leaf[to] = leaf[from];
-  }
-
-  void put(const TriangleBvhNode& node, std::size_t child, std::size_t place) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k][place] = node.low[k][child];
-      high[k][place] = node.high[k][child];
-    }
-    leaf[place] = node.child[child];
-  }
-};
-
-/// Looks into the leaves, for each point into those whose boxes are within its limit.
-HWY_INLINE void look_into(const Reached& reached, const std::vector<TriangleBvhLeaf>& leaves,
-                          std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
-                          std::span<std::int32_t> triangles) {
-  const hn::CappedTag<float, triangles_per_leaf> d;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3f x = points[i].cast<float>();
-    for (std::size_t first = 0; first < reached.count; first += hn::Lanes(d)) {
-      auto sum = hn::Zero(d);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto coordinate = hn::Set(d, x[static_cast<Eigen::Index>(k)]);
-        const auto below = hn::Sub(hn::Load(d, reached.low[k].data() + first), coordinate);
-        const auto above = hn::Sub(coordinate, hn::Load(d, reached.high[k].data() + first));
-        const auto outside = hn::Max(hn::Max(below, above), hn::Zero(d));
-        sum = hn::MulAdd(outside, outside, sum);
-      }
-      alignas(64) std::array<float, triangles_per_leaf> distances;
-      hn::Store(sum, d, distances.data());
-      std::array<std::uint8_t, 8> bits{};
-      hn::StoreMaskBits(d, hn::Lt(sum, hn::Set(d, limits[i])), bits.data());
-      std::uint32_t left = bits[0] | static_cast<std::uint32_t>(bits[1]) << 8U;
-      if (reached.count - first < triangles_per_leaf) left &= (1U << (reached.count - first)) - 1;
-      for (; left != 0 && limits[i] >= enough; left &= left - 1) {
-        const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-        if (!(distances[lane] < limits[i])) continue;
-        const std::int32_t found =
-            closest_in_leaf(leaves[static_cast<std::size_t>(~reached.leaf[first + lane])], points[i], limits[i]);
-        if (found >= 0) triangles[i] = found;
-      }
-    }
-  }
-}
-
-void closest_to_each(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                     std::span<const Eigen::Vector3d> points, float enough, std::span<float> limits,
-                     std::span<std::int32_t> triangles) {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& point : points) centre += point / static_cast<double>(points.size());
-  double reach = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    reach = std::max(reach, std::sqrt(static_cast<double>(limits[i])) + (points[i] - centre).norm());
-  }
-  const auto squared_reach = static_cast<float>(reach * reach * (1 + 1e-6));
-  Reached reached;
-  std::array<std::int32_t, stack_size> stack;
-  const Eigen::Vector3f x = centre.cast<float>();
-  int top = 0;
-  stack[static_cast<std::size_t>(top++)] = 0;
-  while (top > 0) {
-    const TriangleBvhNode& node = nodes[static_cast<std::size_t>(stack[static_cast<std::size_t>(--top)])];
-    alignas(64) std::array<float, children_per_node> distances;
-    for (std::uint32_t left = squared_distances(node, x, squared_reach, distances); left != 0; left &= left - 1) {
-      const auto i = static_cast<std::size_t>(std::countr_zero(left));
-      if (node.child[i] >= 0) {
-        stack[static_cast<std::size_t>(top++)] = node.child[i];
-        continue;
-      }
-      reached.add(node, i, distances[i]);
-      if (reached.count < Reached::most) continue;
-      look_into(reached, leaves, points, enough, limits, triangles);
-      reached.count = 0;
-    }
-  }
-  look_into(reached, leaves, points, enough, limits, triangles);
-}
-
-std::int32_t any_within(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                        const Eigen::Vector3d& x, float squared_limit) {
-  std::int32_t found = -1;
-  visit_leaves(nodes, leaves, x, squared_limit, [&](const TriangleBvhLeaf& leaf, float& limit) {
-    found = closest_in_leaf(leaf, x, limit);
-    if (found >= 0) limit = -1;
-  });
-  return found;
-}
-
 }  // namespace
 }  // namespace shapegauge::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -290,23 +179,10 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(closest);
-HWY_EXPORT(closest_to_each);
-HWY_EXPORT(any_within);
 
 std::int32_t closest_triangle(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                               const Eigen::Vector3d& x, float squared_limit, std::int32_t otherwise) {
   return HWY_DYNAMIC_DISPATCH(closest)(nodes, leaves, x, squared_limit, otherwise);
-}
-
-void closest_triangles(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                       std::span<const Eigen::Vector3d> points, float enough, std::span<float> squared_limits,
-                       std::span<std::int32_t> triangles) {
-  HWY_DYNAMIC_DISPATCH(closest_to_each)(nodes, leaves, points, enough, squared_limits, triangles);
-}
-
-std::int32_t any_triangle_within(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
-                                 const Eigen::Vector3d& x, float squared_limit) {
-  return HWY_DYNAMIC_DISPATCH(any_within)(nodes, leaves, x, squared_limit);
 }
 
 }  // namespace shapegauge

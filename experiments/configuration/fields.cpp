@@ -29,11 +29,13 @@ using Json = nlohmann::json;
 FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
   const auto* const given = std::get_if<double>(&values.value("offset"));
   const std::optional<double> offset = given != nullptr ? std::optional(*given) : std::nullopt;  // else "auto"
+  const auto word = std::ranges::find(OffsetSdfOptions::accuracy_words, values.word("accuracy"));
+  const auto accuracy = static_cast<OffsetAccuracy>(word - OffsetSdfOptions::accuracy_words.begin());
   Json versions{{"offset_sdf", offset_sdf_version}};
   if (!offset) versions["automatic_offset"] = automatic_offset_version;
   return {.versions = std::move(versions),
-          .compute = [offset](FieldSource& source, const Samples& samples, bool parallel) {
-            OffsetSdfOptions options{.parallel = parallel};
+          .compute = [offset, accuracy](FieldSource& source, const Samples& samples, bool parallel) {
+            OffsetSdfOptions options{.accuracy = accuracy, .parallel = parallel};
             options.offset = offset ? *offset : automatic_offset(source.shape()).offset;
             const OffsetSdfSolver& solver = source.offset_sdf_solver();
             OffsetSdfResult result = solver.solve(samples, options);
@@ -44,7 +46,8 @@ FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePla
                                             {"direct", outcomes.direct},
                                             {"searched", outcomes.searched},
                                             {"undecided", outcomes.undecided},
-                                            {"missing", outcomes.missing}},
+                                            {"missing", outcomes.missing},
+                                            {"enlarged", outcomes.enlarged}},
                                .offset = offset ? std::nullopt : std::optional(options.offset),
                                .build_seconds = solver.build_seconds() + result.build_seconds,
                                .query_seconds = result.query_seconds};
@@ -58,7 +61,12 @@ std::vector<Parameter> offset_sdf_parameters() {
            .bounds = OffsetSdfOptions::offset_bounds,
            .choices = automatic,
            .description = "Offset distance as a fraction of the bounding box's diagonal; auto: chosen for each shape "
-                          "between 1 and 5 % by its gaps and its noise."}};
+                          "between 1 and 5 % by its gaps and its noise."},
+          {.name = "accuracy",
+           .kind = ParameterKind::choice,
+           .default_value = OffsetSdfOptions::accuracy_words[static_cast<std::size_t>(OffsetSdfOptions{}.accuracy)],
+           .choices = OffsetSdfOptions::accuracy_words,
+           .description = "How fine the grid of the computation is: its cells are the offset over 2.5, 3 or 5."}};
 }
 
 constexpr std::array<std::string_view, 2> engines{"embree", "cgal"};
@@ -307,6 +315,20 @@ const Spectrum& FieldSource::spectrum(int eigenvalues) {
   std::unique_ptr<Spectrum>& spectrum = spectra_[eigenvalues];
   if (!spectrum) spectrum = std::make_unique<Spectrum>(laplacian_spectrum(*shape_, eigenvalues));
   return *spectrum;
+}
+
+std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
+  constexpr std::array<std::pair<const char*, const char*>, 3> warned{
+      {{"undecided", "undecided"},
+       {"missing", "missing"},
+       {"enlarged", "answered at a larger offset: the grid of the one asked for would not fit into memory"}}};
+  std::vector<std::string> warnings;
+  for (const auto& [outcome, words] : warned) {
+    const auto count = outcomes.find(outcome);
+    if (count == outcomes.end() || count->second == 0) continue;
+    warnings.push_back(fmt::format("{} of {} samples {}", count->second, outcomes.at("total"), words));
+  }
+  return warnings;
 }
 
 SamplePlan sample_plan_of(const Json& settings) {

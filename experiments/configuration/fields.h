@@ -63,9 +63,11 @@ nlohmann::json to_json(const SamplePlan& plan);
 /// The samples of a shape that the plan asks for (sample_shape, sample_surface_of).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
-/// Number of samples by outcome. "total" is always there; "undecided" and "missing" are
-/// the outcomes that a run warns about.
+/// Number of samples by outcome. "total" is always there.
 using FieldOutcomes = std::map<std::string, std::size_t>;
+
+/// A sentence, "3 of 200 samples missing", for each of the outcomes that users are to be warned of.
+std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);
 
 /// The values of a field on one shape.
 struct FieldValues {

@@ -380,11 +380,8 @@ std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
           R"(use a larger offset or "auto")",
           field.leaking, field.models, field.settings.dump()));
     }
-    for (const char* outcome : {"undecided", "missing"}) {
-      const auto count = field.outcomes.find(outcome);
-      if (count == field.outcomes.end() || count->second == 0) continue;
-      warnings.push_back(fmt::format("{} of {} samples {} in the field {}", count->second, field.outcomes.at("total"),
-                                     outcome, field.settings.dump()));
+    for (const std::string& warning : outcome_warnings(field.outcomes)) {
+      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
     }
   }
   return warnings;

@@ -101,33 +101,33 @@ def field(vertices, faces=None, type="offset_sdf", *, at="faces", normals=None, 
 
     >>> values, weights = sg.field(mesh, type="centricity", sources=24)
     """
-    values, weights, _, _, _ = _field(_shape(vertices, faces, normals), type, at, settings, threads)
+    values, weights, _, _ = _field(_shape(vertices, faces, normals), type, at, settings, threads)
     return values, weights
 
 
 def _field(shape, type, at, settings, threads):
     settings = {"type": type, "at": at, **settings}
-    values, weights, normals, outcomes, offset = _native.field(*shape, _json.dumps(settings), threads)
-    for outcome in ("undecided", "missing"):
-        if outcomes.get(outcome, 0) > 0:
-            _warnings.warn(f"{outcomes[outcome]} of {outcomes['total']} samples {outcome}", stacklevel=3)
-    return values, weights, normals, outcomes, offset
+    values, weights, normals, warnings, offset = _native.field(*shape, _json.dumps(settings), threads)
+    for warning in warnings:
+        _warnings.warn(warning, stacklevel=3)
+    return values, weights, normals, offset
 
 
-def sdf(vertices, faces=None, method="offset", *, offset=0.05, at="faces", rays=25, opening_angle=60, engine="embree",
-        normals=None, threads=0):
+def sdf(vertices, faces=None, method="offset", *, offset=0.05, accuracy="standard", at="faces", rays=25,
+        opening_angle=60, engine="embree", normals=None, threads=0):
     """The shape diameter function, in the units of the input.
 
     method: "offset" (of the offset surface: noise, cracks and point clouds do no harm) or "cone" (the conventional one,
-    closed meshes). offset: a fraction of the diagonal of the bounding box, or "auto". rays, opening_angle (degrees) and
-    engine ("embree", "cgal") are the cone's. Returns (values, weights) as field().
+    closed meshes). offset: a fraction of the diagonal of the bounding box, or "auto"; accuracy: "fast", "standard" or
+    "fine", how fine its grid is. rays, opening_angle (degrees) and engine ("embree", "cgal") are the cone's. Returns
+    (values, weights) as field().
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
     >>> values, weights = sg.sdf(points, offset="auto")
     """
     shape = _shape(vertices, faces, normals)
     if method == "offset":
-        return _field(shape, "offset_sdf", at, {"offset": offset}, threads)[:2]
+        return _field(shape, "offset_sdf", at, {"offset": offset, "accuracy": accuracy}, threads)[:2]
     if method == "cone":
         settings = {"rays": rays, "opening_angle_degrees": opening_angle, "engine": engine}
         return _field(shape, "cone_sdf", at, settings, threads)[:2]

@@ -127,6 +127,11 @@ double OffsetSdfReference::distance_to_exterior(const Eigen::Vector3d& p) const 
   }
 }
 
+double OffsetSdfReference::distance_from_raised(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+  const Eigen::Vector3d lift = r_ / 4 * normal;
+  return std::min(distance_to_exterior(p + lift), distance_to_exterior(p - lift));
+}
+
 double OffsetSdfReference::exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double factor) const {
   double t = 0;
   while (!is_exterior(p + t * direction, factor)) t += r_ / 500;

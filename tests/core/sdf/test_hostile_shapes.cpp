@@ -182,6 +182,38 @@ TEST(HostileShapes, AThousandPartsTakeSeconds) {
   EXPECT_LT(seconds_of([&] { values_of(parts, 0.03); }), 30);
 }
 
+TEST(HostileShapes, ManyClosedPartsThatOverlapTakeSeconds) {
+  // From deep inside, all of the surface is far away and about as near.
+  RandomNumbers random(2, 0);
+  std::vector<Shape> parts;
+  for (int i = 0; i < 26; ++i) {
+    const Eigen::Vector3d place = 0.3 * random_place(random).transpose();
+    parts.push_back(test::transformed(test::sphere(0.3, 2), 1, test::rotation(static_cast<unsigned>(i)), place));
+  }
+  const Shape joined = test::joined(parts);
+  const Samples samples = sample_shape(joined, SampleSite::faces);
+  for (const double offset : {0.003, 0.01, 0.1}) {
+    EXPECT_LT(seconds_of([&] {
+                const OffsetSdfResult result = offset_sdf(joined, samples, {.offset = offset});
+                EXPECT_TRUE(result.values.allFinite());
+                EXPECT_EQ(result.outcomes.missing, 0U);
+              }),
+              30);
+  }
+}
+
+TEST(HostileShapes, AnOffsetTooSmallForTheGridIsEnlargedAndCounted) {
+  const Shape sphere = test::sphere(1, 3);
+  const Samples samples = sample_shape(sphere, SampleSite::faces);
+  const OffsetSdfResult small = offset_sdf(sphere, samples, {.offset = 2e-6});
+  EXPECT_GT(small.offset, 2e-6);
+  EXPECT_LT(small.offset, 3e-3);
+  EXPECT_EQ(small.outcomes.enlarged, small.outcomes.total);
+  const OffsetSdfResult usual = offset_sdf(sphere, samples, {.offset = 0.05});
+  EXPECT_EQ(usual.offset, 0.05);
+  EXPECT_EQ(usual.outcomes.enlarged, 0U);
+}
+
 TEST(HostileShapes, TinyPartsAreAsThinAsTheyAre) {
   const double size = 1e-4;
   const double offset = 0.005;  // joins few of the parts

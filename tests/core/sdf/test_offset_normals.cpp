@@ -19,7 +19,8 @@ Eigen::ArrayXd errors_on_sphere(const Points& points, const Points& normals) {
 Points normals_of(const Shape& shape, const Samples& samples, double offset) {
   const OffsetNormals result = offset_normals(shape, samples, {.offset = offset});
   EXPECT_EQ(result.outcomes.total, static_cast<std::size_t>(samples.points.rows()));
-  EXPECT_EQ(result.outcomes.undecided + result.outcomes.missing, 0U);
+  EXPECT_EQ(result.outcomes.missing, 0U);
+  EXPECT_LE(result.outcomes.undecided, result.outcomes.total / 1000);  // between needles of noise
   return result.normals;
 }
 

@@ -22,13 +22,37 @@ using testing::HasSubstr;
 TEST(MakeField, OffsetSdfIsThatOfTheCore) {
   const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}});
   EXPECT_EQ(field.samples.site, SampleSite::vertices);
-  EXPECT_EQ(field.settings, (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"at", "vertices"}}));
+  EXPECT_EQ(field.settings,
+            (nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.03}, {"accuracy", "standard"}, {"at", "vertices"}}));
   const Shape shape = test::sphere(1, 1);
   const Samples samples = take_samples(shape, field.samples);
   FieldSource source(shape);
   const FieldValues computed = field.compute(source, samples, false);
   EXPECT_EQ(computed.values, offset_sdf(shape, samples, {.offset = 0.03, .parallel = false}).values);
   EXPECT_EQ(computed.outcomes.at("total"), static_cast<std::size_t>(shape.vertices.rows()));
+}
+
+TEST(MakeField, TakesTheAccuracyOfTheOffsetSdf) {
+  const Shape shape = test::torus(1, 0.4, 24, 12);
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  for (const auto& [word, accuracy] : {std::pair("fast", OffsetAccuracy::fast),
+                                       {"standard", OffsetAccuracy::standard},
+                                       {"fine", OffsetAccuracy::fine}}) {
+    FieldSource source(shape);
+    const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.2}, {"accuracy", word}});
+    EXPECT_EQ(field.compute(source, samples, false).values,
+              offset_sdf(shape, samples, {.offset = 0.2, .accuracy = accuracy, .parallel = false}).values);
+  }
+  EXPECT_THROW(make_field({{"type", "offset_sdf"}, {"offset", 0.2}, {"accuracy", "finest"}}), InputError);
+}
+
+TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
+  EXPECT_TRUE(outcome_warnings({{"total", 9}, {"direct", 9}, {"missing", 0}}).empty());
+  const std::vector<std::string> warnings =
+      outcome_warnings({{"total", 9}, {"undecided", 1}, {"missing", 2}, {"enlarged", 9}});
+  ASSERT_EQ(warnings.size(), 3U);
+  EXPECT_THAT(warnings[0], HasSubstr("1 of 9 samples undecided"));
+  EXPECT_THAT(warnings[2], HasSubstr("larger offset"));
 }
 
 TEST(MakeField, ConeSdfIsThatOfTheCore) {

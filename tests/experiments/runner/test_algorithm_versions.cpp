@@ -15,7 +15,8 @@
 
 // Values that the caches of users hold, with the versions of the algorithms that made them. A test that fails here says
 // that a value has changed: raise the version, so that caches give none of the old ones, and correct what is recorded.
-// The tolerances leave room for other compilers and processors, whose last bits differ, and for nothing else.
+// The tolerances leave room for other compilers and processors, whose last bits differ (of the offset SDF in single
+// precision), and for nothing else.
 
 namespace shapegauge {
 
@@ -65,8 +66,8 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
     FieldSource source(prepared.shape);
     const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
     const Summary& recorded = GetParam().summaries[i];
-    EXPECT_NEAR(found.mean, recorded.mean, 1e-7) << "shape " << i;
-    EXPECT_NEAR(found.deviation, recorded.deviation, 1e-7) << "shape " << i;
+    EXPECT_NEAR(found.mean, recorded.mean, 1e-6) << "shape " << i;
+    EXPECT_NEAR(found.deviation, recorded.deviation, 1e-6) << "shape " << i;
     EXPECT_NEAR(found.area, recorded.area, 1e-9) << "shape " << i;
   }
 }
@@ -74,15 +75,13 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
 INSTANTIATE_TEST_SUITE_P(
     Each, FieldVersions,
     testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
-                             {{"offset_sdf", 3}},
-                             {{0.242654114482, 0.0889626912815, 1},
-                              {0.167920601427, 0.00469944316594, 1},
-                              {0.146103933907, 0.251080410628, 1}}},
+                             {{"offset_sdf", 4}},
+                             {{0.242653915264, 0.0889625310615, 1},
+                              {0.167920601592, 0.00469943333799, 1},
+                              {0.146101084313, 0.251082068399, 1}}},
                     Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
-                             {{"offset_sdf", 3}, {"automatic_offset", 1}},
-                             {{0.23843468731, 0.0698557003783, 1},
-                              {0.167916104129, 0.00469944316594, 1},
-                              {9.74892269818e-07, 3.19542528871e-18, 1}}},
+                             {{"offset_sdf", 4}, {"automatic_offset", 1}},
+                             {{0.238434649214, 0.0698555617861, 1}, {0.167916106353, 0.00469944274785, 1}, {0, 0, 1}}},
                     Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
                              {{"cone_sdf", 2}},
                              {{0.232795342978, 0.0184649490631, 1},

@@ -1,0 +1,278 @@
+// The loops over many points, compiled once for each instruction set that Highway knows of.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "shapegauge/core/offset/block_distances.cpp"
+#include "shapegauge/core/offset/block_distances.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <hwy/foreach_target.h>  // must come before highway.h
+#include <hwy/highway.h>
+#include <limits>
+#include <vector>
+
+HWY_BEFORE_NAMESPACE();
+namespace shapegauge::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Room is needed for a vector more than there are points.
+float squared_distances_to(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
+                           float* squared) {
+  const hn::CappedTag<float, 16> d;
+  const auto fx = hn::Set(d, from.x());
+  const auto fy = hn::Set(d, from.y());
+  const auto fz = hn::Set(d, from.z());
+  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
+    const auto dx = hn::Sub(hn::LoadU(d, x + i), fx);
+    const auto dy = hn::Sub(hn::LoadU(d, y + i), fy);
+    const auto dz = hn::Sub(hn::LoadU(d, z + i), fz);
+    const auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    hn::StoreU(sum, d, squared + i);
+    smallest = hn::Min(smallest, sum);
+  }
+  float result = hn::GetLane(hn::MinOfLanes(d, smallest));
+  for (; i < n; ++i) {
+    const float dx = x[i] - from.x();
+    const float dy = y[i] - from.y();
+    const float dz = z[i] - from.z();
+    squared[i] = std::fma(dx, dx, std::fma(dy, dy, dz * dz));
+    result = std::min(result, squared[i]);
+  }
+  return result;
+}
+
+std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+  const hn::CappedTag<float, 16> d;
+  std::size_t count = 0;
+  std::size_t i = 0;
+  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
+    std::array<std::uint8_t, 8> bytes{};
+    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)), bytes.data());
+    for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
+      indices[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(bits));
+    }
+  }
+  for (; i < n; ++i) {
+    if (numbers[i] <= limit) indices[count++] = static_cast<std::uint32_t>(i);
+  }
+  return count;
+}
+
+/// For each of the 64 cells whose first centre is given the nearest of the points, and its squared distance: a layer of
+/// 16 cells at once, the four layers sharing what they have in common.
+void nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, float* squared, std::int32_t* index) {
+  const hn::CappedTag<float, 16> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  alignas(64) std::array<float, 16> cell_x;
+  alignas(64) std::array<float, 16> cell_y;
+  for (std::size_t i = 0; i < 16; ++i) {
+    cell_x[i] = first.x() + static_cast<float>(i % 4);
+    cell_y[i] = first.y() + static_cast<float>(i / 4);
+  }
+  const std::size_t n = points.triangle.size();
+  for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
+    const auto cx = hn::Load(d, cell_x.data() + lane);
+    const auto cy = hn::Load(d, cell_y.data() + lane);
+    auto best0 = hn::Set(d, std::numeric_limits<float>::infinity());
+    auto best1 = best0;
+    auto best2 = best0;
+    auto best3 = best0;
+    auto index0 = hn::Zero(di);
+    auto index1 = index0;
+    auto index2 = index0;
+    auto index3 = index0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto dx = hn::Sub(hn::Set(d, points.x[i]), cx);
+      const auto dy = hn::Sub(hn::Set(d, points.y[i]), cy);
+      const auto flat = hn::MulAdd(dx, dx, hn::Mul(dy, dy));
+      const float up = points.z[i] - first.z();
+      const auto number = hn::Set(di, static_cast<std::int32_t>(i));
+      const auto improve = [&](float dz, auto& best, auto& best_index) {
+        const auto sum = hn::Add(flat, hn::Set(d, dz * dz));
+        const auto better = hn::Lt(sum, best);
+        best = hn::Min(sum, best);
+        best_index = hn::IfThenElse(hn::RebindMask(di, better), number, best_index);
+      };
+      improve(up, best0, index0);
+      improve(up - 1, best1, index1);
+      improve(up - 2, best2, index2);
+      improve(up - 3, best3, index3);
+    }
+    hn::StoreU(best0, d, squared + lane);
+    hn::StoreU(best1, d, squared + 16 + lane);
+    hn::StoreU(best2, d, squared + 32 + lane);
+    hn::StoreU(best3, d, squared + 48 + lane);
+    hn::StoreU(index0, di, index + lane);
+    hn::StoreU(index1, di, index + 16 + lane);
+    hn::StoreU(index2, di, index + 32 + lane);
+    hn::StoreU(index3, di, index + 48 + lane);
+  }
+}
+
+}  // namespace
+}  // namespace shapegauge::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace shapegauge {
+
+HWY_EXPORT(squared_distances_to);
+HWY_EXPORT(nearest_of_cells);
+HWY_EXPORT(indices_of);
+
+namespace {
+
+/// From the centre of a block to the centre of its farthest cell.
+const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
+
+/// How many blocks away, along an axis, one may be whose points are within a distance of a block, if along the other
+/// axes they are so far apart already (squared).
+int blocks_within(double distance, double squared_apart) {
+  const double rest2 = distance * distance - squared_apart;
+  return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
+}
+
+/// The distance along an axis between blocks so many apart.
+double gap_between(int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); }
+
+/// Collects the points of the blocks within the distance, with squared distances from the block's centre; returns the
+/// smallest.
+float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, double distance,
+              NearbyPoints& nearby) {
+  auto& runs = nearby.runs;
+  runs.clear();
+  std::size_t count = 0;
+  const int reach = blocks_within(distance, 0);
+  for (int k = std::max(-reach, -block.z()); k <= std::min(reach, grid.blocks.z() - 1 - block.z()); ++k) {
+    for (int j = std::max(-reach, -block.y()); j <= std::min(reach, grid.blocks.y() - 1 - block.y()); ++j) {
+      const int along = blocks_within(distance, std::pow(gap_between(j), 2) + std::pow(gap_between(k), 2));
+      if (along < 0) continue;
+      const int low = std::max(block.x() - along, 0);
+      const int high = std::min(block.x() + along, grid.blocks.x() - 1);
+      const std::size_t row = grid.block_index({0, block.y() + j, block.z() + k});
+      const std::uint32_t begin = surface.first[row + static_cast<std::size_t>(low)];
+      const std::uint32_t end = surface.first[row + static_cast<std::size_t>(high) + 1];
+      if (begin == end) continue;
+      runs.emplace_back(begin, end);
+      count += end - begin;
+    }
+  }
+  if (nearby.squared.size() < count) nearby.squared.resize(count);
+  const Eigen::Vector3f centre = ((block.cast<float>().array() + 0.5F) * block_edge).matrix();
+  float smallest = std::numeric_limits<float>::infinity();
+  std::size_t place = 0;
+  for (const auto& [begin, end] : runs) {
+    smallest = std::min(smallest, squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin],
+                                                    end - begin, centre, nearby.squared.data() + place));
+    place += end - begin;
+  }
+  return smallest;
+}
+
+/// Keeps the points within the squared distance.
+void keep_within(const GridSurface& surface, float limit, NearbyPoints& nearby) {
+  nearby.x.clear();
+  nearby.y.clear();
+  nearby.z.clear();
+  nearby.triangle.clear();
+  const float* squared_of_run = nearby.squared.data();
+  for (const auto& [begin, end] : nearby.runs) {
+    const std::size_t count = end - begin;
+    if (nearby.index.size() < count + 16) nearby.index.resize(count + 16);
+    const std::size_t kept = indices_within(squared_of_run, count, limit, nearby.index.data());
+    for (std::size_t i = 0; i < kept; ++i) {
+      const std::size_t point = begin + nearby.index[i];
+      nearby.x.push_back(surface.x[point]);
+      nearby.y.push_back(surface.y[point]);
+      nearby.z.push_back(surface.z[point]);
+      nearby.triangle.push_back(surface.triangle[point]);
+    }
+    squared_of_run += count;
+  }
+}
+
+}  // namespace
+
+float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
+                        float* squared) {
+  return HWY_DYNAMIC_DISPATCH(squared_distances_to)(x, y, z, n, from, squared);
+}
+
+std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+  return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
+}
+
+std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+                                    double reach, const Eigen::Vector3d& x) {
+  constexpr std::size_t most = TriangleTable::at_once;
+  struct Candidate {
+    float squared;
+    std::int32_t triangle;
+  };
+  std::array<Candidate, most> nearest;
+  nearest.fill({std::numeric_limits<float>::infinity(), -1});
+  thread_local std::vector<float> squared;
+  thread_local std::vector<std::uint32_t> indices;
+  const auto hidden = static_cast<float>(surface.hidden);
+  const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      const std::size_t begin = surface.first[grid.block_index({low.x(), j, k})];
+      const std::size_t count = surface.first[grid.block_index({high.x(), j, k}) + 1] - begin;
+      if (count == 0) continue;
+      if (squared.size() < count) squared.resize(count);
+      if (indices.size() < count) indices.resize(count);
+      const float least = squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin], count,
+                                            x.cast<float>(), squared.data());
+      const float limit = std::min(least, nearest.front().squared) + hidden;
+      if (least > limit) continue;
+      const std::size_t found = indices_within(squared.data(), count, limit, indices.data());
+      for (std::size_t i = 0; i < found; ++i) {
+        const Candidate candidate{squared[indices[i]], surface.triangle[begin + indices[i]]};
+        if (candidate.squared >= nearest.back().squared) continue;
+        std::size_t at = most - 1;
+        for (; at > 0 && nearest[at - 1].squared > candidate.squared; --at) nearest[at] = nearest[at - 1];
+        nearest[at] = candidate;
+      }
+    }
+  }
+  if (nearest[1].triangle < 0) return nearest.front().triangle;
+  std::array<std::int32_t, most> triangles;
+  for (std::size_t i = 0; i < most; ++i) {
+    triangles[i] = nearest[i].triangle >= 0 ? nearest[i].triangle : nearest.front().triangle;
+  }
+  TriangleTable::Vectors vectors;
+  surface.triangles.vectors_to(x, triangles.data(), vectors);
+  return triangles[static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
+                                            vectors.squared.begin())];
+}
+
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
+                        NearbyPoints& nearby, BoundaryBlock& found) {
+  const Eigen::Vector3i place = grid.block_at(block);
+  const double nearest = std::sqrt(static_cast<double>(collect(grid, surface, place, grid.r + band, nearby)));
+  if (nearest > grid.r + band + block_radius) return BlockKind::free;
+  if (nearest + block_radius < grid.r) return BlockKind::covered;
+  keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
+  alignas(64) std::array<float, cells_per_block> squared;
+  alignas(64) std::array<std::int32_t, cells_per_block> index;
+  const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
+  HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, squared.data(), index.data());
+  found.index = block;
+  found.free = 0;
+  const auto r2 = static_cast<float>(grid.r * grid.r);
+  for (std::size_t i = 0; i < cells_per_block; ++i) {
+    found.free |= std::uint64_t{squared[i] > r2 ? 1U : 0U} << i;
+    found.nearest[i] = nearby.triangle[static_cast<std::size_t>(index[i])];
+  }
+  return BlockKind::mixed;
+}
+
+}  // namespace shapegauge
+#endif  // HWY_ONCE

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/offset/block_grid.h"
+
+namespace shapegauge {
+
+/// Whether the centres of a block's cells are all free and farther from the surface than the band, all covered, or
+/// neither.
+enum class BlockKind : std::uint8_t { free, covered, mixed };
+
+/// Which points are near; kept from block to block so as not to allocate anew.
+struct NearbyPoints {
+  std::vector<float> x, y, z, squared;
+  std::vector<std::int32_t> triangle;
+  std::vector<std::uint32_t> index;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+};
+
+/// Looks at the distances of the centres of a block's cells to the surface's points, by all points within r + band of
+/// any. Where they are mixed, fills in which are free, and the triangle nearest to each.
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
+                        NearbyPoints& nearby, BoundaryBlock& found);
+
+/// The triangle closest to x of those with points in the blocks within reach of a place on the surface; -1 where there
+/// is none. Of triangles much smaller than the points' spacing, one that is hardly farther.
+std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+                                    double reach, const Eigen::Vector3d& x);
+
+/// The smallest squared distance from x to the n points, and how far away each is.
+float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
+                        float* squared);
+
+/// The places of the numbers that do not exceed the limit, in their order; returns how many. There must be room for
+/// sixteen more.
+std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices);
+
+}  // namespace shapegauge

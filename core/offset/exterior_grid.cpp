@@ -1,0 +1,353 @@
+#include "shapegauge/core/offset/exterior_grid.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/offset/block_distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Cells = std::uint64_t;
+constexpr Cells all_cells = ~Cells{0};
+constexpr Cells low_x = 0x1111111111111111;
+constexpr Cells high_x = low_x << 3U;
+constexpr Cells low_y = 0x000F000F000F000F;
+constexpr Cells high_y = low_y << 12U;
+constexpr Cells low_z = 0x000000000000FFFF;
+constexpr Cells high_z = low_z << 48U;
+
+/// Spreads cells through the free ones of their block, across faces.
+Cells fill(Cells cells, Cells free) {
+  cells &= free;
+  while (true) {
+    Cells wider = cells | ((cells & ~high_x) << 1U) | ((cells & ~low_x) >> 1U) | ((cells & ~high_y) << 4U) |
+                  ((cells & ~low_y) >> 4U) | (cells << 16U) | (cells >> 16U);
+    wider &= free;
+    if (wider == cells) return cells;
+    cells = wider;
+  }
+}
+
+/// The cells of the neighbour on side 0 to 5 (-x, +x, -y, +y, -z, +z) that touch cells of a block.
+Cells across(Cells cells, int side) {
+  switch (side) {
+    case 0:
+      return (cells & low_x) << 3U;
+    case 1:
+      return (cells & high_x) >> 3U;
+    case 2:
+      return (cells & low_y) << 12U;
+    case 3:
+      return (cells & high_y) >> 12U;
+    case 4:
+      return (cells & low_z) << 48U;
+    default:
+      return (cells & high_z) >> 48U;
+  }
+}
+
+Eigen::Vector3i neighbour(const Eigen::Vector3i& block, int side) {
+  Eigen::Vector3i result = block;
+  result[side / 2] += side % 2 == 0 ? -1 : 1;
+  return result;
+}
+
+constexpr std::int32_t unknown = -3;
+
+}  // namespace
+
+ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
+    : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
+  std::vector<std::uint8_t> near_surface(grid.block_count());
+  for (std::size_t i = 0; i < near_surface.size(); ++i) near_surface[i] = surface.first[i] != surface.first[i + 1];
+  dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
+  flood(near_surface, band, parallel);
+  near_.resize(state_.size());
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    if (state_[i] == unknown) state_[i] = none_exterior;
+    near_[i] = has_exterior(i) ? 1 : 0;
+  }
+  dilate(grid, near_, 1);
+}
+
+namespace {
+
+/// Rows of blocks along x as bits, for whole rows to be flooded at once.
+class BlockRows {
+ public:
+  using Word = std::uint64_t;
+  static constexpr int bits = 64;
+
+  explicit BlockRows(const BlockGrid& grid)
+      : words_((static_cast<std::size_t>(grid.blocks.x()) + bits - 1) / bits),
+        rows_(words_ * static_cast<std::size_t>(grid.blocks.y()) * static_cast<std::size_t>(grid.blocks.z())) {}
+
+  [[nodiscard]] std::size_t words() const { return words_; }
+  [[nodiscard]] Word* row(std::size_t index) { return rows_.data() + index * words_; }
+  [[nodiscard]] const Word* row(std::size_t index) const { return rows_.data() + index * words_; }
+
+  void set(std::size_t row_index, std::size_t x) { row(row_index)[x / bits] |= Word{1} << (x % bits); }
+
+ private:
+  std::size_t words_;
+  std::vector<Word> rows_;
+};
+
+/// Spreads bits through the open ones of their word, in both directions.
+BlockRows::Word spread(BlockRows::Word reached, BlockRows::Word open) {
+  reached &= open;
+  BlockRows::Word up = open;
+  BlockRows::Word down = open;
+  BlockRows::Word left = reached;
+  BlockRows::Word right = reached;
+  for (unsigned shift = 1; shift < BlockRows::bits; shift *= 2) {
+    left |= up & (left << shift);
+    up &= up << shift;
+    right |= down & (right >> shift);
+    down &= down >> shift;
+  }
+  return left | right;
+}
+
+/// Spreads the bits of a row through its open ones.
+void spread_row(BlockRows::Word* reached, const BlockRows::Word* open, std::size_t words) {
+  for (std::size_t i = 0; i < words; ++i) {
+    if (i > 0) reached[i] |= reached[i - 1] >> (BlockRows::bits - 1);
+    reached[i] = spread(reached[i], open[i]);
+  }
+  for (std::size_t i = words; i-- > 0;) {
+    if (i + 1 < words) reached[i] |= reached[i + 1] << (BlockRows::bits - 1);
+    reached[i] = spread(reached[i], open[i]);
+  }
+}
+
+}  // namespace
+
+/// From the grid's border through the blocks that are not near the surface. Returns the others that it touches.
+std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vector<std::uint8_t>& near_surface) {
+  const auto size_x = static_cast<std::size_t>(grid_.blocks.x());
+  const int size_y = grid_.blocks.y();
+  const int size_z = grid_.blocks.z();
+  BlockRows open(grid_);
+  BlockRows far(grid_);
+  const std::size_t words = open.words();
+  const std::size_t rows = near_surface.size() / size_x;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t x = 0; x < size_x; ++x) {
+      if (near_surface[row * size_x + x] == 0) open.set(row, x);
+    }
+  }
+  std::vector<std::size_t> waiting{0};
+  far.set(0, 0);
+  spread_row(far.row(0), open.row(0), words);
+  const auto for_each_side = [&](std::size_t row, const auto& visit) {
+    const int y = static_cast<int>(row) % size_y;
+    const int z = static_cast<int>(row) / size_y;
+    if (y > 0) visit(row - 1, 2);
+    if (y + 1 < size_y) visit(row + 1, 3);
+    if (z > 0) visit(row - static_cast<std::size_t>(size_y), 4);
+    if (z + 1 < size_z) visit(row + static_cast<std::size_t>(size_y), 5);
+  };
+  while (!waiting.empty()) {
+    const std::size_t row = waiting.back();
+    waiting.pop_back();
+    for_each_side(row, [&](std::size_t next, int /*side*/) {
+      bool is_new = false;
+      for (std::size_t i = 0; i < words; ++i) {
+        const BlockRows::Word added = far.row(row)[i] & open.row(next)[i] & ~far.row(next)[i];
+        far.row(next)[i] |= added;
+        is_new |= added != 0;
+      }
+      if (!is_new) return;
+      spread_row(far.row(next), open.row(next), words);
+      waiting.push_back(next);
+    });
+  }
+  std::vector<Reached> touched;
+  const auto is_far = [&](std::size_t row, std::size_t x) {
+    return (far.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
+  };
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t x = 0; x < size_x; ++x) {
+      const std::size_t i = row * size_x + x;
+      if (near_surface[i] == 0) {
+        if (is_far(row, x)) state_[i] = all_exterior;
+        continue;
+      }
+      Cells seeds = 0;
+      if (x > 0 && is_far(row, x - 1)) seeds |= low_x;
+      if (x + 1 < size_x && is_far(row, x + 1)) seeds |= high_x;
+      for_each_side(row, [&](std::size_t next, int side) {
+        constexpr std::array<Cells, 6> touching{low_x, high_x, low_y, high_y, low_z, high_z};
+        if (is_far(next, x)) seeds |= touching[static_cast<std::size_t>(side)];
+      });
+      if (seeds != 0) touched.push_back({static_cast<std::uint32_t>(i), seeds});
+    }
+  }
+  return touched;
+}
+
+/// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
+/// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
+void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
+  std::vector<std::uint32_t> passing;  // exterior blocks whose neighbours have not been told
+  std::vector<Reached> reached = flood_far_blocks(near_surface);
+  // The state of the k-th that was reached is unknown - 1 - k until it has been looked at.
+  for (std::size_t k = 0; k < reached.size(); ++k)
+    state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
+  std::vector<Cells> seeds;  // of each boundary block, that have not spread
+  std::vector<std::int32_t> spreading;
+  const auto pass_on = [&](std::uint32_t index, Cells cells) {
+    const Eigen::Vector3i block = grid_.block_at(index);
+    for (int side = 0; side < 6; ++side) {
+      const Cells touched = across(cells, side);
+      const Eigen::Vector3i next = neighbour(block, side);
+      if (touched == 0 || !grid_.has_block(next)) continue;
+      const auto next_index = static_cast<std::uint32_t>(grid_.block_index(next));
+      std::int32_t& state = state_[next_index];
+      if (state == all_exterior || state == none_exterior) continue;
+      if (state >= 0) {
+        const auto place = static_cast<std::size_t>(state);
+        const Cells added = touched & boundary_[place].free & ~boundary_[place].exterior;
+        if (added != 0 && seeds[place] == 0) spreading.push_back(state);
+        seeds[place] |= added;
+      } else if (state < unknown) {
+        reached[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
+      } else if (near_surface[next_index] == 0) {
+        state = all_exterior;
+        passing.push_back(next_index);
+      } else {
+        state = unknown - 1 - static_cast<std::int32_t>(reached.size());
+        reached.push_back({next_index, touched});
+      }
+    }
+  };
+  using Kind = BlockKind;
+  boundary_.reserve(static_cast<std::size_t>(std::count(near_surface.begin(), near_surface.end(), 1)));
+  while (!passing.empty() || !reached.empty()) {
+    const std::vector<Reached> blocks = std::move(reached);
+    reached.clear();
+    std::size_t next = boundary_.size();
+    boundary_.resize(next + blocks.size());
+    std::vector<Kind> kinds(blocks.size());
+    const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
+      thread_local NearbyPoints nearby;
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        kinds[i] = look_at_block(grid_, surface_, blocks[i].block, band, nearby, boundary_[next + i]);
+      }
+    };
+    const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
+    if (parallel) {
+      tbb::parallel_for(all, look);
+    } else {
+      look(all);
+    }
+    const std::size_t first = next;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      std::int32_t& state = state_[blocks[i].block];
+      if (kinds[i] == Kind::free) {
+        state = all_exterior;
+        passing.push_back(blocks[i].block);
+      } else if (kinds[i] == Kind::covered) {
+        state = none_exterior;
+      } else {
+        if (next != first + i) boundary_[next] = boundary_[first + i];
+        state = static_cast<std::int32_t>(next);
+        seeds.push_back(blocks[i].seeds & boundary_[next].free);
+        if (seeds.back() != 0) spreading.push_back(state);
+        ++next;
+      }
+    }
+    boundary_.resize(next);
+    while (!passing.empty() || !spreading.empty()) {
+      if (!passing.empty()) {
+        const std::uint32_t index = passing.back();
+        passing.pop_back();
+        pass_on(index, all_cells);
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(spreading.back());
+      spreading.pop_back();
+      BoundaryBlock& block = boundary_[place];
+      const Cells wider = fill(block.exterior | seeds[place], block.free);
+      const Cells added = wider & ~block.exterior;
+      seeds[place] = 0;
+      block.exterior = wider;
+      pass_on(block.index, added);
+    }
+  }
+}
+
+namespace {
+
+/// The eight cells around a point, as the blocks that hold them and their cells in each: one block, or two, four or
+/// eight where its sides are near.
+template <typename Visit>
+void visit_cells_around(const BlockGrid& grid, const Eigen::Vector3d& x, const Visit& visit) {
+  // Of the lower and the upper cell along each axis those in the first block, and in the next, if any.
+  std::array<std::array<Cells, 2>, 3> layers;
+  std::array<std::size_t, 3> parts;
+  std::array<std::size_t, 3> strides;
+  constexpr std::array<Cells, 3> lowest{low_x, low_y, low_z};
+  std::size_t block = 0;
+  std::size_t stride = 1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    const int last = block_edge * grid.blocks[axis] - 1;
+    const int low = std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1);
+    const Cells first = lowest[k] << (static_cast<unsigned>(low & 3) << (2 * k));
+    const bool is_split = (low & 3) == 3;
+    layers[k] = {is_split ? first : first | first << (1U << (2 * k)), lowest[k]};
+    parts[k] = is_split ? 2 : 1;
+    block += static_cast<std::size_t>(low >> 2) * stride;
+    strides[k] = stride;
+    stride *= static_cast<std::size_t>(grid.blocks[axis]);
+  }
+  for (std::size_t z = 0; z < parts[2]; ++z) {
+    for (std::size_t y = 0; y < parts[1]; ++y) {
+      for (std::size_t i = 0; i < parts[0]; ++i) {
+        visit(block + i * strides[0] + y * strides[1] + z * strides[2], layers[0][i] & layers[1][y] & layers[2][z]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  CellsAround result;
+  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
+    const std::int32_t state = exterior.block(block);
+    if (state < 0) {
+      result.touches_exterior |= state == ExteriorGrid::all_exterior;
+      return;
+    }
+    const BoundaryBlock& boundary = exterior.boundary()[static_cast<std::size_t>(state)];
+    result.touches_exterior |= (boundary.exterior & cells) != 0;
+    for (; cells != 0; cells &= cells - 1) {
+      const auto bit = static_cast<std::size_t>(std::countr_zero(cells));
+      result.triangles[static_cast<std::size_t>(result.count++)] = boundary.nearest[bit];
+    }
+  });
+  std::fill(result.triangles.begin() + result.count, result.triangles.end(), result.triangles[0]);
+  return result;
+}
+
+bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  bool result = false;
+  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
+    const std::int32_t state = exterior.block(block);
+    result |= state < 0 ? state == ExteriorGrid::all_exterior
+                        : (exterior.boundary()[static_cast<std::size_t>(state)].exterior & cells) != 0;
+  });
+  return result;
+}
+
+}  // namespace shapegauge

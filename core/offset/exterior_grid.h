@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "shapegauge/core/offset/block_grid.h"
+
+namespace shapegauge {
+
+/// The exterior E(r) of a shape, to the resolution of a grid: cells whose centres are farther than r from the surface
+/// and that a way through such cells joins to the grid's border, from cell to cell across faces.
+///
+/// Two centres on different sides of a surface are at least 2r apart, and h is less than r: nothing leaks through a
+/// wall. A passage is open where a chain of centres leads through it: always where its half-width exceeds r by
+/// sqrt(3)/2 h, never where it is less than r - h^2 / 8r.
+class ExteriorGrid {
+ public:
+  /// Cells within the band (in cells) above r have a nearest triangle.
+  ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel);
+
+  [[nodiscard]] const BlockGrid& grid() const { return grid_; }
+  [[nodiscard]] const GridSurface& surface() const { return surface_; }
+  [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
+
+  /// What a block is: all of its cells are exterior, none is, or it is among the boundary()'s.
+  static constexpr std::int32_t all_exterior = -1;
+  static constexpr std::int32_t none_exterior = -2;
+  [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
+
+  /// Whether the block has exterior cells.
+  [[nodiscard]] bool has_exterior(std::size_t index) const {
+    const std::int32_t state = state_[index];
+    return state == all_exterior || (state >= 0 && boundary_[static_cast<std::size_t>(state)].exterior != 0);
+  }
+
+  /// Whether the block or one next to it has exterior cells.
+  [[nodiscard]] bool is_near_exterior(std::size_t index) const { return near_[index] != 0; }
+
+ private:
+  /// A block near the surface that the flood came to, and its cells that touch what is exterior.
+  struct Reached {
+    std::uint32_t block;
+    std::uint64_t seeds;
+  };
+
+  std::vector<Reached> flood_far_blocks(const std::vector<std::uint8_t>& near_surface);
+  void flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel);
+
+  const BlockGrid& grid_;
+  const GridSurface& surface_;
+  std::vector<std::int32_t> state_;
+  std::vector<std::uint8_t> near_;
+  std::vector<BoundaryBlock> boundary_;
+};
+
+/// What is known of the surroundings of a point: of the eight cells whose centres are the corners of the cube, a cell
+/// in size, that holds it.
+struct CellsAround {
+  std::array<std::int32_t, 8> triangles{};  ///< closest to a cell each; repeated where there are less
+  int count = 0;                            ///< of the cells that have one
+  bool touches_exterior = false;            ///< one of the eight is exterior
+};
+CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
+
+/// Whether one of the eight cells is exterior, and nothing else.
+bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
+
+/// From the closest points of the triangles around to x; false, and nothing, where none is known.
+inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x,
+                           TriangleTable::Vectors& vectors) {
+  if (around.count == 0) return false;
+  exterior.surface().triangles.vectors_to(x, around.triangles.data(), vectors);
+  return true;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,270 @@
+#include "shapegauge/core/offset/nearest_offset_point.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "shapegauge/core/offset/block_distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// A triangle, and the half-space that the ball of radius r about a point of it leaves free: normal . x >= height.
+struct Contact {
+  std::int32_t triangle;
+  Eigen::Vector3d normal;
+  double height;
+};
+
+struct Contacts {
+  static constexpr std::size_t most = 5;
+  std::array<Contact, most> list;
+  std::size_t count = 0;
+
+  void add(const Contact& contact) {
+    if (count < most) list[count++] = contact;
+  }
+};
+
+/// The point of the half-spaces nearest to p. By the conditions of Karush, Kuhn and Tucker it is p + the sum of push_i
+/// normal_i, with a push >= 0 for one, two or three of them, on the planes of which it lies, and 0 for the others.
+class Projection {
+ public:
+  Projection(const Eigen::Vector3d& p, const Contacts& contacts) : p_(p), contacts_(contacts) {
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      missing_[i] = contacts.list[i].height - contacts.list[i].normal.dot(p);
+      for (std::size_t j = 0; j <= i; ++j) {
+        gram_[i][j] = gram_[j][i] = contacts.list[i].normal.dot(contacts.list[j].normal);
+      }
+    }
+  }
+
+  /// Nothing where they have no point in common.
+  std::optional<Eigen::Vector3d> find() {
+    const std::size_t n = contacts_.count;
+    const auto worst =
+        static_cast<std::size_t>(std::max_element(missing_.begin(), missing_.begin() + n) - missing_.begin());
+    if (missing_[worst] <= tolerance) return p_;
+    // Alone only the plane farthest from p can do: seen from it, all others are nearer.
+    if (const auto x = held_by<1>({worst}, {missing_[worst]})) return x;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        if (const auto x = held_by_two(i, j)) return x;
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        for (std::size_t k = 0; k < j; ++k) {
+          if (const auto x = held_by_three(i, j, k)) return x;
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr double tolerance = 1e-6;
+  static constexpr double least_determinant = 1e-6;
+
+  /// Where the pushes lead, if none is negative and the other half-spaces hold it.
+  template <std::size_t count>
+  std::optional<Eigen::Vector3d> held_by(const std::array<std::size_t, count>& which,
+                                         const std::array<double, count>& push) const {
+    if (*std::min_element(push.begin(), push.end()) < 0) return std::nullopt;
+    for (std::size_t i = 0; i < contacts_.count; ++i) {
+      double missing = missing_[i];
+      for (std::size_t k = 0; k < count; ++k) missing -= push[k] * gram_[i][which[k]];
+      if (missing > tolerance) return std::nullopt;
+    }
+    Eigen::Vector3d x = p_;
+    for (std::size_t k = 0; k < count; ++k) x += push[k] * contacts_.list[which[k]].normal;
+    return x;
+  }
+
+  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_two(std::size_t i, std::size_t j) const {
+    const double determinant = 1 - gram_[i][j] * gram_[i][j];
+    if (determinant < least_determinant) return std::nullopt;
+    return held_by<2>({i, j}, {(missing_[i] - gram_[i][j] * missing_[j]) / determinant,
+                               (missing_[j] - gram_[i][j] * missing_[i]) / determinant});
+  }
+
+  /// By Cramer's rule.
+  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_three(std::size_t i, std::size_t j, std::size_t k) const {
+    const double a = gram_[i][j];
+    const double b = gram_[i][k];
+    const double c = gram_[j][k];
+    const double determinant = 1 + 2 * a * b * c - a * a - b * b - c * c;
+    if (determinant < least_determinant) return std::nullopt;
+    const double mi = missing_[i];
+    const double mj = missing_[j];
+    const double mk = missing_[k];
+    return held_by<3>({i, j, k}, {((1 - c * c) * mi + (b * c - a) * mj + (a * c - b) * mk) / determinant,
+                                  ((b * c - a) * mi + (1 - b * b) * mj + (a * b - c) * mk) / determinant,
+                                  ((a * c - b) * mi + (a * b - c) * mj + (1 - a * a) * mk) / determinant});
+  }
+
+  const Eigen::Vector3d& p_;
+  const Contacts& contacts_;
+  std::array<double, Contacts::most> missing_;
+  std::array<std::array<double, Contacts::most>, Contacts::most> gram_;
+};
+
+/// The half-space that the ball about x - v leaves free.
+Contact contact(std::int32_t triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& v, double r) {
+  const double distance = v.norm();
+  const Eigen::Vector3d normal = v / distance;
+  return {triangle, normal, normal.dot(x) - distance + r};
+}
+
+/// Whether the triangles around x are that far away.
+bool is_free(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x, double least) {
+  TriangleTable::Vectors vectors;
+  if (!vectors_around(exterior, around, x, vectors)) return around.touches_exterior;
+  return *std::min_element(vectors.squared.begin(), vectors.squared.end()) >= static_cast<float>(least * least);
+}
+
+}  // namespace
+
+bool is_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x, double slack) {
+  const CellsAround around = cells_around(exterior, x);
+  return around.touches_exterior && is_free(exterior, around, x, exterior.grid().r * (1 - slack));
+}
+
+namespace {
+
+/// Whether the straight way from x to a point of the exterior near it is free, up to what a convex obstacle that both
+/// ends touch may bulge into it. E(r) reaches into valleys between balls where no cell's centre fits; these are convex.
+bool leads_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eigen::Vector3d& to) {
+  constexpr double farthest = 5;
+  constexpr double spacing = 0.7;
+  const double length = (to - x).norm();
+  if (length > farthest) return false;
+  const int steps = static_cast<int>(std::ceil(length / spacing));
+  const double r = exterior.grid().r;
+  for (int i = 1; i < steps; ++i) {
+    const Eigen::Vector3d between = x + static_cast<double>(i) / steps * (to - x);
+    const CellsAround around = cells_around(exterior, between);
+    if (!is_free(exterior, around, between, r - length * length / (4 * r))) return false;
+    if (around.touches_exterior) return true;
+  }
+  return true;
+}
+
+}  // namespace
+
+namespace {
+
+/// Triangles, and the vectors from their closest points to a point.
+struct Surroundings {
+  std::array<std::int32_t, 2 * TriangleTable::at_once> triangles;
+  std::size_t count = 0;
+  std::array<TriangleTable::Vectors, 2> vectors;
+
+  void add(std::int32_t triangle) {
+    if (std::find(triangles.begin(), triangles.begin() + count, triangle) == triangles.begin() + count) {
+      triangles[count++] = triangle;
+    }
+  }
+  void look_from(const Eigen::Vector3d& x, const TriangleTable& table) {
+    constexpr std::size_t eight = TriangleTable::at_once;
+    std::fill(triangles.begin() + count, triangles.begin() + (count > eight ? 2 * eight : eight), triangles[0]);
+    table.vectors_to(x, triangles.data(), vectors[0]);
+    if (count > eight) table.vectors_to(x, triangles.data() + eight, vectors[1]);
+  }
+  [[nodiscard]] Eigen::Vector3d vector(std::size_t i) const {
+    return vectors[i / TriangleTable::at_once].vector(i % TriangleTable::at_once);
+  }
+  [[nodiscard]] float squared(std::size_t i) const {
+    return vectors[i / TriangleTable::at_once].squared[i % TriangleTable::at_once];
+  }
+};
+
+/// The contacts for the next step: of the given ones, which come first among those around x, those that are kept, laid
+/// anew, and up to two that cover x and were not among them, the closest and the closest of another direction.
+Contacts contacts_for(const Surroundings& around, const Contacts& before, const std::array<bool, Contacts::most>& kept,
+                      const Eigen::Vector3d& x, double r, double covering) {
+  constexpr double same_direction = 0.985;
+  Contacts contacts;
+  for (std::size_t i = 0; i < before.count; ++i) {
+    if (kept[i]) contacts.add(contact(around.triangles[i], x, around.vector(i), r));
+  }
+  const std::size_t old = contacts.count;
+  while (contacts.count < Contacts::most && contacts.count < old + 2) {
+    std::size_t closest = around.count;
+    auto least = static_cast<float>(covering * covering);
+    for (std::size_t i = before.count; i < around.count; ++i) {
+      if (around.squared(i) >= least) continue;
+      if (contacts.count > old && around.vector(i).dot(contacts.list[old].normal) >
+                                      same_direction * std::sqrt(static_cast<double>(around.squared(i)))) {
+        continue;
+      }
+      least = around.squared(i);
+      closest = i;
+    }
+    if (closest == around.count) break;
+    contacts.add(contact(around.triangles[closest], x, around.vector(closest), r));
+  }
+  return contacts;
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
+                                                    const Eigen::Vector3d& site, std::int32_t triangle) {
+  constexpr int most_steps = 8;
+  constexpr double most_moved = 0.4;  // at once, in parts of r: no wall is so thin
+  constexpr double nearly_settled = 0.1;
+  constexpr double settled = 1e-2;    // of a step's length, in parts of r
+  constexpr double tolerance = 1e-3;  // of the distance, in parts of r
+  const double r = exterior.grid().r;
+  const TriangleTable& table = exterior.surface().triangles;
+  Surroundings around;
+  around.add(triangle);
+  around.look_from(site, table);
+  Contacts contacts;
+  contacts.add(contact(triangle, site, around.vector(0), r));
+  Eigen::Vector3d x = site;
+  std::optional<Eigen::Vector3d> found;
+  for (int step = 0; step < most_steps; ++step) {
+    const auto next = Projection(p, contacts).find();
+    if (!next) return found;
+    const double moved = (*next - x).norm();
+    const bool is_limited = moved > most_moved * r;
+    x = is_limited ? (x + most_moved * r / moved * (*next - x)).eval() : *next;
+    std::array<bool, Contacts::most> kept{};
+    for (std::size_t i = 0; i < contacts.count; ++i) {
+      kept[i] = is_limited || contacts.list[i].normal.dot(x) <= contacts.list[i].height + 1e-6;
+    }
+    const CellsAround cells = cells_around(exterior, x);
+    around.count = 0;
+    for (std::size_t i = 0; i < contacts.count; ++i) around.triangles[around.count++] = contacts.list[i].triangle;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around.add(cells.triangles[i]);
+    // Fine triangles: the closest is seldom among those of the cells, but near where the contacts are.
+    if (moved < nearly_settled * r) {
+      for (std::size_t i = 0; i < contacts.count; ++i) {
+        if (!kept[i]) continue;
+        const Eigen::Vector3d place = x - r * contacts.list[i].normal;
+        const std::int32_t nearest = closest_triangle_about(exterior.grid(), exterior.surface(), place, 0.7, x);
+        if (nearest >= 0 && around.count < around.triangles.size()) around.add(nearest);
+      }
+    }
+    around.look_from(x, table);
+    float squared = around.squared(0);
+    for (std::size_t i = 1; i < around.count; ++i) squared = std::min(squared, around.squared(i));
+    if (!(squared > 0)) return found;
+    const double covering = r * (1 - tolerance);
+    const bool covered = static_cast<double>(squared) < covering * covering;
+    if (!covered && !is_limited && (cells.touches_exterior || leads_to(exterior, x, site))) {
+      found = x;
+      if (moved < settled * r) return found;
+    }
+    contacts = contacts_for(around, contacts, kept, x, r, covering);
+    if (contacts.count == 0) return found;
+  }
+  return found;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,234 @@
+#include "shapegauge/core/offset/offset_sites.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/offset/block_distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The centre of a cell of a block.
+Eigen::Vector3d centre_of(const Eigen::Vector3i& block, int bit) {
+  return (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
+}
+
+/// The sites of so many blocks in a row.
+struct Chunk {
+  std::vector<float> x, y, z;
+  std::vector<std::int32_t> triangle;
+  std::vector<std::uint32_t> counts;  ///< of each block
+
+  void add(const ExteriorGrid& exterior, const BoundaryBlock& block, double band) {
+    const double r = exterior.grid().r;
+    const Eigen::Vector3i place = exterior.grid().block_at(block.index);
+    const std::size_t before = x.size();
+    constexpr std::size_t most = TriangleTable::at_once;
+    std::array<std::int32_t, most> triangles{};
+    std::array<Eigen::Vector3d, most> centres;
+    TriangleTable::Vectors vectors{};
+    std::uint64_t left = block.exterior;
+    while (left != 0) {
+      std::size_t count = 0;
+      for (; left != 0 && count < most; left &= left - 1, ++count) {
+        const int bit = std::countr_zero(left);
+        triangles[count] = block.nearest[static_cast<std::size_t>(bit)];
+        centres[count] = centre_of(place, bit);
+        vectors.set(count, centres[count]);
+      }
+      exterior.surface().triangles.vectors_to_each(vectors, triangles.data());
+      for (std::size_t i = 0; i < count; ++i) {
+        const double distance = std::sqrt(static_cast<double>(vectors.squared[i]));
+        if (!(distance < r + band) || !(distance > 0)) continue;
+        const Eigen::Vector3d site = centres[i] - (1 - r / distance) * vectors.vector(i);
+        x.push_back(static_cast<float>(site.x()));
+        y.push_back(static_cast<float>(site.y()));
+        z.push_back(static_cast<float>(site.z()));
+        triangle.push_back(triangles[i]);
+      }
+    }
+    counts.push_back(static_cast<std::uint32_t>(x.size() - before));
+  }
+};
+
+std::size_t cube_index(const OffsetSites& sites, const Eigen::Vector3i& cube) {
+  return (static_cast<std::size_t>(cube.z()) * static_cast<std::size_t>(sites.cubes.y()) +
+          static_cast<std::size_t>(cube.y())) *
+             static_cast<std::size_t>(sites.cubes.x()) +
+         static_cast<std::size_t>(cube.x());
+}
+
+/// A row of blocks along x, or a cube of them, in cells.
+Eigen::AlignedBox3d box_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
+  return {(block_edge * low).cast<double>(), (block_edge * high).cast<double>()};
+}
+
+template <typename T>
+void append(std::vector<T>& all, const std::vector<T>& part) {
+  all.insert(all.end(), part.begin(), part.end());
+}
+
+}  // namespace
+
+OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool parallel) {
+  constexpr std::size_t chunk_size = 64;
+  const std::vector<BoundaryBlock>& blocks = exterior.boundary();
+  std::vector<Chunk> chunks((blocks.size() + chunk_size - 1) / chunk_size);
+  const auto fill = [&](std::size_t c) {
+    for (std::size_t i = c * chunk_size; i < std::min(blocks.size(), (c + 1) * chunk_size); ++i) {
+      chunks[c].add(exterior, blocks[i], band);
+    }
+  };
+  if (parallel) {
+    tbb::parallel_for(std::size_t{0}, chunks.size(), fill);
+  } else {
+    for (std::size_t c = 0; c < chunks.size(); ++c) fill(c);
+  }
+  first.push_back(0);
+  for (const Chunk& chunk : chunks) {
+    append(x, chunk.x);
+    append(y, chunk.y);
+    append(z, chunk.z);
+    append(triangle, chunk.triangle);
+    for (const std::uint32_t count : chunk.counts) first.push_back(first.back() + count);
+  }
+  cubes = (exterior.grid().blocks.array() + cube_edge - 1) / cube_edge;
+  occupied.resize(static_cast<std::size_t>(cubes.cast<long>().prod()));
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const Eigen::Vector3i cube = exterior.grid().block_at(blocks[i].index) / cube_edge;
+    std::uint8_t& is_occupied = occupied[cube_index(*this, cube)];
+    if (first[i] == first[i + 1] || is_occupied != 0) continue;
+    is_occupied = 1;
+    occupied_cubes.push_back(cube);
+  }
+}
+
+double NearbySites::distance_to_nearest(const Eigen::Vector3d& x) {
+  constexpr int edge = OffsetSites::cube_edge;
+  waiting_.clear();
+  double enough = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < sites_.occupied_cubes.size(); ++i) {
+    const Eigen::Vector3d low = (edge * block_edge * sites_.occupied_cubes[i]).cast<double>();
+    const Eigen::Vector3d high = low.array() + edge * block_edge;
+    const double nearest2 = (low - x).cwiseMax(x - high).cwiseMax(0).squaredNorm();
+    if (nearest2 > enough) continue;
+    enough = std::min(enough, (x - low).cwiseAbs().cwiseMax((high - x).cwiseAbs()).squaredNorm());
+    waiting_.emplace_back(nearest2, static_cast<std::uint32_t>(i));
+  }
+  std::sort(waiting_.begin(), waiting_.end());
+  double best2 = std::numeric_limits<double>::infinity();
+  for (const auto& [nearest2, cube] : waiting_) {
+    if (nearest2 >= best2) break;
+    best2 = std::min(best2, nearest_in_cube(sites_.occupied_cubes[cube], x, best2));
+  }
+  return std::sqrt(best2);
+}
+
+/// The squared distance to the nearest site of the cube, if it is less than the limit.
+double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit) {
+  constexpr int edge = OffsetSites::cube_edge;
+  const BlockGrid& grid = exterior_.grid();
+  const Eigen::Vector3i begin = edge * cube;
+  const Eigen::Vector3i end = (begin.array() + edge).matrix().cwiseMin(grid.blocks);
+  const Eigen::Vector3f from = x.cast<float>();
+  for (int k = begin.z(); k < end.z(); ++k) {
+    for (int j = begin.y(); j < end.y(); ++j) {
+      if (box_of({begin.x(), j, k}, {end.x(), j + 1, k + 1}).squaredExteriorDistance(x) >= limit) continue;
+      const std::size_t row = grid.block_index({0, j, k});
+      for (int i = begin.x(); i < end.x(); ++i) {
+        const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
+        if (state < 0) continue;
+        const std::size_t first = sites_.first[static_cast<std::size_t>(state)];
+        const std::size_t count = sites_.first[static_cast<std::size_t>(state) + 1] - first;
+        if (count == 0) continue;
+        if (squared_.size() < count) squared_.resize(count);
+        limit = std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first],
+                                                                      &sites_.z[first], count, from, squared_.data())));
+      }
+    }
+  }
+  return limit;
+}
+
+void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
+  constexpr int edge = OffsetSites::cube_edge;
+  x_.clear();
+  y_.clear();
+  z_.clear();
+  site_.clear();
+  const BlockGrid& grid = exterior_.grid();
+  const Eigen::Vector3i one = Eigen::Vector3i::Ones();
+  const Eigen::Vector3i low = grid.block_of(box.min().array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid.block_of(box.max().array() + reach).cwiseMin(grid.blocks - one);
+  const double reach2 = reach * reach;
+  Eigen::Vector3i cube;
+  for (cube.z() = low.z() / edge; cube.z() <= high.z() / edge; ++cube.z()) {
+    for (cube.y() = low.y() / edge; cube.y() <= high.y() / edge; ++cube.y()) {
+      for (cube.x() = low.x() / edge; cube.x() <= high.x() / edge; ++cube.x()) {
+        if (sites_.occupied[cube_index(sites_, cube)] == 0) continue;
+        const Eigen::Vector3i begin = (edge * cube).cwiseMax(low);
+        const Eigen::Vector3i end = (edge * (cube + one)).cwiseMin(high + one);
+        if (box_of(begin, end).squaredExteriorDistance(box) > reach2) continue;
+        for (int k = begin.z(); k < end.z(); ++k) {
+          for (int j = begin.y(); j < end.y(); ++j) {
+            const Eigen::Vector3i first(begin.x(), j, k);
+            if (box_of(first, {end.x(), j + 1, k + 1}).squaredExteriorDistance(box) > reach2) continue;
+            collect_row(first, end.x());
+          }
+        }
+      }
+    }
+  }
+  squared_.resize(x_.size());
+}
+
+/// The sites of the blocks from the first on along x.
+void NearbySites::collect_row(const Eigen::Vector3i& first, int end) {
+  const std::size_t index = exterior_.grid().block_index(first);
+  for (int i = 0; i < end - first.x(); ++i) {
+    const std::int32_t state = exterior_.block(index + static_cast<std::size_t>(i));
+    if (state < 0) continue;
+    const auto block = static_cast<std::size_t>(state);
+    const auto from = static_cast<std::ptrdiff_t>(sites_.first[block]);
+    const auto to = static_cast<std::ptrdiff_t>(sites_.first[block + 1]);
+    x_.insert(x_.end(), sites_.x.begin() + from, sites_.x.begin() + to);
+    y_.insert(y_.end(), sites_.y.begin() + from, sites_.y.begin() + to);
+    z_.insert(z_.end(), sites_.z.begin() + from, sites_.z.begin() + to);
+    for (std::ptrdiff_t site = from; site < to; ++site) site_.push_back(static_cast<std::uint32_t>(site));
+  }
+}
+
+double NearbySites::measure(const Eigen::Vector3d& x) {
+  nearest_ = std::sqrt(static_cast<double>(
+      squared_distances(x_.data(), y_.data(), z_.data(), x_.size(), x.cast<float>(), squared_.data())));
+  return nearest_;
+}
+
+void NearbySites::starts(double margin, double apart, std::size_t most, std::vector<Site>& found) {
+  found.clear();
+  const auto limit = static_cast<float>(std::pow(nearest_ + margin, 2));
+  within_margin_.clear();
+  candidates_.resize(squared_.size() + 16);
+  const std::size_t count = indices_within(squared_.data(), squared_.size(), limit, candidates_.data());
+  for (std::size_t i = 0; i < count; ++i) within_margin_.push_back({candidates_[i], squared_[candidates_[i]]});
+  while (found.size() < most && !within_margin_.empty()) {
+    const auto best = std::min_element(within_margin_.begin(), within_margin_.end(),
+                                       [](const Site& a, const Site& b) { return a.distance < b.distance; });
+    const std::size_t chosen = best->site;
+    found.push_back({site_[chosen], std::sqrt(best->distance)});
+    const auto apart2 = static_cast<float>(apart * apart);
+    std::erase_if(within_margin_, [&](const Site& site) {
+      const float dx = x_[site.site] - x_[chosen];
+      const float dy = y_[site.site] - y_[chosen];
+      const float dz = z_[site.site] - z_[chosen];
+      return dx * dx + dy * dy + dz * dz <= apart2;
+    });
+  }
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/offset/exterior_grid.h"
+
+namespace shapegauge {
+
+/// Points of the outer offset surface, about one for each square of a cell's edge: the centre of every exterior cell
+/// within the band of the offset solid, moved along the line to its closest triangle until that is r away.
+struct OffsetSites {
+  std::vector<float> x, y, z;
+  std::vector<std::int32_t> triangle;  ///< that is r away from each
+  std::vector<std::uint32_t> first;    ///< of each of the exterior's boundary blocks, and one past the last's
+  /// Cubes of `cube_edge` blocks along each axis: whether any are in each, and all in which there are.
+  std::vector<std::uint8_t> occupied;
+  std::vector<Eigen::Vector3i> occupied_cubes;
+  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< along each axis
+  static constexpr int cube_edge = 8;
+
+  OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
+};
+
+/// The sites near a group of samples, each group's in a row.
+class NearbySites {
+ public:
+  NearbySites(const ExteriorGrid& exterior, const OffsetSites& sites) : exterior_(exterior), sites_(sites) {}
+
+  /// The distance from x to the nearest of all sites, however far; infinite where there are none.
+  double distance_to_nearest(const Eigen::Vector3d& x);
+
+  /// Collects those within reach of the box.
+  void collect(const Eigen::AlignedBox3d& box, double reach);
+
+  struct Site {
+    std::uint32_t site;  ///< index into the sites
+    float distance;
+  };
+  /// The distance from x to the nearest of the collected sites, infinite where there is none.
+  double measure(const Eigen::Vector3d& x);
+  /// Of the sites whose distance from the x measured last exceeds the nearest one's by less than the margin, in the
+  /// order of their distances: the nearest, then those farther than `apart` from all before, up to so many.
+  void starts(double margin, double apart, std::size_t most, std::vector<Site>& found);
+
+ private:
+  void collect_row(const Eigen::Vector3i& first, int end);
+  [[nodiscard]] double nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit);
+
+  const ExteriorGrid& exterior_;
+  const OffsetSites& sites_;
+  std::vector<float> x_, y_, z_, squared_;
+  double nearest_ = 0;
+  std::vector<std::uint32_t> site_, candidates_;
+  std::vector<Site> within_margin_;
+  std::vector<std::pair<double, std::uint32_t>> waiting_;  ///< squared distances of cubes and their numbers
+};
+
+}  // namespace shapegauge

@@ -1,0 +1,334 @@
+#include "shapegauge/core/offset/offset_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tbb/parallel_for.h>
+#include <utility>
+
+#include "shapegauge/core/offset/block_distances.h"
+#include "shapegauge/core/offset/nearest_offset_point.h"
+#include "shapegauge/core/offset/offset_exit.h"
+#include "shapegauge/core/offset/offset_sites.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Exterior cells no farther from O(r) than this, in cells, have a site: every place of the offset surface is within a
+/// cell of one.
+constexpr double site_band = 0.9;
+/// The points that say which triangle is closest are this far apart, in parts of r: they are too far by .25^2 / 16 of
+/// r.
+constexpr double point_spacing = 0.25;
+constexpr double widest_spacing = 0.7;
+constexpr double most_points = 6e6;
+constexpr std::size_t most_blocks = std::size_t{1} << 24U;
+
+/// What a grid needs to be made.
+struct Layout {
+  double offset;
+  double cell;
+  double spacing;  ///< in cells
+};
+
+/// The cells and points for an offset, or for the least offset above it for which there are not too many.
+Layout lay_out(const Shape& shape, const Eigen::AlignedBox3d& bounds, const OffsetGridOptions& options) {
+  Layout layout{options.offset, options.offset / options.cells_per_offset, point_spacing * options.cells_per_offset};
+  const SurfaceExtent extent(shape);
+  while (true) {
+    const BlockGrid grid(bounds, layout.offset, layout.cell);
+    if ((grid.blocks.cast<double>().array() > 1e6).any() ||
+        grid.blocks.cast<double>().prod() > static_cast<double>(most_blocks)) {
+      // First larger cells, then a larger offset.
+      layout.cell *= 1.1;
+      layout.offset = std::max(layout.offset, 2.5 * layout.cell);
+      layout.spacing = point_spacing * layout.offset / layout.cell;
+      continue;
+    }
+    if (extent.most_points(layout.spacing * layout.cell) <= most_points + 2 * extent.pieces) return layout;
+    if (layout.spacing * 1.2 <= widest_spacing * grid.r) {
+      layout.spacing *= 1.2;
+    } else {
+      layout.cell *= 1.1;
+      layout.offset *= 1.1;
+    }
+  }
+}
+
+/// The samples of a block, one after the other in `order`.
+struct Group {
+  std::size_t begin, end;
+};
+
+/// What all samples have in common.
+class Solver {
+ public:
+  Solver(const ExteriorGrid& exterior, const OffsetSites& sites, const Points& points, const Points& normals,
+         std::vector<std::int32_t> likely, OffsetAnswers& answers)
+      : exterior_(exterior),
+        grid_(exterior.grid()),
+        sites_(sites),
+        points_(points),
+        normals_(normals),
+        likely_(std::move(likely)),
+        answers_(answers) {
+    sort();
+  }
+
+  void solve(bool parallel) {
+    if (parallel) {
+      tbb::parallel_for(std::size_t{0}, groups_.size(), [this](std::size_t g) { answer(groups_[g]); });
+    } else {
+      for (const Group& group : groups_) answer(group);
+    }
+  }
+
+ private:
+  /// What a group keeps from sample to sample, without an influence on the answers.
+  struct Room {
+    explicit Room(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
+    NearbySites sites;
+    double reach = 0;  ///< all sites within this of the group's samples have been collected
+    std::vector<NearbySites::Site> starts;
+    NearbyPoints surface;
+  };
+
+  void sort();
+  void answer(const Group& group);
+  [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const;
+  bool touches_points_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Eigen::Vector3d& p,
+                         double reach, double near_enough, NearbyPoints& nearby) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
+  Eigen::Vector3d search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
+                         Room& room, OffsetOutcome& outcome) const;
+  double measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d& box, Room& room) const;
+
+  const ExteriorGrid& exterior_;
+  const BlockGrid& grid_;
+  const OffsetSites& sites_;
+  const Points& points_;
+  const Points& normals_;
+  std::vector<std::int32_t> likely_;  ///< triangles that the samples are likely to lie on
+  OffsetAnswers& answers_;
+  std::vector<Eigen::Index> order_;
+  std::vector<Group> groups_;
+};
+
+/// For each sample a triangle that it is likely to lie on: its own where all faces are sampled, one of its vertex's
+/// where all vertices are.
+std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samples) {
+  std::vector<std::int32_t> likely(static_cast<std::size_t>(samples), 0);
+  if (samples == (is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
+    std::iota(likely.begin(), likely.end(), 0);
+  } else if (samples == shape.vertices.rows()) {
+    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+      for (int k = 0; k < 3; ++k)
+        likely[static_cast<std::size_t>(shape.triangles(f, k))] = static_cast<std::int32_t>(f);
+    }
+  }
+  return likely;
+}
+
+/// Sorts the samples by blocks; those that are in none are missing.
+void Solver::sort() {
+  std::vector<std::pair<std::size_t, Eigen::Index>> places;
+  places.reserve(static_cast<std::size_t>(points_.rows()));
+  for (Eigen::Index i = 0; i < points_.rows(); ++i) {
+    const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
+    const Eigen::Vector3d end = (block_edge * grid_.blocks).cast<double>();
+    const bool is_in_grid = p.allFinite() && (p.array() >= 0).all() && (p.array() < end.array()).all();
+    if (is_in_grid && normals_.row(i).allFinite()) places.emplace_back(grid_.block_index(grid_.block_of(p)), i);
+  }
+  std::sort(places.begin(), places.end());
+  order_.reserve(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (k == 0 || places[k].first != places[k - 1].first) groups_.push_back({k, k});
+    groups_.back().end = k + 1;
+    order_.push_back(places[k].second);
+  }
+}
+
+/// By the triangle that it is likely to lie on, then by those of the surface's points near p, first those in its own
+/// block.
+bool Solver::is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const {
+  const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
+  if (exterior_.surface().triangles.squared_distance(p, likely) <= near_enough * near_enough) return true;
+  // The apex of an equilateral triangle is as far from the points of its columns as that.
+  const double reach = 1.5 * exterior_.surface().spacing + near_enough;
+  const Eigen::Vector3i own = grid_.block_of(p);
+  if (touches_points_of(own, own, p, reach, near_enough, nearby)) return true;
+  const Eigen::Vector3i low = grid_.block_of(p.array() - reach).cwiseMax(0);
+  const Eigen::Vector3i high = grid_.block_of(p.array() + reach).cwiseMin(grid_.blocks - Eigen::Vector3i::Ones());
+  return touches_points_of(low, high, p, reach, near_enough, nearby);
+}
+
+bool Solver::touches_points_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high, const Eigen::Vector3d& p,
+                               double reach, double near_enough, NearbyPoints& nearby) const {
+  const GridSurface& surface = exterior_.surface();
+  std::array<std::int32_t, TriangleTable::at_once> triangles{};
+  TriangleTable::Vectors vectors;
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      const std::size_t begin = surface.first[grid_.block_index({low.x(), j, k})];
+      const std::size_t count = surface.first[grid_.block_index({high.x(), j, k}) + 1] - begin;
+      if (count == 0) continue;
+      if (nearby.squared.size() < count) nearby.squared.resize(count);
+      if (nearby.index.size() < count + 16) nearby.index.resize(count + 16);
+      squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin], count, p.cast<float>(),
+                        nearby.squared.data());
+      const std::size_t found =
+          indices_within(nearby.squared.data(), count, static_cast<float>(reach * reach), nearby.index.data());
+      for (std::size_t i = 0; i < found; i += triangles.size()) {
+        for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+          triangles[lane] = surface.triangle[begin + nearby.index[std::min(i + lane, found - 1)]];
+        }
+        surface.triangles.vectors_to(p, triangles.data(), vectors);
+        const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
+        if (static_cast<double>(least) <= near_enough * near_enough) return true;
+      }
+    }
+  }
+  return false;
+}
+
+std::optional<Eigen::Vector3d> Solver::direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+  constexpr double slack = 1e-3;
+  if (normal.isZero()) return std::nullopt;
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector3d q = p + side * grid_.r * normal;
+    if (is_exterior(exterior_, q, slack)) return q;
+  }
+  return std::nullopt;
+}
+
+/// A refined point is nearer than its site, by no more than this as a rule, in cells.
+constexpr double gain = 0.4;
+/// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
+constexpr double farther = 3 * gain;
+
+/// The distance from a raised sample to the nearest site, once all that are farther by no more than `farther` have been
+/// collected.
+double Solver::measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d& box, Room& room) const {
+  const double lift = raised_by * grid_.r;
+  if (room.reach == 0) {
+    room.reach = 1.6 * grid_.r + 1;
+    room.sites.collect(box, room.reach + lift);
+  }
+  const double distance = room.sites.measure(raised);
+  if (distance + farther < room.reach) return distance;
+  // From the middle of the box none is farther than this; from a sample of it by half of its diagonal at most.
+  const double from_middle = room.sites.distance_to_nearest(box.center());
+  room.reach = from_middle + box.diagonal().norm() / 2 + lift + 1.01 * farther;
+  room.sites.collect(box, room.reach + lift);
+  return room.sites.measure(raised);
+}
+
+/// q: of the points of E(r) nearest to p raised along the normal and to p raised against it, the nearer one.
+Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
+                               Room& room, OffsetOutcome& outcome) const {
+  constexpr double apart = 2;
+  constexpr std::size_t most_starts = 3;
+  constexpr double nearly_free = 0.8;  // of r
+  const auto place = [&](std::uint32_t site) {
+    return Eigen::Vector3d(sites_.x[site], sites_.y[site], sites_.z[site]);
+  };
+  double best = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d q = p;
+  double nearest_site = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d nearest_place = p + grid_.r * (normal.isZero() ? Eigen::Vector3d::UnitZ().eval() : normal);
+  for (const double side : {1.0, -1.0}) {
+    const Eigen::Vector3d raised = p + side * raised_by * grid_.r * normal;
+    const double distance = measure(raised, box, room);
+    if (distance - gain > std::min(best, nearest_site)) break;
+    room.sites.starts(gain, apart, most_starts, room.starts);
+    if (distance < nearest_site) {
+      nearest_site = distance;
+      nearest_place = place(room.starts.front().site);
+    }
+    const auto refine = [&] {
+      for (const NearbySites::Site& start : room.starts) {
+        const Eigen::Vector3d site = place(start.site);
+        const bool is_known = best < std::numeric_limits<double>::infinity() && (site - q).norm() < apart;
+        if (is_known || static_cast<double>(start.distance) - gain > best) continue;
+        auto x = nearest_offset_point(exterior_, raised, site, sites_.triangle[start.site]);
+        if (!x) continue;
+        // p is on the surface, though perhaps no cell near x knows of its triangle.
+        const double height = (*x - p).norm();
+        if (height < nearly_free * grid_.r) continue;
+        if (height < grid_.r) *x = p + grid_.r / height * (*x - p);
+        if (!((*x - raised).norm() < best)) continue;
+        best = (*x - raised).norm();
+        q = *x;
+      }
+    };
+    refine();
+    if (!(best < std::numeric_limits<double>::infinity())) {
+      room.sites.starts(farther, apart / 2, 3 * most_starts, room.starts);
+      refine();
+    }
+    if (normal.isZero()) break;
+  }
+  if (best < std::numeric_limits<double>::infinity()) return q;
+  outcome = OffsetOutcome::undecided;
+  return nearest_place;
+}
+
+void Solver::answer(const Group& group) {
+  Room room(*this);
+  Eigen::AlignedBox3d box;
+  for (std::size_t k = group.begin; k < group.end; ++k) {
+    box.extend(grid_.to_cells(points_.row(order_[k]).transpose()));
+  }
+  const double r = grid_.r;
+  for (std::size_t k = group.begin; k < group.end; ++k) {
+    const Eigen::Index i = order_[k];
+    OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
+    if (!is_on_surface(p, likely_[static_cast<std::size_t>(i)], room.surface)) continue;
+    const Eigen::Vector3d normal = normals_.row(i).transpose();
+    outcome = OffsetOutcome::direct;
+    auto q = direct(p, normal);
+    if (!q) {
+      outcome = OffsetOutcome::searched;
+      q = search(p, normal, box, room, outcome);
+    }
+    const double height = (*q - p).norm();
+    const Eigen::Vector3d outward = (*q - p) / height;
+    answers_.directions.row(i) = outward.transpose();
+    answers_.heights[i] = height * grid_.cell;
+    // Both ends are at least r away from p, up to what single precision loses.
+    const double exit = offset_exit(exterior_, p, -outward);
+    answers_.values[i] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
+  }
+}
+
+}  // namespace
+
+OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Points& normals,
+                             const OffsetGridOptions& options) {
+  const Clock::time_point start = Clock::now();
+  const Eigen::AlignedBox3d bounds = bounding_box(shape);
+  const Layout layout = lay_out(shape, bounds, options);
+  const BlockGrid grid(bounds, layout.offset, layout.cell);
+  const GridSurface surface(grid, shape, layout.spacing, options.parallel);
+  const ExteriorGrid exterior(grid, surface, site_band, options.parallel);
+  const OffsetSites sites(exterior, site_band, options.parallel);
+  OffsetAnswers answers;
+  answers.offset = layout.offset;
+  answers.build_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  answers.values = Eigen::VectorXd::Constant(points.rows(), std::numeric_limits<double>::quiet_NaN());
+  answers.heights = answers.values;
+  answers.directions = Points::Zero(points.rows(), 3);
+  answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
+  Solver(exterior, sites, points, normals, likely_triangles(shape, points.rows()), answers).solve(options.parallel);
+  return answers;
+}
+
+}  // namespace shapegauge

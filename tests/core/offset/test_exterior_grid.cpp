@@ -1,0 +1,74 @@
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "shapegauge/core/offset/exterior_grid.h"
+#include "shapegauge/core/shape/shape.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+/// Whether each cell is exterior, read from the blocks.
+std::vector<bool> exterior_cells(const ExteriorGrid& exterior) {
+  const BlockGrid& grid = exterior.grid();
+  std::vector<bool> cells;
+  for (std::size_t index = 0; index < grid.block_count(); ++index) {
+    const std::int32_t state = exterior.block(index);
+    for (int bit = 0; bit < cells_per_block; ++bit) {
+      cells.push_back(state == ExteriorGrid::all_exterior ||
+                      (state >= 0 && (exterior.boundary()[static_cast<std::size_t>(state)].exterior >> bit & 1U) != 0));
+    }
+  }
+  return cells;
+}
+
+struct Flooded {
+  explicit Flooded(const Shape& shape, double offset, double h, bool parallel = false)
+      : grid(bounding_box(shape), offset, h),
+        surface(grid, shape, 1, parallel),
+        exterior(grid, surface, 0.9, parallel) {}
+
+  [[nodiscard]] bool is_exterior(const Eigen::Vector3d& x) const {
+    return cells_around(exterior, grid.to_cells(x)).touches_exterior;
+  }
+
+  BlockGrid grid;
+  GridSurface surface;
+  ExteriorGrid exterior;
+};
+
+TEST(ExteriorGrid, IsWhatIsFartherThanTheOffsetFromASphere) {
+  const double r = 0.2;
+  const Flooded flooded(test::sphere(1, 4), r, 0.05);
+  const std::vector<bool> cells = exterior_cells(flooded.exterior);
+  std::size_t i = 0;
+  for (std::size_t index = 0; index < flooded.grid.block_count(); ++index) {
+    const Eigen::Vector3i block = flooded.grid.block_at(index);
+    for (int bit = 0; bit < cells_per_block; ++bit, ++i) {
+      const Eigen::Vector3d cell =
+          (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
+      const double radius = (flooded.grid.origin + flooded.grid.cell * cell).norm();
+      if (radius > 1 + 1.01 * r) {
+        EXPECT_TRUE(cells[i]);
+      } else if (radius < 1 + 0.97 * r) {
+        EXPECT_FALSE(cells[i]);
+      }
+    }
+  }
+}
+
+TEST(ExteriorGrid, HasNoVoidsAndNoCavitiesWithANarrowMouth) {
+  const Shape hollow = test::joined({test::sphere(1, 3), test::sphere(0.6, 3)});
+  EXPECT_FALSE(Flooded(hollow, 0.1, 0.025).is_exterior({0, 0, 0}));
+  EXPECT_TRUE(Flooded(test::torus(1, 0.4, 40, 20), 0.1, 0.025).is_exterior({0, 0, 0}));
+  EXPECT_FALSE(Flooded(test::torus(1, 0.4, 40, 20), 0.65, 0.16).is_exterior({0, 0, 0}));
+}
+
+TEST(ExteriorGrid, IsTheSameForAnyNumberOfThreads) {
+  const Shape torus = test::torus(1, 0.4, 40, 20);
+  EXPECT_EQ(exterior_cells(Flooded(torus, 0.05, 0.0125, true).exterior),
+            exterior_cells(Flooded(torus, 0.05, 0.0125, false).exterior));
+}
+
+}  // namespace
+}  // namespace shapegauge

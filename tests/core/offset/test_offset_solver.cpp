@@ -1,0 +1,64 @@
+#include <Eigen/Geometry>
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/offset/offset_solver.h"
+#include "shapegauge/core/shape/samples.h"
+#include "tests/core/sdf/crevice_shapes.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+TEST(OffsetSolver, GivesTheSameBytesInAnyOrderAndOnAnyThreads) {
+  const Shape shape = test::of_diagonal_1(test::star());
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  const OffsetAnswers forth = answer_by_grid(shape, samples.points, samples.normals, {.parallel = false});
+  const OffsetAnswers back = answer_by_grid(shape, samples.points.colwise().reverse(),
+                                            samples.normals.colwise().reverse(), {.parallel = true});
+  EXPECT_EQ(forth.values, back.values.reverse());
+  EXPECT_EQ(forth.directions, back.directions.colwise().reverse());
+}
+
+TEST(OffsetSolver, DecidesTiesByTheNormal) {
+  // Of an open sheet both sides are exterior, and as near.
+  Shape sheet;
+  sheet.vertices.resize(4, 3);
+  sheet.vertices << 0, 0, 0, 0.7, 0, 0, 0.7, 0.7, 0, 0, 0.7, 0;
+  sheet.triangles.resize(2, 3);
+  sheet.triangles << 0, 1, 2, 0, 2, 3;
+  const Samples samples = sample_shape(sheet, SampleSite::faces);
+  const OffsetAnswers up = answer_by_grid(sheet, samples.points, samples.normals, {});
+  const OffsetAnswers down = answer_by_grid(sheet, samples.points, -samples.normals, {});
+  EXPECT_TRUE(up.directions.isApprox(samples.normals));
+  EXPECT_TRUE(down.directions.isApprox(-samples.normals));
+  EXPECT_LT(up.values.maxCoeff(), 2e-3 * 0.05);
+}
+
+TEST(OffsetSolver, SaysWhatIsNotOnTheSurface) {
+  const Shape sphere = test::of_diagonal_1(test::sphere(1, 2));
+  Points points(4, 3);
+  points << 0, 0, 0, 9, 9, 9, std::nan(""), 0, 0, sphere.vertices.row(0);
+  Points normals = Points::Zero(4, 3);
+  const OffsetAnswers answers = answer_by_grid(sphere, points, normals, {});
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(answers.outcomes[i], OffsetOutcome::missing) << i;
+    EXPECT_TRUE(std::isnan(answers.values[static_cast<Eigen::Index>(i)])) << i;
+  }
+  EXPECT_EQ(answers.outcomes[3], OffsetOutcome::searched);
+  EXPECT_NEAR(answers.values[3], 2 * sphere.vertices.row(0).norm(), 0.02);
+}
+
+TEST(OffsetSolver, RaisesAnOffsetThatIsTooSmallForTheGrid) {
+  const Shape sphere = test::of_diagonal_1(test::sphere(1, 3));
+  const Samples samples = sample_shape(sphere, SampleSite::faces);
+  const OffsetAnswers answers = answer_by_grid(sphere, samples.points, samples.normals, {.offset = 1e-5});
+  EXPECT_GT(answers.offset, 1e-5);
+  EXPECT_LT(answers.offset, 2e-3);
+  const double diameter = 2 * sphere.vertices.row(0).norm();
+  EXPECT_NEAR(answers.values.minCoeff(), diameter, 0.03 * diameter);
+  EXPECT_NEAR(answers.values.maxCoeff(), diameter, 0.03 * diameter);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/shape.h"
+#include "tests/support/test_shapes.h"
+
+/// However the surface is given, as a mesh in order or a damaged one, the values are the same.
+namespace shapegauge {
+namespace {
+
+/// The share of values that differ by more than a fraction of r.
+double share_apart(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
+  return static_cast<double>(((a - b).cwiseAbs().array() > tolerance).count()) / static_cast<double>(a.size());
+}
+
+/// A torus, whose samples are measured as they are and in what is made of it.
+class DamagedTorus : public testing::Test {
+ protected:
+  /// That the SDF at the torus' faces stays where the surface is given by another shape.
+  void expect_same_in(const Shape& shape) const {
+    const OffsetSdfResult found = offset_sdf(shape, samples, {.offset = offset});
+    const double r = offset * bounding_box_diagonal(torus);
+    EXPECT_LE(share_apart(clean, found.values, 1e-2 * r), 1e-3);
+    EXPECT_LE((clean - found.values).cwiseAbs().maxCoeff(), 0.1 * r);
+  }
+
+  static constexpr double offset = 0.02;
+  Shape torus = test::torus(1, 0.4, 24, 48);
+  Samples samples = sample_shape(torus, SampleSite::faces);
+  Eigen::VectorXd clean = offset_sdf(torus, samples, {.offset = offset}).values;
+};
+
+TEST_F(DamagedTorus, FacesTurnedOver) {
+  for (const double fraction : {0.1, 0.5, 1.0}) {
+    RandomNumbers random(1);
+    expect_same_in(flip_orientation(torus, fraction, random));
+  }
+}
+
+TEST_F(DamagedTorus, FacesTwiceAndOnBothSides) {
+  Shape twice = torus;
+  twice.triangles.conservativeResize(2 * torus.triangles.rows(), 3);
+  twice.triangles.bottomRows(torus.triangles.rows()) = torus.triangles;
+  expect_same_in(twice);
+  twice.triangles.bottomRows(torus.triangles.rows()) = test::flipped(torus).triangles;
+  expect_same_in(twice);
+}
+
+TEST_F(DamagedTorus, VerticesSplitAndNotUsed) {
+  expect_same_in(test::soup(torus));
+  Shape with_others = torus;
+  with_others.vertices.conservativeResize(torus.vertices.rows() + 2, 3);
+  with_others.vertices.bottomRows(2) << 9, 9, 9, 0.5, 0, 0;
+  expect_same_in(with_others);
+}
+
+TEST_F(DamagedTorus, DebrisInside) {
+  std::vector<Shape> parts = {torus};
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.5 * i;
+    const Eigen::Vector3d place(std::cos(angle), std::sin(angle), 0.1);
+    // Some are oriented the other way: what they enclose, then, is a void.
+    const Shape part = test::sphere(0.02 + 0.01 * (i % 6), 1);
+    parts.push_back(test::transformed(i % 2 == 0 ? part : test::flipped(part), 1, Eigen::Matrix3d::Identity(), place));
+  }
+  expect_same_in(test::joined(parts));
+}
+
+}  // namespace
+}  // namespace shapegauge

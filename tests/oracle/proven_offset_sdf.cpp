@@ -1,0 +1,22 @@
+#include "tests/oracle/proven_offset_sdf.h"
+
+#include "shapegauge/core/offset/offset_solver.h"
+#include "shapegauge/core/shape/connectivity.h"
+
+namespace shapegauge {
+
+ProvenOffsetSdf::ProvenOffsetSdf(const Shape& shape, double r)
+    : r_(r),
+      tree_(shape),
+      exterior_(tree_, bounding_box(shape), r, is_watertight_and_oriented(shape)),
+      nearest_(exterior_),
+      entry_(exterior_) {}
+
+Eigen::Vector3d ProvenOffsetSdf::q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d lift = raised_by * r_ * normal;
+  const Eigen::Vector3d above = nearest(p + lift, normal);
+  const Eigen::Vector3d below = nearest(p - lift, normal);
+  return (above - p - lift).norm() <= (below - p + lift).norm() ? above : below;
+}
+
+}  // namespace shapegauge
