@@ -12,15 +12,18 @@ namespace shapegauge {
 
 namespace {
 
-/// Where the ray leaves the cube of so many cells that holds x.
-double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, double edge, double shift) {
+/// Where the ray leaves the cube of so many cells that holds x, whose coordinates are not negative. The cubes begin at
+/// multiples of their edge, shifted.
+template <int edge>
+double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, double shift) {
+  constexpr double inverse_edge = 1.0 / edge;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    const double place = (x[k] - shift) / edge;
-    const double low = std::floor(place);
+    const double place = (x[k] - shift) * inverse_edge;
+    // The conversion rounds as floor does, from -1 on by one less, which leads on as well.
+    const double low = static_cast<int>(place);
     const double way = inverse[k] > 0 ? low + 1 - place : low - place;
-    const double t = way * edge * inverse[k];
-    if (t < least) least = t;
+    least = std::min(least, way * edge * inverse[k]);
   }
   return std::max(least, 0.0) + 1e-6;
 }
@@ -61,11 +64,11 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
   double t = r;
   for (int step = 0; step < 100000; ++step) {
     const Eigen::Vector3d x = origin + t * direction;
-    const Eigen::Vector3i block = grid.block_of(x);
+    const Eigen::Vector3i block = (x / block_edge).cast<int>();
     if (!grid.has_block(block)) return t;
     const std::size_t index = grid.block_index(block);
     if (!exterior.is_near_exterior(index)) {
-      t += leave_cube(x, inverse, block_edge, 0);
+      t += leave_cube<block_edge>(x, inverse, 0);
       continue;
     }
     // Where no cell of the block is exterior, one of the eight around x may be only near the block's sides.
@@ -75,7 +78,7 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
       continue;
     }
     if (!touches_exterior(exterior, x)) {
-      t += leave_cube(x, inverse, 1, 0.5);
+      t += leave_cube<1>(x, inverse, 0.5);
       continue;
     }
     const CellsAround around = cells_around(exterior, x);

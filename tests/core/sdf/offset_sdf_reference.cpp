@@ -10,11 +10,11 @@ namespace shapegauge {
 namespace {
 
 /// Cubes of the search for the closest exterior point, the closest to p first.
-struct Cube {
+struct DistanceCube {
   double bound;
   Eigen::Vector3d centre;
   double half;
-  bool operator>(const Cube& other) const { return bound > other.bound; }
+  bool operator>(const DistanceCube& other) const { return bound > other.bound; }
 };
 
 }  // namespace
@@ -107,10 +107,10 @@ bool OffsetSdfReference::is_resolved(const Eigen::Vector3d& x) const {
 
 double OffsetSdfReference::distance_to_exterior(const Eigen::Vector3d& p) const {
   const double extent = spacing_ * size_.maxCoeff();
-  std::priority_queue<Cube, std::vector<Cube>, std::greater<>> waiting;
+  std::priority_queue<DistanceCube, std::vector<DistanceCube>, std::greater<>> waiting;
   waiting.push({0, p, extent});
   while (true) {
-    const Cube cube = waiting.top();
+    const DistanceCube cube = waiting.top();
     waiting.pop();
     const double radius = std::sqrt(3.0) * cube.half;
     if (cube.half < r_ / 2 && !grid_is_exterior_within(cube.centre, radius + 2 * spacing_)) continue;
