@@ -60,7 +60,8 @@ void rows(benchmark::State& state) {
   tbb::task_arena one_thread(1);
   for ([[maybe_unused]] const auto iteration : state) {
     for (Eigen::Index first = 0; first < signatures.rows(); first += together) {
-      one_thread.execute([&] { benchmark::DoNotOptimize(distance_rows(signatures, first, together, distance_named("l1"))); });
+      one_thread.execute(
+          [&] { benchmark::DoNotOptimize(distance_rows(signatures, first, together, distance_named("l1"))); });
     }
   }
   count_pairs(state, static_cast<double>(signatures.rows() * signatures.rows()));
