@@ -5,7 +5,7 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/sdf/crevice_shapes.h"
-#include "tests/core/sdf/offset_sdf_reference.h"
+#include "tests/oracle/offset_sdf_reference.h"
 #include "tests/oracle/proven_offset_sdf.h"
 
 namespace shapegauge {

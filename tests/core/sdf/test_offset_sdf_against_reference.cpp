@@ -5,7 +5,7 @@
 
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/core/sdf/crevice_shapes.h"
-#include "tests/core/sdf/offset_sdf_reference.h"
+#include "tests/oracle/offset_sdf_reference.h"
 
 namespace shapegauge {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/core/sdf/offset_sdf_reference.h"
+#include "tests/oracle/offset_sdf_reference.h"
 
 #include <algorithm>
 #include <cmath>
