@@ -76,7 +76,7 @@ struct FieldValues {
   FieldOutcomes outcomes = {};        ///< where a field gives none: "total" and "missing", counted from the values
   std::optional<double> offset = {};  ///< r as a fraction of the diagonal, where the field chose it for the shape
   double build_seconds = 0;           ///< spatial structures, those shared with other fields of the shape included
-  double query_seconds = 0;           ///< all samples
+  double query_seconds = 0;           ///< all samples; of a field that does not tell them apart, everything
 };
 
 /// Computes the values at the samples of a shape. parallel: spread the samples over the threads of the calling TBB

@@ -115,6 +115,21 @@ TEST(MakeField, AnyFieldMayBeSmoothed) {
   EXPECT_FALSE(make_field(plain).settings.contains("bilateral"));
 }
 
+TEST(MakeField, SecondsAreOfAllThatIsDone) {
+  const Shape shape = test::capsule(0.3, 1, 12, 6);
+  const Samples samples = take_samples(shape, {});
+  const auto seconds = [&](const nlohmann::json& settings) {
+    FieldSource source(shape);
+    const FieldValues computed = make_field(settings).compute(source, samples, false);
+    return computed.build_seconds + computed.query_seconds;
+  };
+  EXPECT_GT(seconds({{"type", "centricity"}}), 0);
+  // A hundred iterations of smoothing take longer than two rays a face.
+  const nlohmann::json often{{"iterations", 100}, {"spatial_width", 0.2}};
+  EXPECT_GT(seconds({{"type", "cone_sdf"}, {"rays", 2}, {"bilateral", often}}),
+            2 * seconds({{"type", "cone_sdf"}, {"rays", 2}}));
+}
+
 TEST(MakeField, AMissingValueIsCounted) {
   // A single triangle: no ray meets anything.
   Shape shape;
