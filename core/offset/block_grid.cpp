@@ -145,9 +145,9 @@ GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart
   for (std::size_t block = 1; block < first.size(); ++block) first[block] += first[block - 1];
   // A triangle's own points are no farther than this from any place on it.
   if (first.back() > 2 * n) hidden = 0.5 * spacing * spacing;
-  x.resize(first.back());
-  y.resize(first.back());
-  z.resize(first.back());
+  x.resize(first.back() + grid_padding);
+  y.resize(first.back() + grid_padding);
+  z.resize(first.back() + grid_padding);
   triangle.resize(first.back());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (const auto& points : chunks) {

@@ -16,6 +16,9 @@ namespace shapegauge {
 inline constexpr int block_edge = 4;
 inline constexpr int cells_per_block = block_edge * block_edge * block_edge;
 
+/// Padded arrays go on for so many more numbers: loops take as many at once.
+inline constexpr std::size_t grid_padding = 16;
+
 /// A grid of cubic cells around a shape, in blocks of 4 x 4 x 4. Points are given in *cells*: coordinates that count
 /// cells from the grid's corner, so that cell (i, j, k) is [i, i + 1] x [j, j + 1] x [k, k + 1]. r is 2 to 8 in them.
 struct BlockGrid {
@@ -64,7 +67,7 @@ void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach)
 /// farther apart than a spacing, which say quickly which triangle is closest. The points are sorted by blocks.
 struct GridSurface {
   TriangleTable triangles;
-  std::vector<float> x, y, z;          ///< of the points
+  std::vector<float> x, y, z;          ///< of the points; padded
   std::vector<std::int32_t> triangle;  ///< that each point lies on
   std::vector<std::uint32_t> first;    ///< of each block's points, and one past the last's
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "shapegauge/core/offset/block_distances.h"
+#include "shapegauge/core/offset/mean_normals.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
 #include "shapegauge/core/offset/offset_exit.h"
 #include "shapegauge/core/offset/offset_sites.h"
@@ -70,11 +71,12 @@ struct Group {
 /// What all samples have in common.
 class Solver {
  public:
-  Solver(const ExteriorGrid& exterior, const OffsetSites& sites, const Points& points, const Points& normals,
-         std::vector<std::int32_t> likely, OffsetAnswers& answers)
+  Solver(const ExteriorGrid& exterior, const OffsetSites& sites, const MeanNormals& means, const Points& points,
+         const Points& normals, std::vector<std::int32_t> likely, OffsetAnswers& answers)
       : exterior_(exterior),
         grid_(exterior.grid()),
         sites_(sites),
+        means_(means),
         points_(points),
         normals_(normals),
         likely_(std::move(likely)),
@@ -113,6 +115,7 @@ class Solver {
   const ExteriorGrid& exterior_;
   const BlockGrid& grid_;
   const OffsetSites& sites_;
+  const MeanNormals& means_;
   const Points& points_;
   const Points& normals_;
   std::vector<std::int32_t> likely_;  ///< triangles that the samples are likely to lie on
@@ -230,7 +233,7 @@ double Solver::measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d&
   return room.sites.measure(raised);
 }
 
-/// q: of the points of E(r) nearest to p raised along the normal and to p raised against it, the nearer one.
+/// q: of the points of E(r) nearest to p raised along the normals around and to p raised against them, the nearer one.
 Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
                                Room& room, OffsetOutcome& outcome) const {
   constexpr double apart = 2;
@@ -243,8 +246,9 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
   Eigen::Vector3d q = p;
   double nearest_site = std::numeric_limits<double>::infinity();
   Eigen::Vector3d nearest_place = p + grid_.r * (normal.isZero() ? Eigen::Vector3d::UnitZ().eval() : normal);
+  const Eigen::Vector3d lift = raised_by * grid_.r * means_.at(p, normal);
   for (const double side : {1.0, -1.0}) {
-    const Eigen::Vector3d raised = p + side * raised_by * grid_.r * normal;
+    const Eigen::Vector3d raised = p + side * lift;
     const double distance = measure(raised, box, room);
     if (distance - gain > std::min(best, nearest_site)) break;
     room.sites.starts(gain, apart, most_starts, room.starts);
@@ -320,6 +324,7 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   const GridSurface surface(grid, shape, layout.spacing, options.parallel);
   const ExteriorGrid exterior(grid, surface, site_band, options.parallel);
   const OffsetSites sites(exterior, site_band, options.parallel);
+  const MeanNormals means(grid, shape, surface);
   OffsetAnswers answers;
   answers.offset = layout.offset;
   answers.build_seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -327,7 +332,8 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   answers.heights = answers.values;
   answers.directions = Points::Zero(points.rows(), 3);
   answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
-  Solver(exterior, sites, points, normals, likely_triangles(shape, points.rows()), answers).solve(options.parallel);
+  Solver(exterior, sites, means, points, normals, likely_triangles(shape, points.rows()), answers)
+      .solve(options.parallel);
   return answers;
 }
 

@@ -9,10 +9,6 @@
 
 namespace shapegauge {
 
-/// How far above a sample, along its normal and in parts of r, the point is to which q is the closest of E(r): ties and
-/// flat minima of |pq| are decided by the normal.
-inline constexpr double raised_by = 0.25;
-
 /// How a sample was answered.
 enum class OffsetOutcome : std::uint8_t {
   direct,     ///< q = p + r n or p - r n

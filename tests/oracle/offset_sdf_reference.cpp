@@ -127,8 +127,7 @@ double OffsetSdfReference::distance_to_exterior(const Eigen::Vector3d& p) const 
   }
 }
 
-double OffsetSdfReference::distance_from_raised(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
-  const Eigen::Vector3d lift = r_ / 4 * normal;
+double OffsetSdfReference::distance_from_raised(const Eigen::Vector3d& p, const Eigen::Vector3d& lift) const {
   return std::min(distance_to_exterior(p + lift), distance_to_exterior(p - lift));
 }
 

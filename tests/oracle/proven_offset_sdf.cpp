@@ -1,6 +1,5 @@
 #include "tests/oracle/proven_offset_sdf.h"
 
-#include "shapegauge/core/offset/offset_solver.h"
 #include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {
@@ -12,8 +11,12 @@ ProvenOffsetSdf::ProvenOffsetSdf(const Shape& shape, double r)
       nearest_(exterior_),
       entry_(exterior_) {}
 
-Eigen::Vector3d ProvenOffsetSdf::q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) {
-  const Eigen::Vector3d lift = raised_by * r_ * normal;
+Eigen::Vector3d ProvenOffsetSdf::q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                                   const Eigen::Vector3d& lift) {
+  for (const double side : {r_, -r_}) {
+    const Eigen::Vector3d x = p + side * normal;
+    if (distance(x) >= (1 - 1e-3) * r_ && is_exterior(x)) return x;
+  }
   const Eigen::Vector3d above = nearest(p + lift, normal);
   const Eigen::Vector3d below = nearest(p - lift, normal);
   return (above - p - lift).norm() <= (below - p + lift).norm() ? above : below;

@@ -21,8 +21,9 @@ class ProvenOffsetSdf {
     return nearest_.find(x, normal).point;
   }
 
-  /// q of a sample p with a normal: the point closest to p raised by r/4 to the side on which it is nearer.
-  Eigen::Vector3d q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal);
+  /// q of a sample p with a normal: p + r n or p - r n, where it is exterior, else the point closest to p + lift or to
+  /// p - lift, whichever is nearer.
+  Eigen::Vector3d q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::Vector3d& lift);
 
   /// How far from p along the direction E(r) begins.
   double exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) { return entry_.find(p, direction).distance; }

@@ -1,0 +1,77 @@
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/offset/mean_normals.h"
+#include "shapegauge/core/shape/samples.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+constexpr double r = 0.2;
+
+/// The means at samples of a shape.
+Points means_at(const Shape& shape, const Samples& samples) {
+  const BlockGrid grid(bounding_box(shape), r, r / 3);
+  const GridSurface surface(grid, shape, 0.75, false);
+  const MeanNormals means(grid, shape, surface);
+  Points result(samples.points.rows(), 3);
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    result.row(i) = means.at(grid.to_cells(samples.points.row(i).transpose()), samples.normals.row(i).transpose());
+  }
+  return result;
+}
+
+TEST(MeanNormals, OfAPlaneAreItsNormalWhicheverWayFacesTurn) {
+  Shape box = test::box({2, 2, 2}, 6);
+  for (Eigen::Index f = 0; f < box.triangles.rows(); f += 3) std::swap(box.triangles(f, 0), box.triangles(f, 1));
+  const Samples samples = sample_shape(box, SampleSite::faces);
+  const Points means = means_at(box, samples);
+  int inner = 0;
+  for (Eigen::Index i = 0; i < means.rows(); ++i) {
+    // No other side within r/2.
+    if ((samples.points.row(i).array().abs() > 1 - r / 2).count() > 1) continue;
+    EXPECT_LT((means.row(i) - samples.normals.row(i)).norm(), 1e-5) << i;
+    ++inner;
+  }
+  EXPECT_GT(inner, 50);
+}
+
+TEST(MeanNormals, OfASphereIsWhatTheIntegralSays) {
+  // Within a small angle a of the pole the mean of cos^2, weighted by (1 - (t/a)^2)^2, is 1 - a^2/4 to second order.
+  const Shape sphere = test::sphere(1, 5);
+  const Samples samples = sample_shape(sphere, SampleSite::faces);
+  const Points means = means_at(sphere, samples);
+  for (Eigen::Index i = 0; i < means.rows(); i += 97) {
+    EXPECT_NEAR(means.row(i).dot(samples.normals.row(i)), 1 - r * r / 16, 1e-3) << i;
+    EXPECT_LT(means.row(i).cross(samples.normals.row(i)).norm(), 5e-3) << i;
+  }
+}
+
+TEST(MeanNormals, LieBetweenANoisyNormalAndTheTrueOne) {
+  Shape plane = test::box({2, 2, 0.5}, 40);
+  RandomNumbers random(3, 0);
+  for (Eigen::Index v = 0; v < plane.vertices.rows(); ++v) plane.vertices(v, 2) += random.uniform(-0.015, 0.015);
+  const Samples samples = sample_shape(plane, SampleSite::faces);
+  const Points means = means_at(plane, samples);
+  double noisy = 0;
+  double mean = 0;
+  for (Eigen::Index i = 0; i < means.rows(); ++i) {
+    if ((samples.points.row(i).head<2>().array().abs() > 1 - r / 2).any()) continue;
+    noisy += 1 - std::abs(samples.normals(i, 2));
+    mean += 1 - std::abs(means.row(i).normalized().z());
+    EXPECT_LE(means.row(i).norm(), 1 + 1e-6);
+  }
+  EXPECT_LT(mean, noisy / 4);
+}
+
+TEST(MeanNormals, OfACloudAreTheGivenOnes) {
+  Shape cloud = test::sphere(1, 2);
+  const Samples samples = sample_shape(cloud, SampleSite::vertices);
+  cloud.triangles.resize(0, 3);
+  EXPECT_EQ(means_at(cloud, samples), samples.normals);
+}
+
+}  // namespace
+}  // namespace shapegauge
