@@ -72,6 +72,20 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
   }
 }
 
+/// Of the shapes above hardly a sample is covered by another part of the offset solid; between crossing arms many are.
+TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
+  const Shape arm = test::capsule(0.2, 2, 16, 6);
+  const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
+  const PreparedShape prepared = prepare_shape(crossing, {});
+  const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.05}});
+  const Samples samples = take_samples(prepared.shape, field.samples);
+  FieldSource source(prepared.shape);
+  const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
+  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 5}}));
+  EXPECT_NEAR(found.mean, 0.202367509305, 1e-6);
+  EXPECT_NEAR(found.deviation, 0.0780622435862, 1e-6);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Each, FieldVersions,
     testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
