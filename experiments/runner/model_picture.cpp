@@ -35,7 +35,9 @@ std::string model_picture(const Shape& shape, const Samples& samples, const Eige
   RenderOptions view{.width = options.width, .height = options.height};
   view.rays_per_side = 2;
   view.transparent = true;
-  if (samples.site == SampleSite::surface) {
+  // Of a cloud, too, the samples may be only some of its points.
+  const bool are_some_points = is_cloud(shape) && samples.points.rows() != shape.vertices.rows();
+  if (samples.site == SampleSite::surface || are_some_points) {
     const Shape cloud{.vertices = samples.points, .triangles = {}, .normals = samples.normals};
     return encode_small(render_shape(cloud, colours, SampleSite::vertices, principal_view(cloud, view)));
   }

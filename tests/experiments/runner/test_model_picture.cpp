@@ -79,6 +79,12 @@ TEST(ModelPicture, OfACloudToo) {
   EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
 }
 
+TEST(ModelPicture, OfACloudOfWhichSomePointsAreSampled) {
+  const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
+  EXPECT_NEAR(mean_channel(decoded(picture_of(cloud, SampleSite::surface, 0.3)), 0),
+              mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.3)), 0), 12);
+}
+
 }  // namespace
 
 }  // namespace shapegauge
