@@ -247,10 +247,15 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
   double nearest_site = std::numeric_limits<double>::infinity();
   Eigen::Vector3d nearest_place = p + grid_.r * (normal.isZero() ? Eigen::Vector3d::UnitZ().eval() : normal);
   const Eigen::Vector3d lift = raised_by * grid_.r * means_.at(p, normal);
-  for (const double side : {1.0, -1.0}) {
+  // The nearer side first, whichever way the normal points.
+  const double below = measure(p - lift, box, room);
+  const double above = measure(p + lift, box, room);
+  const double first = above <= below ? 1 : -1;
+  for (const double side : {first, -first}) {
     const Eigen::Vector3d raised = p + side * lift;
-    const double distance = measure(raised, box, room);
+    const double distance = side > 0 ? above : below;
     if (distance - gain > std::min(best, nearest_site)) break;
+    measure(raised, box, room);
     room.sites.starts(gain, apart, most_starts, room.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
