@@ -251,11 +251,13 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
   const double below = measure(p - lift, box, room);
   const double above = measure(p + lift, box, room);
   const double first = above <= below ? 1 : -1;
+  double measured = 1;  // the side that the sites were measured from last
   for (const double side : {first, -first}) {
     const Eigen::Vector3d raised = p + side * lift;
     const double distance = side > 0 ? above : below;
     if (distance - gain > std::min(best, nearest_site)) break;
-    measure(raised, box, room);
+    if (side != measured) measure(raised, box, room);
+    measured = side;
     room.sites.starts(gain, apart, most_starts, room.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
