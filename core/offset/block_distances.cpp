@@ -12,6 +12,35 @@
 #include <limits>
 #include <vector>
 
+#ifndef SHAPEGAUGE_NEAREST_POINTS
+#define SHAPEGAUGE_NEAREST_POINTS
+namespace shapegauge {
+namespace {
+
+/// The nearest points of a few, sorted, and room to find them in.
+struct NearestPoints {
+  static constexpr std::size_t most = TriangleTable::at_once;
+  struct Candidate {
+    float squared;
+    std::int32_t triangle;
+  };
+  std::array<Candidate, most> list;
+  std::size_t count = 0;
+  std::vector<float> squared;        ///< of vectors of points
+  std::vector<std::uint32_t> first;  ///< of each vector's points
+
+  void add(float distance2, std::int32_t triangle) {
+    if (count == most && distance2 >= list.back().squared) return;
+    std::size_t at = count < most ? count++ : most - 1;
+    for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
+    list[at] = {distance2, triangle};
+  }
+};
+
+}  // namespace
+}  // namespace shapegauge
+#endif
+
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
 namespace {
@@ -61,6 +90,47 @@ std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::ui
     if (numbers[i] <= limit) indices[count++] = static_cast<std::uint32_t>(i);
   }
   return count;
+}
+
+/// The points of the runs whose squared distance exceeds the smallest by no more than the margin: the nearest of them,
+/// in the order of their distances.
+void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
+                     float margin, NearestPoints& nearest) {
+  const hn::CappedTag<float, 16> d;
+  const std::size_t lanes = hn::Lanes(d);
+  std::size_t vectors = 0;
+  for (const auto& [begin, end] : runs) vectors += (end - begin + lanes - 1) / lanes;
+  if (nearest.squared.size() < vectors * lanes) nearest.squared.resize(vectors * lanes);
+  if (nearest.first.size() < vectors) nearest.first.resize(vectors);
+  const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
+  const auto fx = hn::Set(d, from.x());
+  const auto fy = hn::Set(d, from.y());
+  const auto fz = hn::Set(d, from.z());
+  auto smallest = infinite;
+  vectors = 0;
+  for (const auto& [begin, end] : runs) {
+    for (std::uint32_t i = begin; i < end; i += static_cast<std::uint32_t>(lanes)) {
+      const auto dx = hn::Sub(hn::LoadU(d, points.x.data() + i), fx);
+      const auto dy = hn::Sub(hn::LoadU(d, points.y.data() + i), fy);
+      const auto dz = hn::Sub(hn::LoadU(d, points.z.data() + i), fz);
+      auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+      sum = hn::IfThenElse(hn::FirstN(d, end - i), sum, infinite);
+      hn::StoreU(sum, d, nearest.squared.data() + vectors * lanes);
+      nearest.first[vectors++] = i;
+      smallest = hn::Min(smallest, sum);
+    }
+  }
+  const auto limit = hn::Set(d, hn::GetLane(hn::MinOfLanes(d, smallest)) + margin);
+  nearest.count = 0;
+  for (std::size_t v = 0; v < vectors; ++v) {
+    std::array<std::uint8_t, 8> bytes{};
+    const float* squared = nearest.squared.data() + v * lanes;
+    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, squared), limit), bytes.data());
+    for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
+      nearest.add(squared[lane], points.triangle[nearest.first[v] + lane]);
+    }
+  }
 }
 
 /// For each of the 64 cells whose first centre is given the nearest of the points, and its squared distance: a layer of
@@ -122,6 +192,7 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(squared_distances_to);
+HWY_EXPORT(nearest_in_runs);
 HWY_EXPORT(nearest_of_cells);
 HWY_EXPORT(indices_of);
 
@@ -155,8 +226,8 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
       const int low = std::max(block.x() - along, 0);
       const int high = std::min(block.x() + along, grid.blocks.x() - 1);
       const std::size_t row = grid.block_index({0, block.y() + j, block.z() + k});
-      const std::uint32_t begin = surface.first[row + static_cast<std::size_t>(low)];
-      const std::uint32_t end = surface.first[row + static_cast<std::size_t>(high) + 1];
+      const std::uint32_t begin = surface.points.first[row + static_cast<std::size_t>(low)];
+      const std::uint32_t end = surface.points.first[row + static_cast<std::size_t>(high) + 1];
       if (begin == end) continue;
       runs.emplace_back(begin, end);
       count += end - begin;
@@ -167,8 +238,9 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
   float smallest = std::numeric_limits<float>::infinity();
   std::size_t place = 0;
   for (const auto& [begin, end] : runs) {
-    smallest = std::min(smallest, squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin],
-                                                    end - begin, centre, nearby.squared.data() + place));
+    smallest = std::min(smallest,
+                        squared_distances(&surface.points.x[begin], &surface.points.y[begin], &surface.points.z[begin],
+                                          end - begin, centre, nearby.squared.data() + place));
     place += end - begin;
   }
   return smallest;
@@ -187,10 +259,10 @@ void keep_within(const GridSurface& surface, float limit, NearbyPoints& nearby) 
     const std::size_t kept = indices_within(squared_of_run, count, limit, nearby.index.data());
     for (std::size_t i = 0; i < kept; ++i) {
       const std::size_t point = begin + nearby.index[i];
-      nearby.x.push_back(surface.x[point]);
-      nearby.y.push_back(surface.y[point]);
-      nearby.z.push_back(surface.z[point]);
-      nearby.triangle.push_back(surface.triangle[point]);
+      nearby.x.push_back(surface.points.x[point]);
+      nearby.y.push_back(surface.points.y[point]);
+      nearby.z.push_back(surface.points.z[point]);
+      nearby.triangle.push_back(surface.points.triangle[point]);
     }
     squared_of_run += count;
   }
@@ -209,43 +281,15 @@ std::size_t indices_within(const float* numbers, std::size_t n, float limit, std
 
 std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x) {
-  constexpr std::size_t most = TriangleTable::at_once;
-  struct Candidate {
-    float squared;
-    std::int32_t triangle;
-  };
-  std::array<Candidate, most> nearest;
-  nearest.fill({std::numeric_limits<float>::infinity(), -1});
-  thread_local std::vector<float> squared;
-  thread_local std::vector<std::uint32_t> indices;
-  const auto hidden = static_cast<float>(surface.hidden);
-  const Eigen::Vector3i low = grid.block_of(place.array() - reach).cwiseMax(0);
-  const Eigen::Vector3i high = grid.block_of(place.array() + reach).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
-  for (int k = low.z(); k <= high.z(); ++k) {
-    for (int j = low.y(); j <= high.y(); ++j) {
-      const std::size_t begin = surface.first[grid.block_index({low.x(), j, k})];
-      const std::size_t count = surface.first[grid.block_index({high.x(), j, k}) + 1] - begin;
-      if (count == 0) continue;
-      if (squared.size() < count) squared.resize(count);
-      if (indices.size() < count) indices.resize(count);
-      const float least = squared_distances(&surface.x[begin], &surface.y[begin], &surface.z[begin], count,
-                                            x.cast<float>(), squared.data());
-      const float limit = std::min(least, nearest.front().squared) + hidden;
-      if (least > limit) continue;
-      const std::size_t found = indices_within(squared.data(), count, limit, indices.data());
-      for (std::size_t i = 0; i < found; ++i) {
-        const Candidate candidate{squared[indices[i]], surface.triangle[begin + indices[i]]};
-        if (candidate.squared >= nearest.back().squared) continue;
-        std::size_t at = most - 1;
-        for (; at > 0 && nearest[at - 1].squared > candidate.squared; --at) nearest[at] = nearest[at - 1];
-        nearest[at] = candidate;
-      }
-    }
-  }
-  if (nearest[1].triangle < 0) return nearest.front().triangle;
-  std::array<std::int32_t, most> triangles;
-  for (std::size_t i = 0; i < most; ++i) {
-    triangles[i] = nearest[i].triangle >= 0 ? nearest[i].triangle : nearest.front().triangle;
+  thread_local std::vector<GridPoints::Run> runs;
+  thread_local NearestPoints nearest;
+  surface.points.find_runs(grid, place, reach, runs);
+  HWY_DYNAMIC_DISPATCH(nearest_in_runs)
+  (surface.points, runs, x.cast<float>(), static_cast<float>(surface.hidden), nearest);
+  if (nearest.count < 2) return nearest.count == 0 ? -1 : nearest.list.front().triangle;
+  std::array<std::int32_t, NearestPoints::most> triangles;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    triangles[i] = nearest.list[i < nearest.count ? i : 0].triangle;
   }
   TriangleTable::Vectors vectors;
   surface.triangles.vectors_to(x, triangles.data(), vectors);

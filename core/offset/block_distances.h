@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/core/offset/block_grid.h"
+#include "shapegauge/core/offset/grid_surface.h"
 
 namespace shapegauge {
 

@@ -7,17 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapegauge/core/offset/triangle_table.h"
-#include "shapegauge/core/shape/shape.h"
-
 namespace shapegauge {
 
 /// Cells of a block along each axis. A block's 64 cells are the bits of a word: bit x + 4 y + 16 z.
 inline constexpr int block_edge = 4;
 inline constexpr int cells_per_block = block_edge * block_edge * block_edge;
-
-/// Padded arrays go on for so many more numbers: loops take as many at once.
-inline constexpr std::size_t grid_padding = 16;
 
 /// A grid of cubic cells around a shape, in blocks of 4 x 4 x 4. Points are given in *cells*: coordinates that count
 /// cells from the grid's corner, so that cell (i, j, k) is [i, i + 1] x [j, j + 1] x [k, k + 1]. r is 2 to 8 in them.
@@ -62,36 +56,5 @@ struct BoundaryBlock {
 
 /// Marks all blocks within so many blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
-
-/// The surface in a grid: its triangles in cells (a cloud's points as triangles of no size), and points on them no
-/// farther apart than a spacing, which say quickly which triangle is closest. The points are sorted by blocks.
-struct GridSurface {
-  TriangleTable triangles;
-  std::vector<float> x, y, z;          ///< of the points; padded
-  std::vector<std::int32_t> triangle;  ///< that each point lies on
-  std::vector<std::uint32_t> first;    ///< of each block's points, and one past the last's
-
-  double spacing;  ///< of the points, in cells
-  /// How much farther, squared, than the nearest point one may be whose triangle is the closest: nothing where most
-  /// triangles have one point.
-  double hidden = 0;
-
-  /// The points are so many cells apart.
-  GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
-};
-
-/// How much surface there is, in the shape's unit.
-struct SurfaceExtent {
-  explicit SurfaceExtent(const Shape& shape);
-
-  double pieces = 0;   ///< triangles or points
-  double lengths = 0;  ///< of the triangles' longest edges
-  double area = 0;
-
-  /// No fewer than the points of a GridSurface of this spacing.
-  [[nodiscard]] double most_points(double spacing) const {
-    return pieces + 2 * lengths / spacing + area / (spacing * spacing);
-  }
-};
 
 }  // namespace shapegauge

@@ -66,7 +66,8 @@ constexpr std::int32_t unknown = -3;
 ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
     : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
   std::vector<std::uint8_t> near_surface(grid.block_count());
-  for (std::size_t i = 0; i < near_surface.size(); ++i) near_surface[i] = surface.first[i] != surface.first[i + 1];
+  for (std::size_t i = 0; i < near_surface.size(); ++i)
+    near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
   dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
   flood(near_surface, band, parallel);
   near_.resize(state_.size());

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "shapegauge/core/offset/block_grid.h"
+#include "shapegauge/core/offset/grid_surface.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -25,9 +25,8 @@ class MeanNormals {
  private:
   const BlockGrid& grid_;
   const GridSurface& surface_;
-  /// Of each of the surface's points: its triangle's normal, of length 1 or 0, and the area that it stands for. Padded;
-  /// empty without triangles.
-  std::vector<float> x_, y_, z_, area_;
+  /// Of each of the surface's points its triangle's normal, of length 1 or 0. Padded; empty without triangles.
+  std::vector<float> x_, y_, z_;
 };
 
 }  // namespace shapegauge

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "shapegauge/core/offset/block_distances.h"
 
@@ -17,6 +18,7 @@ struct Contact {
   std::int32_t triangle;
   Eigen::Vector3d normal;
   double height;
+  Eigen::Vector3d place;  ///< the point of the triangle
 };
 
 struct Contacts {
@@ -27,6 +29,14 @@ struct Contacts {
   void add(const Contact& contact) {
     if (count < most) list[count++] = contact;
   }
+};
+
+/// A projection, the contacts on whose planes it lies, and how hard each pushes.
+struct Projected {
+  Eigen::Vector3d x;
+  std::size_t count = 0;
+  std::array<std::size_t, 3> contacts{};
+  std::array<double, 3> pushes{};
 };
 
 /// The point of the half-spaces nearest to p. By the conditions of Karush, Kuhn and Tucker it is p + the sum of push_i
@@ -43,11 +53,11 @@ class Projection {
   }
 
   /// Nothing where they have no point in common.
-  std::optional<Eigen::Vector3d> find() {
+  [[nodiscard]] std::optional<Projected> find() const {
     const std::size_t n = contacts_.count;
     const auto worst =
         static_cast<std::size_t>(std::max_element(missing_.begin(), missing_.begin() + n) - missing_.begin());
-    if (missing_[worst] <= tolerance) return p_;
+    if (missing_[worst] <= tolerance) return Projected{.x = p_};
     // Alone only the plane farthest from p can do: seen from it, all others are nearer.
     if (const auto x = held_by<1>({worst}, {missing_[worst]})) return x;
     for (std::size_t i = 0; i < n; ++i) {
@@ -71,20 +81,24 @@ class Projection {
 
   /// Where the pushes lead, if none is negative and the other half-spaces hold it.
   template <std::size_t count>
-  std::optional<Eigen::Vector3d> held_by(const std::array<std::size_t, count>& which,
-                                         const std::array<double, count>& push) const {
+  std::optional<Projected> held_by(const std::array<std::size_t, count>& which,
+                                   const std::array<double, count>& push) const {
     if (*std::min_element(push.begin(), push.end()) < 0) return std::nullopt;
     for (std::size_t i = 0; i < contacts_.count; ++i) {
       double missing = missing_[i];
       for (std::size_t k = 0; k < count; ++k) missing -= push[k] * gram_[i][which[k]];
       if (missing > tolerance) return std::nullopt;
     }
-    Eigen::Vector3d x = p_;
-    for (std::size_t k = 0; k < count; ++k) x += push[k] * contacts_.list[which[k]].normal;
-    return x;
+    Projected projected{.x = p_, .count = count};
+    for (std::size_t k = 0; k < count; ++k) {
+      projected.x += push[k] * contacts_.list[which[k]].normal;
+      projected.contacts[k] = which[k];
+      projected.pushes[k] = push[k];
+    }
+    return projected;
   }
 
-  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_two(std::size_t i, std::size_t j) const {
+  [[nodiscard]] std::optional<Projected> held_by_two(std::size_t i, std::size_t j) const {
     const double determinant = 1 - gram_[i][j] * gram_[i][j];
     if (determinant < least_determinant) return std::nullopt;
     return held_by<2>({i, j}, {(missing_[i] - gram_[i][j] * missing_[j]) / determinant,
@@ -92,7 +106,7 @@ class Projection {
   }
 
   /// By Cramer's rule.
-  [[nodiscard]] std::optional<Eigen::Vector3d> held_by_three(std::size_t i, std::size_t j, std::size_t k) const {
+  [[nodiscard]] std::optional<Projected> held_by_three(std::size_t i, std::size_t j, std::size_t k) const {
     const double a = gram_[i][j];
     const double b = gram_[i][k];
     const double c = gram_[j][k];
@@ -116,7 +130,7 @@ class Projection {
 Contact contact(std::int32_t triangle, const Eigen::Vector3d& x, const Eigen::Vector3d& v, double r) {
   const double distance = v.norm();
   const Eigen::Vector3d normal = v / distance;
-  return {triangle, normal, normal.dot(x) - distance + r};
+  return {triangle, normal, normal.dot(x) - distance + r, x - v};
 }
 
 /// Whether the triangles around x are that far away.
@@ -210,15 +224,58 @@ Contacts contacts_for(const Surroundings& around, const Contacts& before, const 
   return contacts;
 }
 
+/// What a step to the projection lacks, because the balls about edges and corners bend away from the half-spaces that
+/// touch them: tangentially to the contacts that hold it, where the curvature is 1 / r, it is short by the factor
+/// 1 - push / r (docs/offset_sdf.md#the-steps-to-q).
+Eigen::Vector3d lacking(const TriangleTable& table, const Eigen::Vector3d& step, const Projected& to,
+                        const Contacts& contacts, double r) {
+  constexpr double most_bent = 0.85;
+  const auto growth = [&](double bent) { return 1 / (1 - std::min(bent, most_bent)) - 1; };
+  const auto held_by = [&](std::size_t k) { return contacts.list[to.contacts[k]]; };
+  const auto place = [&](std::size_t k) { return table.place_of(held_by(k).place, held_by(k).triangle); };
+  using Part = TriangleTable::Part;
+  if (to.count == 1) {
+    const auto [part, edge] = place(0);
+    if (part == Part::face) return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d tangential = step - held_by(0).normal.dot(step) * held_by(0).normal;
+    return growth(to.pushes[0] / r) * (tangential - edge.dot(tangential) * edge);
+  }
+  if (to.count == 2) {
+    const Eigen::Vector3d along = held_by(0).normal.cross(held_by(1).normal).normalized();
+    double bent = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto [part, edge] = place(k);
+      if (part != Part::face) bent += to.pushes[k] / r * (1 - std::pow(edge.dot(along), 2));
+    }
+    return growth(bent) * along.dot(step) * along;
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+/// The step to the projection, and what it lacks as far as it does not get longer than so.
+Eigen::Vector3d step_to(const Projected& to, const Eigen::Vector3d& x, const TriangleTable& table,
+                        const Contacts& contacts, double r, double longest) {
+  const Eigen::Vector3d step = to.x - x;
+  const double room = longest - step.norm();
+  if (room <= 0) return step;
+  const Eigen::Vector3d more = lacking(table, step, to, contacts, r);
+  const double length = more.norm();
+  return length > room ? (step + room / length * more).eval() : (step + more).eval();
+}
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
-                                                    const Eigen::Vector3d& site, std::int32_t triangle) {
-  constexpr int most_steps = 8;
-  constexpr double most_moved = 0.4;  // at once, in parts of r: no wall is so thin
-  constexpr double nearly_settled = 0.1;
-  constexpr double settled = 1e-2;    // of a step's length, in parts of r
-  constexpr double tolerance = 1e-3;  // of the distance, in parts of r
+                                                    const Eigen::Vector3d& site, std::int32_t triangle,
+                                                    const std::optional<Eigen::Vector3d>& known) {
+  constexpr int most_steps = 12;
+  // In parts of r:
+  constexpr double most_moved = 0.4;  // at once: no wall is so thin
+  constexpr double nearly_settled = 0.05;
+  constexpr double settled = 0.01;  // of a step's length
+  constexpr double leads_to_known = 0.3;
+  constexpr double tolerance = 2e-4;  // of the distance
+  double trusted = 0.1;               // no step is made longer than that
   const double r = exterior.grid().r;
   const TriangleTable& table = exterior.surface().triangles;
   Surroundings around;
@@ -227,13 +284,15 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
   Contacts contacts;
   contacts.add(contact(triangle, site, around.vector(0), r));
   Eigen::Vector3d x = site;
+  double moved_before = std::numeric_limits<double>::infinity();
   std::optional<Eigen::Vector3d> found;
   for (int step = 0; step < most_steps; ++step) {
-    const auto next = Projection(p, contacts).find();
-    if (!next) return found;
-    const double moved = (*next - x).norm();
+    const auto projected = Projection(p, contacts).find();
+    if (!projected) return found;
+    const Eigen::Vector3d move = step_to(*projected, x, table, contacts, r, trusted * r);
+    const double moved = move.norm();
     const bool is_limited = moved > most_moved * r;
-    x = is_limited ? (x + most_moved * r / moved * (*next - x)).eval() : *next;
+    x += (is_limited ? most_moved * r / moved : 1.0) * move;
     std::array<bool, Contacts::most> kept{};
     for (std::size_t i = 0; i < contacts.count; ++i) {
       kept[i] = is_limited || contacts.list[i].normal.dot(x) <= contacts.list[i].height + 1e-6;
@@ -257,9 +316,12 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
     if (!(squared > 0)) return found;
     const double covering = r * (1 - tolerance);
     const bool covered = static_cast<double>(squared) < covering * covering;
+    if (covered && moved > 0.7 * moved_before) trusted /= 2;  // to and fro
+    moved_before = moved;
     if (!covered && !is_limited && (cells.touches_exterior || leads_to(exterior, x, site))) {
       found = x;
       if (moved < settled * r) return found;
+      if (known && (x - *known).norm() < leads_to_known * r) return std::nullopt;
     }
     contacts = contacts_for(around, contacts, kept, x, r, covering);
     if (contacts.count == 0) return found;

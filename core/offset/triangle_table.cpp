@@ -165,6 +165,26 @@ double TriangleTable::squared_distance(const Eigen::Vector3d& x, std::int32_t tr
   return static_cast<double>(vectors.squared[0]);
 }
 
+TriangleTable::Place TriangleTable::place_of(const Eigen::Vector3d& point, std::int32_t triangle) const {
+  constexpr float inside = 1e-3F;
+  const Record& record = records_[static_cast<std::size_t>(triangle)];
+  const auto field = [&](std::size_t i) { return Eigen::Map<const Eigen::Vector3f>(record.data() + i); };
+  const Eigen::Vector3f from_a = point.cast<float>() - field(0);
+  const float v = field(9).dot(from_a);
+  const float w = field(12).dot(from_a);
+  // NaN, without area, is on all three.
+  const bool on_ab = !(w > inside);
+  const bool on_ac = !(v > inside);
+  const bool on_bc = !(1 - v - w > inside);
+  const int edges = static_cast<int>(on_ab) + static_cast<int>(on_ac) + static_cast<int>(on_bc);
+  if (edges == 0) return {Part::face, Eigen::Vector3d::Zero()};
+  if (edges > 1) return {Part::corner, Eigen::Vector3d::Zero()};
+  Eigen::Vector3f edge = field(6) - field(3);
+  if (on_ab) edge = field(3);
+  if (on_ac) edge = field(6);
+  return {Part::edge, edge.cast<double>().normalized()};
+}
+
 void TriangleTable::vectors_to_each(Vectors& points, const std::int32_t* triangles) const {
   HWY_DYNAMIC_DISPATCH(vectors)(records_.front().data(), triangles, points);
 }

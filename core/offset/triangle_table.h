@@ -38,6 +38,14 @@ class TriangleTable {
   /// The squared distance from x to one of them.
   [[nodiscard]] double squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const;
 
+  /// Which part of a triangle a point of it lies on.
+  enum class Part : std::uint8_t { face, edge, corner };
+  struct Place {
+    Part part;
+    Eigen::Vector3d edge;  ///< its direction, of length 1; zero on faces and corners
+  };
+  [[nodiscard]] Place place_of(const Eigen::Vector3d& point, std::int32_t triangle) const;
+
   /// The same for a point for each triangle: the points are replaced.
   void vectors_to_each(Vectors& points, const std::int32_t* triangles) const;
 

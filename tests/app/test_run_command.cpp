@@ -243,7 +243,7 @@ TEST_F(RunCommand, AComparisonWarnsOfAnOffsetThatLeaks) {
 TEST_F(RunCommand, AnInterruptionLeavesNoResults) {
   // `timeout` sends the signal while the models are worked on: very many rays from larger spheres take long enough.
   for (const char* model : {"T0.off", "T3.off", "T6.off"}) write_off(at("data") / model, test::sphere(1, 3));
-  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 1 " +
+  const std::string call = "SHAPEGAUGE_CACHE= timeout --signal=INT --preserve-status 2 " +
                            std::string(SHAPEGAUGE_EXECUTABLE) + " run '" + at("small.json").string() +
                            "' --threads 1 --output '" + at("out").string() +
                            "' --set signatures.0.field.rays=10000 2>'" + at("errors").string() + "'";

@@ -79,8 +79,8 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
     EXPECT_LE(exit, reference.exit(p, -outward, 1 + std::sqrt(0.75) * stated.cell) + tolerance) << i;
     skipped += exit > reference.exit(p, -outward, 1.01) + tolerance ? 1 : 0;
   }
-  EXPECT_LE(off, count / 50);
-  EXPECT_LE(skipped, 2 + count / 50);
+  EXPECT_LE(off, count / 100);
+  EXPECT_LE(skipped, 2 + count / 100);
 }
 
 TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {

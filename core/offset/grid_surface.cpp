@@ -1,0 +1,281 @@
+#include "shapegauge/core/offset/grid_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/spatial/closest_point.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Edge of the cubes of which one small triangle each is kept, in parts of r.
+constexpr double finest = 1.0 / 16;
+
+Triangle triangle_of(const BlockGrid& grid, const Shape& shape, Eigen::Index f) {
+  const auto corner = [&](int k) { return grid.to_cells(shape.vertices.row(shape.triangles(f, k)).transpose()); };
+  return {corner(0), corner(1), corner(2)};
+}
+
+/// Columns of points on a triangle, across its longest edge: each point stands for a part no larger than the spacing.
+struct Columns {
+  Eigen::Vector3d from, along;  ///< the longest edge
+  Eigen::Vector3d up;           ///< from the foot of the apex to the apex
+  double foot;                  ///< where on the edge that is, as a part of it
+  double longest = 0;           ///< that edge's length
+  double height, spacing;
+  int count;
+
+  Columns(const Triangle& t, double at_most) : spacing(at_most) {
+    const std::array<Eigen::Vector3d, 3> corners{t.a, t.b, t.c};
+    std::size_t first = 0;
+    double longest2 = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length2 = (corners[(k + 1) % 3] - corners[k]).squaredNorm();
+      if (length2 <= longest2) continue;
+      longest2 = length2;
+      first = k;
+    }
+    longest = std::sqrt(longest2);
+    from = corners[first];
+    along = corners[(first + 1) % 3] - from;
+    const Eigen::Vector3d across = corners[(first + 2) % 3] - from;
+    foot = longest2 > 0 ? std::clamp(along.dot(across) / longest2, 0.0, 1.0) : 0;
+    up = across - foot * along;
+    height = up.norm();
+    count = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+  }
+
+  template <typename Visit>
+  void for_each_point(const Visit& visit) const {
+    for (int column = 0; column < count; ++column) {
+      const double at = (column + 0.5) / count;
+      const double part = at < foot ? at / foot : (1 - at) / (1 - foot);  // of the height
+      const int points = std::max(1, static_cast<int>(std::ceil(part * height / spacing)));
+      for (int i = 0; i < points; ++i) visit(from + at * along + (i + 0.5) / points * part * up);
+    }
+  }
+};
+
+struct Point {
+  float x, y, z, area;
+  std::int32_t triangle;
+  std::uint32_t block;
+  std::uint8_t octant;
+  bool is_small;  ///< its triangle; others may stand for it
+};
+
+/// The points of the triangles from begin to end, whose records are set.
+std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double spacing, std::size_t begin,
+                             std::size_t end, TriangleTable& triangles) {
+  std::vector<Point> points;
+  points.reserve(2 * (end - begin));
+  for (std::size_t f = begin; f < end; ++f) {
+    const auto row = static_cast<Eigen::Index>(f);
+    Triangle t;
+    if (is_cloud(shape)) {
+      t.a = t.b = t.c = grid.to_cells(shape.vertices.row(row).transpose());
+    } else {
+      t = triangle_of(grid, shape, row);
+    }
+    triangles.set(f, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
+    const Columns columns(t, spacing);
+    const bool is_small = columns.longest <= finest * grid.r;
+    const std::size_t own = points.size();
+    columns.for_each_point([&](const Eigen::Vector3d& at) {
+      const Eigen::Vector3i octant = (at / GridPoints::octant_edge).array().floor().cast<int>();
+      const auto block = static_cast<std::uint32_t>(grid.block_index(octant / 2));
+      const int number = (octant.x() & 1) + 2 * (octant.y() & 1) + 4 * (octant.z() & 1);
+      points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 0,
+                        static_cast<std::int32_t>(f), block, static_cast<std::uint8_t>(number), is_small});
+    });
+    const double area = (t.b - t.a).cross(t.c - t.a).norm() / 2;
+    const auto share = static_cast<float>(area / static_cast<double>(points.size() - own));
+    for (std::size_t i = own; i < points.size(); ++i) points[i].area = share;
+  }
+  return points;
+}
+
+/// Which of a block's points stands for which.
+class Cubes {
+ public:
+  explicit Cubes(const BlockGrid& grid)
+      : edge_(finest * grid.r), along_(static_cast<std::size_t>(std::ceil(block_edge / edge_)) + 1) {
+    holders_.assign(along_ * along_ * along_, nobody);
+  }
+
+  /// Marks those of the points that another in their cube stands for, the one nearest to its middle, which gets their
+  /// area.
+  void leave_out(const BlockGrid& grid, std::span<Point> points, std::span<std::uint8_t> is_left_out) {
+    const Eigen::Vector3f corner = (block_edge * grid.block_at(points.front().block)).cast<float>();
+    cubes_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].is_small) continue;
+      const Eigen::Vector3f place =
+          (Eigen::Vector3f(points[i].x, points[i].y, points[i].z) - corner) / static_cast<float>(edge_);
+      // Rounding may put a point just out of its block.
+      const Eigen::Vector3f cube = place.array().floor().max(0.0F).min(static_cast<float>(along_ - 1));
+      cubes_[i].off_centre = (place - cube).squaredNorm();
+      cubes_[i].number = (static_cast<std::size_t>(cube.z()) * along_ + static_cast<std::size_t>(cube.y())) * along_ +
+                         static_cast<std::size_t>(cube.x());
+      std::uint32_t& holder = holders_[cubes_[i].number];
+      if (holder == nobody || cubes_[i].off_centre < cubes_[holder].off_centre) holder = static_cast<std::uint32_t>(i);
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!points[i].is_small) continue;
+      const std::uint32_t holder = holders_[cubes_[i].number];
+      if (holder == i) continue;
+      is_left_out[i] = 1;
+      points[holder].area += points[i].area;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (points[i].is_small) holders_[cubes_[i].number] = nobody;
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+  struct Cube {
+    std::size_t number;
+    float off_centre;  ///< squared
+  };
+  double edge_;
+  std::size_t along_;
+  std::vector<std::uint32_t> holders_;
+  std::vector<Cube> cubes_;
+};
+
+/// Those of the points, sorted by blocks, that are left out, or those that are not. begins: of the blocks that have
+/// points, and one past the last's.
+GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const std::vector<std::size_t>& begins,
+                  const std::vector<std::uint8_t>& is_left_out, std::uint8_t which) {
+  GridPoints result;
+  const auto count = static_cast<std::size_t>(std::count(is_left_out.begin(), is_left_out.end(), which));
+  if (count == 0) return result;
+  for (std::vector<float>* values : {&result.x, &result.y, &result.z, &result.area}) {
+    values->resize(count + grid_padding);
+  }
+  result.triangle.resize(count);
+  result.first.resize(grid.block_count() + 1);
+  result.octants_of.resize(grid.block_count());
+  result.octants.reserve(begins.size() - 1);
+  std::uint32_t end = 0;
+  std::size_t next_block = 0;
+  for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
+    const std::size_t block = points[begins[b]].block;
+    while (next_block <= block) result.first[next_block++] = end;
+    std::array<std::uint32_t, 9> octants{end};
+    for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
+      if (is_left_out[i] == which) ++octants[points[i].octant + 1U];
+    }
+    std::partial_sum(octants.begin(), octants.end(), octants.begin());
+    if (octants.back() == end) continue;
+    end = octants.back();
+    result.octants_of[block] = static_cast<std::uint32_t>(result.octants.size());
+    result.octants.push_back(octants);
+    for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
+      if (is_left_out[i] != which) continue;
+      const std::uint32_t place = octants[points[i].octant]++;
+      result.x[place] = points[i].x;
+      result.y[place] = points[i].y;
+      result.z[place] = points[i].z;
+      result.area[place] = points[i].area;
+      result.triangle[place] = points[i].triangle;
+    }
+  }
+  while (next_block < result.first.size()) result.first[next_block++] = end;
+  return result;
+}
+
+/// All chunks' points, sorted by blocks.
+std::vector<Point> sorted_by_blocks(const std::vector<std::vector<Point>>& chunks, std::size_t blocks) {
+  std::vector<std::uint32_t> first(blocks + 1);
+  for (const auto& chunk : chunks) {
+    for (const Point& point : chunk) ++first[point.block + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Point> points(first[blocks]);
+  for (const auto& chunk : chunks) {
+    for (const Point& point : chunk) points[first[point.block]++] = point;
+  }
+  return points;
+}
+
+}  // namespace
+
+void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach,
+                           std::vector<Run>& runs) const {
+  runs.clear();
+  const auto octant = [&](double by) -> Eigen::Vector3i {
+    return ((place.array() + by) / octant_edge).floor().cast<int>();
+  };
+  const Eigen::Vector3i low = octant(-reach).cwiseMax(0);
+  const Eigen::Vector3i high = octant(reach).cwiseMin(2 * grid.blocks - Eigen::Vector3i::Ones());
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      const auto row = static_cast<std::size_t>(4 * (k & 1) + 2 * (j & 1));
+      for (int i = low.x() / 2; i <= high.x() / 2; ++i) {
+        const std::size_t block = grid.block_index({i, j / 2, k / 2});
+        if (first[block] == first[block + 1]) continue;
+        const auto& firsts = octants[octants_of[block]];
+        const Run run{firsts[row + (2 * i < low.x() ? 1 : 0)], firsts[row + (2 * i + 1 > high.x() ? 1 : 2)]};
+        if (run.begin != run.end) runs.push_back(run);
+      }
+    }
+  }
+}
+
+SurfaceExtent::SurfaceExtent(const Shape& shape)
+    : pieces(static_cast<double>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };
+    const Eigen::Vector3d ab = corner(1) - corner(0);
+    const Eigen::Vector3d ac = corner(2) - corner(0);
+    lengths += std::sqrt(std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()}));
+    area += ab.cross(ac).norm() / 2;
+  }
+}
+
+GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel) : spacing(apart) {
+  const auto n = static_cast<std::size_t>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows());
+  triangles.resize(n);
+  const auto for_each = [parallel](std::size_t count, const auto& task) {
+    if (parallel) {
+      tbb::parallel_for(std::size_t{0}, count, task);
+    } else {
+      for (std::size_t i = 0; i < count; ++i) task(i);
+    }
+  };
+  constexpr std::size_t chunk_size = 2048;
+  std::vector<std::vector<Point>> chunks((n + chunk_size - 1) / chunk_size);
+  for_each(chunks.size(), [&](std::size_t chunk) {
+    chunks[chunk] =
+        points_on(grid, shape, spacing, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size), triangles);
+  });
+  std::vector<Point> all = sorted_by_blocks(chunks, grid.block_count());
+  chunks.clear();
+  // A triangle's own points are no farther than this from any place on it.
+  if (all.size() > 2 * n) hidden = 0.5 * spacing * spacing;
+  std::vector<std::size_t> begins;  // of the blocks that have points
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i == 0 || all[i].block != all[i - 1].block) begins.push_back(i);
+  }
+  begins.push_back(all.size());
+  std::vector<std::uint8_t> is_left_out(all.size(), 0);
+  tbb::enumerable_thread_specific<Cubes> cubes([&] { return Cubes(grid); });
+  for_each(begins.size() - 1, [&](std::size_t block) {
+    const std::size_t count = begins[block + 1] - begins[block];
+    if (count < 2) return;
+    cubes.local().leave_out(grid, {&all[begins[block]], count}, {&is_left_out[begins[block]], count});
+  });
+  points = chosen(grid, all, begins, is_left_out, 0);
+  left_out = chosen(grid, all, begins, is_left_out, 1);
+}
+
+}  // namespace shapegauge
