@@ -40,9 +40,9 @@ struct BlockGrid {
     const auto y = static_cast<std::size_t>(blocks.y());
     return {static_cast<int>(index % x), static_cast<int>(index / x % y), static_cast<int>(index / (x * y))};
   }
-  /// The block around a point of the grid.
+  /// The block around a point of the grid. Just below the grid it is 0 as well: to cut off is faster than to round.
   [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const {
-    return (x / block_edge).array().floor().cast<int>();
+    return (x / block_edge).cast<int>();
   }
 };
 

@@ -89,7 +89,7 @@ std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double s
     const bool is_small = columns.longest <= finest * grid.r;
     const std::size_t own = points.size();
     columns.for_each_point([&](const Eigen::Vector3d& at) {
-      const Eigen::Vector3i octant = (at / GridPoints::octant_edge).array().floor().cast<int>();
+      const Eigen::Vector3i octant = (at / GridPoints::octant_edge).cast<int>();
       const auto block = static_cast<std::uint32_t>(grid.block_index(octant / 2));
       const int number = (octant.x() & 1) + 2 * (octant.y() & 1) + 4 * (octant.z() & 1);
       points.push_back({static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()), 0,
@@ -120,8 +120,8 @@ class Cubes {
       const Eigen::Vector3f place =
           (Eigen::Vector3f(points[i].x, points[i].y, points[i].z) - corner) / static_cast<float>(edge_);
       // Rounding may put a point just out of its block.
-      const Eigen::Vector3f cube = place.array().floor().max(0.0F).min(static_cast<float>(along_ - 1));
-      cubes_[i].off_centre = (place - cube).squaredNorm();
+      const Eigen::Array3i cube = place.cast<int>().array().max(0).min(static_cast<int>(along_) - 1);
+      cubes_[i].off_centre = (place.array() - cube.cast<float>() - 0.5F).matrix().squaredNorm();
       cubes_[i].number = (static_cast<std::size_t>(cube.z()) * along_ + static_cast<std::size_t>(cube.y())) * along_ +
                          static_cast<std::size_t>(cube.x());
       std::uint32_t& holder = holders_[cubes_[i].number];
@@ -213,7 +213,7 @@ void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, 
                            std::vector<Run>& runs) const {
   runs.clear();
   const auto octant = [&](double by) -> Eigen::Vector3i {
-    return ((place.array() + by) / octant_edge).floor().cast<int>();
+    return ((place.array() + by) / octant_edge).cast<int>();
   };
   const Eigen::Vector3i low = octant(-reach).cwiseMax(0);
   const Eigen::Vector3i high = octant(reach).cwiseMin(2 * grid.blocks - Eigen::Vector3i::Ones());
