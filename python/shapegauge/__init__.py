@@ -54,8 +54,15 @@ def _shape(vertices, faces=None, normals=None):
     return Shape(vertices, faces, normals)
 
 
+def _alone(faces, word):
+    """An object stands alone: the word in the place of its faces is the one that comes after them."""
+    return (None, faces) if isinstance(faces, str) else (faces, word)
+
+
 def _rows(values, what, kind):
     array = _numpy.asarray(values)
+    if array.ndim == 0:
+        raise InputError(f"{what} must be n x 3, not a single {type(values).__name__}")
     if array.size == 0:
         array = array.reshape(0, 3)
     if array.ndim != 2 or array.shape[1] != 3:
@@ -99,8 +106,9 @@ def field(vertices, faces=None, type="offset_sdf", *, at="faces", normals=None, 
     at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type.
     Returns (values, weights): float64, one a sample; NaN where there is no value. The weights are areas.
 
-    >>> values, weights = sg.field(mesh, type="centricity", sources=24)
+    >>> values, weights = sg.field(mesh, "centricity", sources=24)
     """
+    faces, type = _alone(faces, type)
     values, weights, _, _ = _field(_shape(vertices, faces, normals), type, at, settings, threads)
     return values, weights
 
@@ -124,7 +132,9 @@ def sdf(vertices, faces=None, method="offset", *, offset=0.05, accuracy="standar
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
     >>> values, weights = sg.sdf(points, offset="auto")
+    >>> values, weights = sg.sdf(mesh, "cone")
     """
+    faces, method = _alone(faces, method)
     shape = _shape(vertices, faces, normals)
     if method == "offset":
         return _field(shape, "offset_sdf", at, {"offset": offset, "accuracy": accuracy}, threads)[:2]
@@ -151,7 +161,9 @@ def segment(vertices, faces=None, method="best", *, normals=None, threads=0, **s
 
     >>> labels = sg.segment(vertices, faces)
     >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
+    >>> labels = sg.segment(mesh, "paper")
     """
+    faces, method = _alone(faces, method)
     settings = _json.dumps({"name": "parts", "method": method, **settings})
     return _native.segment(*_shape(vertices, faces, normals), settings, threads)
 
@@ -160,7 +172,9 @@ def describe(vertices, faces=None, descriptor="light_field", *, normals=None, th
     """The features of a shape under a descriptor (docs/descriptors.md), float32. The shape is scaled to unit area.
 
     >>> features = sg.describe(vertices, faces, "light_field")
+    >>> features = sg.describe(mesh, "d2")
     """
+    faces, descriptor = _alone(faces, descriptor)
     shape = _shape(vertices, faces, normals)
     return _native.describe(*shape, _json.dumps({"type": descriptor, **settings}), threads)
 

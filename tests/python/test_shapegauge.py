@@ -92,6 +92,29 @@ def test_objects_with_arrays_are_shapes(torus):
     np.testing.assert_array_equal(sg.sdf(cloud, offset="auto")[0], sg.sdf(vertices, offset="auto")[0])
 
 
+def test_an_object_stands_alone_before_words(torus):
+    vertices, faces = torus
+    mesh = types.SimpleNamespace(vertices=vertices, faces=faces)
+    np.testing.assert_array_equal(sg.sdf(mesh, "cone")[0], sg.sdf(vertices, faces, "cone")[0])
+    np.testing.assert_array_equal(sg.field(mesh, "cone_sdf")[0], sg.field(vertices, faces, "cone_sdf")[0])
+    np.testing.assert_array_equal(sg.describe(mesh, "d2"), sg.describe(vertices, faces, "d2"))
+    np.testing.assert_array_equal(sg.segment(mesh, "paper"), sg.segment(vertices, faces, "paper"))
+    with pytest.raises(sg.InputError, match="n x 3"):
+        sg.sdf(object())
+
+
+def test_objects_of_open3d(torus):
+    open3d = pytest.importorskip("open3d")
+    vertices, faces = torus
+    mesh = open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(vertices), open3d.utility.Vector3iVector(faces))
+    np.testing.assert_array_equal(sg.sdf(mesh)[0], sg.sdf(vertices, faces)[0])
+    cloud = open3d.geometry.PointCloud(open3d.utility.Vector3dVector(vertices))
+    np.testing.assert_array_equal(sg.normals(cloud), sg.normals(vertices))
+    cloud.estimate_normals()
+    given = np.asarray(cloud.normals)
+    np.testing.assert_array_equal(sg.sdf(cloud)[0], sg.sdf(vertices, normals=given)[0])
+
+
 def test_normals_of_a_cloud_point_outward(torus):
     vertices, _ = bumpy_torus(80, 48)
     normals = sg.normals(vertices)
