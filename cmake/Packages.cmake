@@ -20,12 +20,11 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME shapegauge)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
-    "shape diameter function, signatures and retrieval evaluation
- shapegauge measures the shape diameter function (thickness) of meshes and
- point clouds, turns it into signatures, compares shapes by them, cuts shapes
- into parts, and evaluates any retrieval method the way the SHREC contests do.
- .
- This package has the program, its documentation and its configurations.")
+    "shapegauge measures the shape diameter function (thickness) of meshes and
+point clouds, turns it into signatures, compares shapes by them, cuts shapes
+into parts, and evaluates any retrieval method the way the SHREC contests do.
+
+This package has the program, its documentation and its configurations.")
 
 if(SHAPEGAUGE_MPI)
   set(CPACK_DEBIAN_MPI_PACKAGE_NAME shapegauge-mpi)
@@ -33,13 +32,12 @@ if(SHAPEGAUGE_MPI)
   set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "shapegauge (= ${PROJECT_VERSION}), openmpi-bin")
   set(CPACK_COMPONENT_MPI_DESCRIPTION
-      "shape diameter function, signatures and retrieval evaluation (MPI)
- shapegauge measures the shape diameter function (thickness) of meshes and
- point clouds, turns it into signatures, compares shapes by them, cuts shapes
- into parts, and evaluates any retrieval method the way the SHREC contests do.
- .
- This package has the module with which a run of the program spreads over many
- processes and machines, under mpirun or Slurm.")
+      "shapegauge measures the shape diameter function (thickness) of meshes and
+point clouds, turns it into signatures, compares shapes by them, cuts shapes
+into parts, and evaluates any retrieval method the way the SHREC contests do.
+
+This package has the module with which a run of the program spreads over many
+processes and machines, under mpirun or Slurm.")
 endif()
 
 # Who wants measures needs Eigen and TBB; the other libraries want more: find_package(shapegauge) says what is missing.
@@ -49,14 +47,13 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libtbb-dev
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS
     "libarchive-dev, libboost-dev, libcgal-dev (>= 5.5), libembree-dev (>= 3), libfmt-dev (>= 9), libhwy-dev, libmatio-dev, libmaxflow-dev, libnanoflann-dev, libopenmesh-dev, libpng-dev, libssl-dev, libvalijson-dev, nlohmann-json3-dev (>= 3.11)")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-    "shape diameter function, signatures and retrieval evaluation (C++)
- shapegauge measures the shape diameter function (thickness) of meshes and
- point clouds, turns it into signatures, compares shapes by them, cuts shapes
- into parts, and evaluates any retrieval method the way the SHREC contests do.
- .
- This package has the C++ libraries with their headers, and the CMake package.
- The libraries of measures need what the package depends on, the others what it
- recommends.")
+    "shapegauge measures the shape diameter function (thickness) of meshes and
+point clouds, turns it into signatures, compares shapes by them, cuts shapes
+into parts, and evaluates any retrieval method the way the SHREC contests do.
+
+This package has the C++ libraries with their headers, and the CMake package.
+The libraries of measures need what the package depends on, the others what it
+recommends.")
 
 if(SHAPEGAUGE_BUILD_PYTHON)
   math(EXPR next_python "${SHAPEGAUGE_PYTHON_MINOR} + 1")
@@ -67,12 +64,11 @@ if(SHAPEGAUGE_BUILD_PYTHON)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
       "python3 (>= 3.${SHAPEGAUGE_PYTHON_MINOR}), python3 (<< 3.${next_python}), python3-numpy")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-      "shape diameter function, signatures and retrieval evaluation (Python)
- shapegauge measures the shape diameter function (thickness) of meshes and
- point clouds, turns it into signatures, compares shapes by them, cuts shapes
- into parts, and evaluates any retrieval method the way the SHREC contests do.
- .
- This package has the Python module, which works on NumPy arrays.")
+      "shapegauge measures the shape diameter function (thickness) of meshes and
+point clouds, turns it into signatures, compares shapes by them, cuts shapes
+into parts, and evaluates any retrieval method the way the SHREC contests do.
+
+This package has the Python module, which works on NumPy arrays.")
 endif()
 
 # What Debian wants of every package: who holds which rights, and a changelog.
@@ -80,7 +76,6 @@ set(debian_dir ${CMAKE_CURRENT_BINARY_DIR}/debian)
 file(WRITE ${debian_dir}/changelog
      "shapegauge (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md in the package shapegauge.\n\n"
      " -- ${CPACK_DEBIAN_PACKAGE_MAINTAINER}  Thu, 01 Jan 1970 00:00:00 +0000\n")
-find_program(SHAPEGAUGE_GZIP gzip DOC "gzip, for the changelogs of packages")
 if(SHAPEGAUGE_GZIP)
   execute_process(COMMAND ${SHAPEGAUGE_GZIP} -9nf ${debian_dir}/changelog)
 endif()
