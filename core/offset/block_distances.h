@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -19,6 +21,26 @@ struct NearbyPoints {
   std::vector<std::int32_t> triangle;
   std::vector<std::uint32_t> index;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+};
+
+/// The nearest points of a few, sorted, and room to find them in.
+struct NearestPoints {
+  static constexpr std::size_t most = TriangleTable::at_once;
+  struct Candidate {
+    float squared;
+    std::int32_t triangle;
+  };
+  std::array<Candidate, most> list;
+  std::size_t count = 0;
+  std::vector<float> squared;        ///< of vectors of points
+  std::vector<std::uint32_t> first;  ///< of each vector's points
+
+  void add(float distance2, std::int32_t triangle) {
+    if (count == most && distance2 >= list.back().squared) return;
+    std::size_t at = count < most ? count++ : most - 1;
+    for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
+    list[at] = {distance2, triangle};
+  }
 };
 
 /// Looks at the distances of the centres of a block's cells to the surface's points, by all points within r + band of
