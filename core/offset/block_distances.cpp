@@ -18,47 +18,35 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Room is needed for a vector more than there are points.
 float squared_distances_to(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                            float* squared) {
-  const hn::CappedTag<float, 16> d;
+  const hn::CappedTag<float, grid_padding> d;
+  const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
   const auto fx = hn::Set(d, from.x());
   const auto fy = hn::Set(d, from.y());
   const auto fz = hn::Set(d, from.z());
-  auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
-  std::size_t i = 0;
-  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
+  auto smallest = infinite;
+  for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
     const auto dx = hn::Sub(hn::LoadU(d, x + i), fx);
     const auto dy = hn::Sub(hn::LoadU(d, y + i), fy);
     const auto dz = hn::Sub(hn::LoadU(d, z + i), fz);
     const auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
     hn::StoreU(sum, d, squared + i);
-    smallest = hn::Min(smallest, sum);
+    smallest = hn::Min(smallest, hn::IfThenElse(hn::FirstN(d, n - i), sum, infinite));
   }
-  float result = hn::GetLane(hn::MinOfLanes(d, smallest));
-  for (; i < n; ++i) {
-    const float dx = x[i] - from.x();
-    const float dy = y[i] - from.y();
-    const float dz = z[i] - from.z();
-    squared[i] = std::fma(dx, dx, std::fma(dy, dy, dz * dz));
-    result = std::min(result, squared[i]);
-  }
-  return result;
+  return hn::GetLane(hn::MinOfLanes(d, smallest));
 }
 
 std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
-  const hn::CappedTag<float, 16> d;
+  const hn::CappedTag<float, grid_padding> d;
   std::size_t count = 0;
-  std::size_t i = 0;
-  for (; i + hn::Lanes(d) <= n; i += hn::Lanes(d)) {
+  for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
+    const auto is_within = hn::And(hn::FirstN(d, n - i), hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)));
     std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)), bytes.data());
+    hn::StoreMaskBits(d, is_within, bytes.data());
     for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
       indices[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(bits));
     }
-  }
-  for (; i < n; ++i) {
-    if (numbers[i] <= limit) indices[count++] = static_cast<std::uint32_t>(i);
   }
   return count;
 }
@@ -204,7 +192,7 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
       count += end - begin;
     }
   }
-  if (nearby.squared.size() < count) nearby.squared.resize(count);
+  if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
   const Eigen::Vector3f centre = ((block.cast<float>().array() + 0.5F) * block_edge).matrix();
   float smallest = std::numeric_limits<float>::infinity();
   std::size_t place = 0;
@@ -219,21 +207,21 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
 
 /// Keeps the points within the squared distance.
 void keep_within(const GridSurface& surface, float limit, NearbyPoints& nearby) {
-  nearby.x.clear();
-  nearby.y.clear();
-  nearby.z.clear();
-  nearby.triangle.clear();
+  const GridPoints& points = surface.points;
   const float* squared_of_run = nearby.squared.data();
+  std::size_t place = 0;
   for (const auto& [begin, end] : nearby.runs) {
     const std::size_t count = end - begin;
-    if (nearby.index.size() < count + 16) nearby.index.resize(count + 16);
+    if (nearby.index.size() < count) nearby.index.resize(count);
     const std::size_t kept = indices_within(squared_of_run, count, limit, nearby.index.data());
-    for (std::size_t i = 0; i < kept; ++i) {
+    for (std::vector<float>* values : {&nearby.x, &nearby.y, &nearby.z}) values->resize(place + kept);
+    nearby.triangle.resize(place + kept);
+    for (std::size_t i = 0; i < kept; ++i, ++place) {
       const std::size_t point = begin + nearby.index[i];
-      nearby.x.push_back(surface.points.x[point]);
-      nearby.y.push_back(surface.points.y[point]);
-      nearby.z.push_back(surface.points.z[point]);
-      nearby.triangle.push_back(surface.points.triangle[point]);
+      nearby.x[place] = points.x[point];
+      nearby.y[place] = points.y[point];
+      nearby.z[place] = points.z[point];
+      nearby.triangle[place] = points.triangle[point];
     }
     squared_of_run += count;
   }

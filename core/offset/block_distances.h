@@ -53,12 +53,11 @@ BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::
 std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x);
 
-/// The smallest squared distance from x to the n points, and how far away each is.
+/// The smallest squared distance from x to the n points, and how far away each is. Both are padded.
 float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                         float* squared);
 
-/// The places of the numbers that do not exceed the limit, in their order; returns how many. There must be room for
-/// sixteen more.
+/// The places of the n numbers that do not exceed the limit, in their order; returns how many. The numbers are padded.
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices);
 
 }  // namespace shapegauge

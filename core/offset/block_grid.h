@@ -41,9 +41,7 @@ struct BlockGrid {
     return {static_cast<int>(index % x), static_cast<int>(index / x % y), static_cast<int>(index / (x * y))};
   }
   /// The block around a point of the grid. Just below the grid it is 0 as well: to cut off is faster than to round.
-  [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const {
-    return (x / block_edge).cast<int>();
-  }
+  [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const { return (x / block_edge).cast<int>(); }
 };
 
 /// The cells of a block near the boundary of the offset solid.

@@ -23,6 +23,13 @@ Triangle triangle_of(const BlockGrid& grid, const Shape& shape, Eigen::Index f) 
   return {corner(0), corner(1), corner(2)};
 }
 
+/// How many parts no longer than that a length has; faster than to round up by the library.
+int parts_of(double length, double at_most) {
+  const double exact = length / at_most;
+  const int whole = static_cast<int>(exact);
+  return std::max(1, whole < exact ? whole + 1 : whole);
+}
+
 /// Columns of points on a triangle, across its longest edge: each point stands for a part no larger than the spacing.
 struct Columns {
   Eigen::Vector3d from, along;  ///< the longest edge
@@ -49,7 +56,7 @@ struct Columns {
     foot = longest2 > 0 ? std::clamp(along.dot(across) / longest2, 0.0, 1.0) : 0;
     up = across - foot * along;
     height = up.norm();
-    count = std::max(1, static_cast<int>(std::ceil(longest / spacing)));
+    count = parts_of(longest, spacing);
   }
 
   template <typename Visit>
@@ -57,7 +64,7 @@ struct Columns {
     for (int column = 0; column < count; ++column) {
       const double at = (column + 0.5) / count;
       const double part = at < foot ? at / foot : (1 - at) / (1 - foot);  // of the height
-      const int points = std::max(1, static_cast<int>(std::ceil(part * height / spacing)));
+      const int points = parts_of(part * height, spacing);
       for (int i = 0; i < points; ++i) visit(from + at * along + (i + 0.5) / points * part * up);
     }
   }
@@ -212,9 +219,7 @@ std::vector<Point> sorted_by_blocks(const std::vector<std::vector<Point>>& chunk
 void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach,
                            std::vector<Run>& runs) const {
   runs.clear();
-  const auto octant = [&](double by) -> Eigen::Vector3i {
-    return ((place.array() + by) / octant_edge).cast<int>();
-  };
+  const auto octant = [&](double by) -> Eigen::Vector3i { return ((place.array() + by) / octant_edge).cast<int>(); };
   const Eigen::Vector3i low = octant(-reach).cwiseMax(0);
   const Eigen::Vector3i high = octant(reach).cwiseMin(2 * grid.blocks - Eigen::Vector3i::Ones());
   for (int k = low.z(); k <= high.z(); ++k) {

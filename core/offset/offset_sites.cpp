@@ -97,6 +97,7 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
     append(triangle, chunk.triangle);
     for (const std::uint32_t count : chunk.counts) first.push_back(first.back() + count);
   }
+  for (std::vector<float>* values : {&x, &y, &z}) values->resize(triangle.size() + grid_padding);
   cubes = (exterior.grid().blocks.array() + cube_edge - 1) / cube_edge;
   occupied.resize(static_cast<std::size_t>(cubes.cast<long>().prod()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -146,7 +147,7 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
         const std::size_t first = sites_.first[static_cast<std::size_t>(state)];
         const std::size_t count = sites_.first[static_cast<std::size_t>(state) + 1] - first;
         if (count == 0) continue;
-        if (squared_.size() < count) squared_.resize(count);
+        if (squared_.size() < count + grid_padding) squared_.resize(count + grid_padding);
         limit = std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first],
                                                                       &sites_.z[first], count, from, squared_.data())));
       }
@@ -184,7 +185,7 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
       }
     }
   }
-  squared_.resize(x_.size());
+  for (std::vector<float>* values : {&x_, &y_, &z_, &squared_}) values->resize(site_.size() + grid_padding);
 }
 
 /// The sites of the blocks from the first on along x.
@@ -205,7 +206,7 @@ void NearbySites::collect_row(const Eigen::Vector3i& first, int end) {
 
 double NearbySites::measure(const Eigen::Vector3d& x) {
   nearest_ = std::sqrt(static_cast<double>(
-      squared_distances(x_.data(), y_.data(), z_.data(), x_.size(), x.cast<float>(), squared_.data())));
+      squared_distances(x_.data(), y_.data(), z_.data(), site_.size(), x.cast<float>(), squared_.data())));
   return nearest_;
 }
 
@@ -213,8 +214,8 @@ void NearbySites::starts(double margin, double apart, std::size_t most, std::vec
   found.clear();
   const auto limit = static_cast<float>(std::pow(nearest_ + margin, 2));
   within_margin_.clear();
-  candidates_.resize(squared_.size() + 16);
-  const std::size_t count = indices_within(squared_.data(), squared_.size(), limit, candidates_.data());
+  candidates_.resize(site_.size());
+  const std::size_t count = indices_within(squared_.data(), site_.size(), limit, candidates_.data());
   for (std::size_t i = 0; i < count; ++i) within_margin_.push_back({candidates_[i], squared_[candidates_[i]]});
   while (found.size() < most && !within_margin_.empty()) {
     const auto best = std::min_element(within_margin_.begin(), within_margin_.end(),

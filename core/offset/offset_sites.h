@@ -14,7 +14,7 @@ namespace shapegauge {
 /// Points of the outer offset surface, about one for each square of a cell's edge: the centre of every exterior cell
 /// within the band of the offset solid, moved along the line to its closest triangle until that is r away.
 struct OffsetSites {
-  std::vector<float> x, y, z;
+  std::vector<float> x, y, z;          ///< padded
   std::vector<std::int32_t> triangle;  ///< that is r away from each
   std::vector<std::uint32_t> first;    ///< of each of the exterior's boundary blocks, and one past the last's
   /// Cubes of `cube_edge` blocks along each axis: whether any are in each, and all in which there are.

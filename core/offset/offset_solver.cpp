@@ -183,8 +183,8 @@ bool Solver::touches(const GridPoints& points, const Eigen::Vector3i& low, const
       const std::size_t begin = points.first[grid_.block_index({low.x(), j, k})];
       const std::size_t count = points.first[grid_.block_index({high.x(), j, k}) + 1] - begin;
       if (count == 0) continue;
-      if (nearby.squared.size() < count) nearby.squared.resize(count);
-      if (nearby.index.size() < count + 16) nearby.index.resize(count + 16);
+      if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
+      if (nearby.index.size() < count) nearby.index.resize(count);
       squared_distances(&points.x[begin], &points.y[begin], &points.z[begin], count, p.cast<float>(),
                         nearby.squared.data());
       const std::size_t found =
