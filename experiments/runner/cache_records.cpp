@@ -105,14 +105,14 @@ FieldDescription read_facts(const Json& record) {
 
 }  // namespace
 
-std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version,
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, const Json& versions,
                              std::uint64_t seed) {
   Json settings = to_json(method);
   settings.erase("name");
   Json depends_on{{"file", source.sha256},
                   {"extension", lower_case(source.file.extension().string())},
                   {"method", std::move(settings)},
-                  {"versions", {shape_reading_version, version}}};
+                  {"versions", {shape_reading_version, versions}}};
   if (!method.perturbations.empty()) {
     depends_on["perturbed"] = {versions_of(method.perturbations), seed, sha256(source.id), source.index};
   }

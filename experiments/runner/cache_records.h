@@ -69,9 +69,9 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
 /// The name, with its version, by which distances_key() knows a descriptor's own distance.
 std::string distance_of(const Descriptor& descriptor);
 
-/// Of the parts of a shape by a method; `version` is that of the method's algorithm, `seed` that of its perturbations.
-std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method, int version,
-                             std::uint64_t seed);
+/// Of the parts of a shape by a method; `versions` are those of its algorithms, `seed` that of its perturbations.
+std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
+                             const nlohmann::json& versions, std::uint64_t seed);
 
 /// The numbers of an array.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);

@@ -16,6 +16,7 @@
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -36,10 +37,6 @@ using Labels = std::vector<std::int32_t>;
 
 constexpr int picture_width = 160;
 constexpr int picture_height = 128;
-
-int version_of(const SegmentationMethod& method) {
-  return method.paper ? paper_segmentation_version : part_segmentation_version;
-}
 
 /// The parts' fractions of the area, largest first.
 std::vector<double> part_sizes(const Labels& labels, const Eigen::VectorXd& areas) {
@@ -96,7 +93,7 @@ class ShapeJob {
   Labels cached_labels(const SegmentationMethod& method) {
     const std::string key =
         segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
-                         version_of(method), experiment_.seed);
+                         versions_of(method), experiment_.seed);
     // Several methods may ask for the same undamaged parts, and there may be no cache.
     const auto done = done_.find(key);
     if (done != done_.end()) return done->second;
@@ -232,6 +229,15 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
 }
 
 }  // namespace
+
+nlohmann::json versions_of(const SegmentationMethod& method) {
+  // Which of the diameters the thickness is, the shape decides.
+  return {{method.paper ? "paper_segmentation" : "part_segmentation",
+           method.paper ? paper_segmentation_version : part_segmentation_version},
+          {"cone_sdf", cone_sdf_version},
+          {"offset_sdf", offset_sdf_version},
+          {"automatic_offset", automatic_offset_version}};
+}
 
 Labels segmented(const Shape& shape, const SegmentationMethod& method) {
   if (!method.paper) {

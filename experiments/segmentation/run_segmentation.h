@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,6 +50,9 @@ struct SegmentationResults {
 /// The parts of a shape by a method of the experiment, whose perturbations do not count here. Throws InputError as the
 /// method's function.
 std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod& method);
+
+/// The versions of the algorithms that the parts by a method depend on, by their names.
+nlohmann::json versions_of(const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
 /// Generated shapes are written to `generated`. All but the timings is the same for any number of threads. Throws

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/io/off.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/results/manifest.h"
@@ -90,6 +93,16 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
   EXPECT_EQ(use_of(same).hits, 3U);
   same.methods[0].parts = 2;
   EXPECT_EQ(use_of(same).computed, 1U);
+}
+
+TEST(SegmentationVersions, AreThoseOfTheDiametersToo) {
+  for (const bool paper : {false, true}) {
+    const nlohmann::json versions = versions_of({.name = "parts", .paper = paper, .perturbations = {}});
+    EXPECT_EQ(versions.at("cone_sdf"), cone_sdf_version);
+    EXPECT_EQ(versions.at("offset_sdf"), offset_sdf_version);
+    EXPECT_EQ(versions.at("automatic_offset"), automatic_offset_version);
+    EXPECT_EQ(versions.contains("paper_segmentation"), paper);
+  }
 }
 
 TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
