@@ -18,19 +18,30 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The point that distances are measured from.
+template <typename D>
+struct Place {
+  Place(D d, const Eigen::Vector3f& at) : x(hn::Set(d, at.x())), y(hn::Set(d, at.y())), z(hn::Set(d, at.z())) {}
+
+  /// Squared distances to a vector of points.
+  [[nodiscard]] HWY_INLINE hn::Vec<D> squared(D d, const float* px, const float* py, const float* pz) const {
+    const auto dx = hn::Sub(hn::LoadU(d, px), x);
+    const auto dy = hn::Sub(hn::LoadU(d, py), y);
+    const auto dz = hn::Sub(hn::LoadU(d, pz), z);
+    return hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+  }
+
+  hn::Vec<D> x, y, z;
+};
+
 float squared_distances_to(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                            float* squared) {
   const hn::CappedTag<float, grid_padding> d;
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const auto fx = hn::Set(d, from.x());
-  const auto fy = hn::Set(d, from.y());
-  const auto fz = hn::Set(d, from.z());
+  const Place<decltype(d)> place(d, from);
   auto smallest = infinite;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto dx = hn::Sub(hn::LoadU(d, x + i), fx);
-    const auto dy = hn::Sub(hn::LoadU(d, y + i), fy);
-    const auto dz = hn::Sub(hn::LoadU(d, z + i), fz);
-    const auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    const auto sum = place.squared(d, x + i, y + i, z + i);
     hn::StoreU(sum, d, squared + i);
     smallest = hn::Min(smallest, hn::IfThenElse(hn::FirstN(d, n - i), sum, infinite));
   }
@@ -55,25 +66,20 @@ std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::ui
 /// in the order of their distances.
 void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
                      float margin, NearestPoints& nearest) {
-  const hn::CappedTag<float, 16> d;
+  const hn::CappedTag<float, grid_padding> d;
   const std::size_t lanes = hn::Lanes(d);
   std::size_t vectors = 0;
   for (const auto& [begin, end] : runs) vectors += (end - begin + lanes - 1) / lanes;
   if (nearest.squared.size() < vectors * lanes) nearest.squared.resize(vectors * lanes);
   if (nearest.first.size() < vectors) nearest.first.resize(vectors);
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const auto fx = hn::Set(d, from.x());
-  const auto fy = hn::Set(d, from.y());
-  const auto fz = hn::Set(d, from.z());
+  const Place<decltype(d)> place(d, from);
   auto smallest = infinite;
   vectors = 0;
   for (const auto& [begin, end] : runs) {
     for (std::uint32_t i = begin; i < end; i += static_cast<std::uint32_t>(lanes)) {
-      const auto dx = hn::Sub(hn::LoadU(d, points.x.data() + i), fx);
-      const auto dy = hn::Sub(hn::LoadU(d, points.y.data() + i), fy);
-      const auto dz = hn::Sub(hn::LoadU(d, points.z.data() + i), fz);
-      auto sum = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-      sum = hn::IfThenElse(hn::FirstN(d, end - i), sum, infinite);
+      const auto all = place.squared(d, points.x.data() + i, points.y.data() + i, points.z.data() + i);
+      const auto sum = hn::IfThenElse(hn::FirstN(d, end - i), all, infinite);
       hn::StoreU(sum, d, nearest.squared.data() + vectors * lanes);
       nearest.first[vectors++] = i;
       smallest = hn::Min(smallest, sum);
@@ -188,7 +194,7 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
       const std::uint32_t begin = surface.points.first[row + static_cast<std::size_t>(low)];
       const std::uint32_t end = surface.points.first[row + static_cast<std::size_t>(high) + 1];
       if (begin == end) continue;
-      runs.emplace_back(begin, end);
+      runs.push_back({begin, end});
       count += end - begin;
     }
   }

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "shapegauge/core/offset/grid_surface.h"
@@ -20,7 +19,7 @@ struct NearbyPoints {
   std::vector<float> x, y, z, squared;
   std::vector<std::int32_t> triangle;
   std::vector<std::uint32_t> index;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;
+  std::vector<GridPoints::Run> runs;
 };
 
 /// The nearest points of a few, sorted, and room to find them in.

@@ -105,8 +105,7 @@ class Solver {
   void sort();
   void answer(const Group& group);
   [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const;
-  bool touches(const GridPoints& points, const Eigen::Vector3i& low, const Eigen::Vector3i& high,
-               const Eigen::Vector3d& p, double reach, double near_enough, NearbyPoints& nearby) const;
+  bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
   Eigen::Vector3d search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
                          Room& room, OffsetOutcome& outcome) const;
@@ -158,45 +157,37 @@ void Solver::sort() {
   }
 }
 
-/// By the triangle that it is likely to lie on, then by those of the surface's points near p, first those in its own
-/// block.
+/// By the triangle that it is likely to lie on, then by those of the surface's points near p.
 bool Solver::is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const {
   const GridSurface& surface = exterior_.surface();
   const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
-  if (surface.triangles.squared_distance(p, likely) <= near_enough * near_enough) return true;
-  // The apex of an equilateral triangle is as far from the points of its columns as that.
-  const double reach = 1.5 * surface.spacing + near_enough;
-  const Eigen::Vector3i own = grid_.block_of(p);
-  if (touches(surface.points, own, own, p, reach, near_enough, nearby)) return true;
-  const Eigen::Vector3i low = grid_.block_of(p.array() - reach).cwiseMax(0);
-  const Eigen::Vector3i high = grid_.block_of(p.array() + reach).cwiseMin(grid_.blocks - Eigen::Vector3i::Ones());
-  if (touches(surface.points, low, high, p, reach, near_enough, nearby)) return true;
-  return !surface.left_out.empty() && touches(surface.left_out, low, high, p, reach, near_enough, nearby);
+  return surface.triangles.squared_distance(p, likely) <= near_enough * near_enough ||
+         touches(surface.points, p, near_enough, nearby) || touches(surface.left_out, p, near_enough, nearby);
 }
 
-bool Solver::touches(const GridPoints& points, const Eigen::Vector3i& low, const Eigen::Vector3i& high,
-                     const Eigen::Vector3d& p, double reach, double near_enough, NearbyPoints& nearby) const {
+bool Solver::touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
+                     NearbyPoints& nearby) const {
+  if (points.empty()) return false;
+  // The apex of an equilateral triangle is as far from the points of its columns as that.
+  const double reach = 1.5 * exterior_.surface().spacing + near_enough;
   std::array<std::int32_t, TriangleTable::at_once> triangles{};
   TriangleTable::Vectors vectors;
-  for (int k = low.z(); k <= high.z(); ++k) {
-    for (int j = low.y(); j <= high.y(); ++j) {
-      const std::size_t begin = points.first[grid_.block_index({low.x(), j, k})];
-      const std::size_t count = points.first[grid_.block_index({high.x(), j, k}) + 1] - begin;
-      if (count == 0) continue;
-      if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
-      if (nearby.index.size() < count) nearby.index.resize(count);
-      squared_distances(&points.x[begin], &points.y[begin], &points.z[begin], count, p.cast<float>(),
-                        nearby.squared.data());
-      const std::size_t found =
-          indices_within(nearby.squared.data(), count, static_cast<float>(reach * reach), nearby.index.data());
-      for (std::size_t i = 0; i < found; i += triangles.size()) {
-        for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
-          triangles[lane] = points.triangle[begin + nearby.index[std::min(i + lane, found - 1)]];
-        }
-        exterior_.surface().triangles.vectors_to(p, triangles.data(), vectors);
-        const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
-        if (static_cast<double>(least) <= near_enough * near_enough) return true;
+  points.find_runs(grid_, p, reach, nearby.runs);
+  for (const auto& [begin, end] : nearby.runs) {
+    const std::size_t count = end - begin;
+    if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
+    if (nearby.index.size() < count) nearby.index.resize(count);
+    squared_distances(&points.x[begin], &points.y[begin], &points.z[begin], count, p.cast<float>(),
+                      nearby.squared.data());
+    const std::size_t found =
+        indices_within(nearby.squared.data(), count, static_cast<float>(reach * reach), nearby.index.data());
+    for (std::size_t i = 0; i < found; i += triangles.size()) {
+      for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+        triangles[lane] = points.triangle[begin + nearby.index[std::min(i + lane, found - 1)]];
       }
+      exterior_.surface().triangles.vectors_to(p, triangles.data(), vectors);
+      const float least = *std::min_element(vectors.squared.begin(), vectors.squared.end());
+      if (static_cast<double>(least) <= near_enough * near_enough) return true;
     }
   }
   return false;
