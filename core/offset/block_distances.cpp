@@ -53,6 +53,7 @@ std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::ui
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
     const auto is_within = hn::And(hn::FirstN(d, n - i), hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)));
+    if (hn::AllFalse(d, is_within)) continue;
     std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(d, is_within, bytes.data());
     for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
@@ -90,12 +91,42 @@ void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run
   for (std::size_t v = 0; v < vectors; ++v) {
     std::array<std::uint8_t, 8> bytes{};
     const float* squared = nearest.squared.data() + v * lanes;
-    hn::StoreMaskBits(d, hn::Le(hn::LoadU(d, squared), limit), bytes.data());
+    const auto is_within = hn::Le(hn::LoadU(d, squared), limit);
+    if (hn::AllFalse(d, is_within)) continue;
+    hn::StoreMaskBits(d, is_within, bytes.data());
     for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(bits));
       nearest.add(squared[lane], points.triangle[nearest.first[v] + lane]);
     }
   }
+}
+
+/// The triangle of the nearest point of the runs, the first of those as near; -1 where they are empty.
+std::int32_t nearest_of_runs(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
+                             const Eigen::Vector3f& from) {
+  const hn::CappedTag<float, grid_padding> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
+  const Place<decltype(d)> place(d, from);
+  const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
+  const auto numbers = hn::Iota(di, 0);
+  auto best = infinite;
+  auto index = hn::Set(di, std::numeric_limits<std::int32_t>::max());
+  for (const auto& [begin, end] : runs) {
+    for (std::uint32_t i = begin; i < end; i += lanes) {
+      const auto all = place.squared(d, points.x.data() + i, points.y.data() + i, points.z.data() + i);
+      const auto sum = hn::IfThenElse(hn::FirstN(d, end - i), all, infinite);
+      const auto is_nearer = hn::Lt(sum, best);
+      best = hn::Min(sum, best);
+      index = hn::IfThenElse(hn::RebindMask(di, is_nearer), hn::Add(numbers, hn::Set(di, static_cast<std::int32_t>(i))),
+                             index);
+    }
+  }
+  const auto smallest = hn::MinOfLanes(d, best);
+  const auto is_smallest = hn::RebindMask(di, hn::Eq(best, smallest));
+  const auto largest = hn::Set(di, std::numeric_limits<std::int32_t>::max());
+  const std::int32_t first = hn::GetLane(hn::MinOfLanes(di, hn::IfThenElse(is_smallest, index, largest)));
+  return first == std::numeric_limits<std::int32_t>::max() ? -1 : points.triangle[static_cast<std::size_t>(first)];
 }
 
 /// For each of the 64 cells whose first centre is given the nearest of the points, and its squared distance: a layer of
@@ -159,6 +190,7 @@ namespace shapegauge {
 HWY_EXPORT(squared_distances_to);
 HWY_EXPORT(nearest_in_runs);
 HWY_EXPORT(nearest_of_cells);
+HWY_EXPORT(nearest_of_runs);
 HWY_EXPORT(indices_of);
 
 namespace {
@@ -247,8 +279,9 @@ std::size_t indices_within(const float* numbers, std::size_t n, float limit, std
 std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x) {
   thread_local std::vector<GridPoints::Run> runs;
-  thread_local NearestPoints nearest;
   surface.points.find_runs(grid, place, reach, runs);
+  if (surface.hidden == 0) return HWY_DYNAMIC_DISPATCH(nearest_of_runs)(surface.points, runs, x.cast<float>());
+  thread_local NearestPoints nearest;
   HWY_DYNAMIC_DISPATCH(nearest_in_runs)
   (surface.points, runs, x.cast<float>(), static_cast<float>(surface.hidden), nearest);
   if (nearest.count < 2) return nearest.count == 0 ? -1 : nearest.list.front().triangle;

@@ -47,7 +47,10 @@ struct NearestPoints {
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
                         NearbyPoints& nearby, BoundaryBlock& found);
 
-/// The triangle closest to x of those with points in the blocks within reach of a place on the surface; -1 where there
+/// How far, in cells, the closest triangle's points are looked for around a place near it.
+inline constexpr double closest_reach = 0.5;
+
+/// The triangle closest to x of those with points in the octants within reach of a place on the surface; -1 where there
 /// is none. Of triangles much smaller than the points' spacing, one that is hardly farther.
 std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
                                     double reach, const Eigen::Vector3d& x);

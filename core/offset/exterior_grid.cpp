@@ -73,7 +73,7 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
   near_.resize(state_.size());
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (state_[i] == unknown) state_[i] = none_exterior;
-    near_[i] = has_exterior(i) ? 1 : 0;
+    near_[i] = exterior_cells(i) != 0 ? 1 : 0;
   }
   dilate(grid, near_, 1);
 }
@@ -286,68 +286,39 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
   }
 }
 
-namespace {
-
-/// The eight cells around a point, as the blocks that hold them and their cells in each: one block, or two, four or
-/// eight where its sides are near.
-template <typename Visit>
-void visit_cells_around(const BlockGrid& grid, const Eigen::Vector3d& x, const Visit& visit) {
-  // Of the lower and the upper cell along each axis those in the first block, and in the next, if any.
-  std::array<std::array<Cells, 2>, 3> layers;
-  std::array<std::size_t, 3> parts;
-  std::array<std::size_t, 3> strides;
-  constexpr std::array<Cells, 3> lowest{low_x, low_y, low_z};
-  std::size_t block = 0;
+CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
+  const BlockGrid& grid = exterior.grid();
+  std::array<std::array<std::size_t, 2>, 3> blocks;
+  std::array<std::array<unsigned, 2>, 3> bits;
   std::size_t stride = 1;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     const int last = block_edge * grid.blocks[axis] - 1;
-    const int low = std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1);
-    const Cells first = lowest[k] << (static_cast<unsigned>(low & 3) << (2 * k));
-    const bool is_split = (low & 3) == 3;
-    layers[k] = {is_split ? first : first | first << (1U << (2 * k)), lowest[k]};
-    parts[k] = is_split ? 2 : 1;
-    block += static_cast<std::size_t>(low >> 2) * stride;
-    strides[k] = stride;
+    const auto low = static_cast<unsigned>(std::clamp(static_cast<int>(x[axis] + 0.5) - 1, 0, last - 1));
+    blocks[k] = {(low >> 2U) * stride, ((low + 1) >> 2U) * stride};
+    bits[k] = {(low & 3U) << (2 * k), ((low + 1) & 3U) << (2 * k)};
     stride *= static_cast<std::size_t>(grid.blocks[axis]);
   }
-  for (std::size_t z = 0; z < parts[2]; ++z) {
-    for (std::size_t y = 0; y < parts[1]; ++y) {
-      for (std::size_t i = 0; i < parts[0]; ++i) {
-        visit(block + i * strides[0] + y * strides[1] + z * strides[2], layers[0][i] & layers[1][y] & layers[2][z]);
-      }
-    }
-  }
-}
-
-}  // namespace
-
-CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
   CellsAround result;
-  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
-    const std::int32_t state = exterior.block(block);
+  bool touches = false;
+  int count = 0;
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const std::size_t i = corner & 1U;
+    const std::size_t j = corner >> 1U & 1U;
+    const std::size_t k = corner >> 2U;
+    const std::int32_t state = exterior.block(blocks[0][i] + blocks[1][j] + blocks[2][k]);
     if (state < 0) {
-      result.touches_exterior |= state == ExteriorGrid::all_exterior;
-      return;
+      touches |= state == ExteriorGrid::all_exterior;
+      continue;
     }
     const BoundaryBlock& boundary = exterior.boundary()[static_cast<std::size_t>(state)];
-    result.touches_exterior |= (boundary.exterior & cells) != 0;
-    for (; cells != 0; cells &= cells - 1) {
-      const auto bit = static_cast<std::size_t>(std::countr_zero(cells));
-      result.triangles[static_cast<std::size_t>(result.count++)] = boundary.nearest[bit];
-    }
-  });
-  std::fill(result.triangles.begin() + result.count, result.triangles.end(), result.triangles[0]);
-  return result;
-}
-
-bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
-  bool result = false;
-  visit_cells_around(exterior.grid(), x, [&](std::size_t block, Cells cells) {
-    const std::int32_t state = exterior.block(block);
-    result |= state < 0 ? state == ExteriorGrid::all_exterior
-                        : (exterior.boundary()[static_cast<std::size_t>(state)].exterior & cells) != 0;
-  });
+    const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
+    touches |= (boundary.exterior >> bit & 1U) != 0;
+    result.triangles[static_cast<std::size_t>(count++)] = boundary.nearest[bit];
+  }
+  result.count = count;
+  result.touches_exterior = touches;
+  if (count < 8) std::fill(result.triangles.begin() + count, result.triangles.end(), result.triangles[0]);
   return result;
 }
 

@@ -29,10 +29,11 @@ class ExteriorGrid {
   static constexpr std::int32_t none_exterior = -2;
   [[nodiscard]] std::int32_t block(std::size_t index) const { return state_[index]; }
 
-  /// Whether the block has exterior cells.
-  [[nodiscard]] bool has_exterior(std::size_t index) const {
+  /// The block's cells that are exterior.
+  [[nodiscard]] std::uint64_t exterior_cells(std::size_t index) const {
     const std::int32_t state = state_[index];
-    return state == all_exterior || (state >= 0 && boundary_[static_cast<std::size_t>(state)].exterior != 0);
+    if (state < 0) return state == all_exterior ? ~std::uint64_t{0} : 0;
+    return boundary_[static_cast<std::size_t>(state)].exterior;
   }
 
   /// Whether the block or one next to it has exterior cells.
@@ -63,9 +64,6 @@ struct CellsAround {
   bool touches_exterior = false;            ///< one of the eight is exterior
 };
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
-
-/// Whether one of the eight cells is exterior, and nothing else.
-bool touches_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x);
 
 /// From the closest points of the triangles around to x; false, and nothing, where none is known.
 inline bool vectors_around(const ExteriorGrid& exterior, const CellsAround& around, const Eigen::Vector3d& x,

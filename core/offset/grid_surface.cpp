@@ -170,7 +170,7 @@ GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const
   }
   result.triangle.resize(count);
   result.first.resize(grid.block_count() + 1);
-  result.octants_of.resize(grid.block_count());
+  result.octants_of.assign(grid.block_count(), GridPoints::no_octants);
   result.octants.reserve(begins.size() - 1);
   std::uint32_t end = 0;
   std::size_t next_block = 0;
@@ -227,7 +227,7 @@ void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, 
       const auto row = static_cast<std::size_t>(4 * (k & 1) + 2 * (j & 1));
       for (int i = low.x() / 2; i <= high.x() / 2; ++i) {
         const std::size_t block = grid.block_index({i, j / 2, k / 2});
-        if (first[block] == first[block + 1]) continue;
+        if (octants_of[block] == no_octants) continue;
         const auto& firsts = octants[octants_of[block]];
         const Run run{firsts[row + (2 * i < low.x() ? 1 : 0)], firsts[row + (2 * i + 1 > high.x() ? 1 : 2)]};
         if (run.begin != run.end) runs.push_back(run);

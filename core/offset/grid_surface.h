@@ -24,7 +24,8 @@ struct GridPoints {
   static constexpr int octant_edge = block_edge / 2;
   /// Of blocks that have points, the first of each octant's (bit x, y, z of its number) and one past the last's.
   std::vector<std::array<std::uint32_t, 9>> octants;
-  std::vector<std::uint32_t> octants_of;  ///< by block: where they are
+  std::vector<std::uint32_t> octants_of;  ///< by block: where they are; no_octants where it has no points
+  static constexpr std::uint32_t no_octants = 0xFFFFFFFF;
 
   [[nodiscard]] bool empty() const { return triangle.empty(); }
 

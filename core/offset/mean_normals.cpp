@@ -9,7 +9,6 @@
 #include <cstdint>
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
-#include <numeric>
 
 HWY_BEFORE_NAMESPACE();
 namespace shapegauge::HWY_NAMESPACE {
@@ -17,19 +16,24 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Adds weight (n_j . n) n_j and weight of the runs' points to sixteen sums of each: as many whatever the
-/// processor, so that all round alike.
-void add_normals(const std::array<const float*, 3>& points, const std::array<const float*, 3>& normals,
-                 const float* area, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
-                 const Eigen::Vector3f& along, float inverse_reach2, std::array<float, 4 * grid_padding>& sums) {
+/// Arrays of three coordinates.
+using Coordinates = std::array<const float*, 3>;
+
+/// Adds area n n^T of the runs' points, weighted by how near they are, to sixteen sums for each of its six entries: as
+/// many whatever the processor, so that all round alike.
+void add_normals(const Coordinates& points, const Coordinates& normals, const float* area,
+                 const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from, float inverse_reach2,
+                 std::array<std::array<float, grid_padding>, 6>& sums) {
   const hn::CappedTag<float, grid_padding> d;
   const auto one = hn::Set(d, 1.0F);
   const auto zero = hn::Zero(d);
   for (std::size_t lane = 0; lane < grid_padding; lane += hn::Lanes(d)) {
-    auto sum_x = hn::LoadU(d, sums.data() + lane);
-    auto sum_y = hn::LoadU(d, sums.data() + grid_padding + lane);
-    auto sum_z = hn::LoadU(d, sums.data() + 2 * grid_padding + lane);
-    auto weights = hn::LoadU(d, sums.data() + 3 * grid_padding + lane);
+    auto xx = zero;
+    auto xy = zero;
+    auto xz = zero;
+    auto yy = zero;
+    auto yz = zero;
+    auto zz = zero;
     for (const auto& [begin, end] : runs) {
       for (std::size_t i = begin + lane; i < end; i += grid_padding) {
         const auto dx = hn::Sub(hn::LoadU(d, points[0] + i), hn::Set(d, from.x()));
@@ -42,19 +46,22 @@ void add_normals(const std::array<const float*, 3>& points, const std::array<con
         const auto x = hn::LoadU(d, normals[0] + i);
         const auto y = hn::LoadU(d, normals[1] + i);
         const auto z = hn::LoadU(d, normals[2] + i);
-        const auto cosine = hn::MulAdd(x, hn::Set(d, along.x()),
-                                       hn::MulAdd(y, hn::Set(d, along.y()), hn::Mul(z, hn::Set(d, along.z()))));
-        const auto weighted = hn::Mul(weight, cosine);
-        sum_x = hn::MulAdd(weighted, x, sum_x);
-        sum_y = hn::MulAdd(weighted, y, sum_y);
-        sum_z = hn::MulAdd(weighted, z, sum_z);
-        weights = hn::Add(weights, weight);
+        const auto weighted_x = hn::Mul(weight, x);
+        const auto weighted_y = hn::Mul(weight, y);
+        xx = hn::MulAdd(weighted_x, x, xx);
+        xy = hn::MulAdd(weighted_x, y, xy);
+        xz = hn::MulAdd(weighted_x, z, xz);
+        yy = hn::MulAdd(weighted_y, y, yy);
+        yz = hn::MulAdd(weighted_y, z, yz);
+        zz = hn::MulAdd(hn::Mul(weight, z), z, zz);
       }
     }
-    hn::StoreU(sum_x, d, sums.data() + lane);
-    hn::StoreU(sum_y, d, sums.data() + grid_padding + lane);
-    hn::StoreU(sum_z, d, sums.data() + 2 * grid_padding + lane);
-    hn::StoreU(weights, d, sums.data() + 3 * grid_padding + lane);
+    hn::StoreU(xx, d, sums[0].data() + lane);
+    hn::StoreU(xy, d, sums[1].data() + lane);
+    hn::StoreU(xz, d, sums[2].data() + lane);
+    hn::StoreU(yy, d, sums[3].data() + lane);
+    hn::StoreU(yz, d, sums[4].data() + lane);
+    hn::StoreU(zz, d, sums[5].data() + lane);
   }
 }
 
@@ -90,18 +97,28 @@ Eigen::Vector3d MeanNormals::at(const Eigen::Vector3d& p, const Eigen::Vector3d&
   constexpr double radius = 0.5;  // in parts of r
   if (x_.empty()) return n;
   const double reach = radius * grid_.r;
-  std::array<float, 4 * grid_padding> sums{};
+  std::array<std::array<float, grid_padding>, 6> sums;
+  const GridPoints& points = surface_.points;
   thread_local std::vector<GridPoints::Run> runs;
-  surface_.points.find_runs(grid_, p, reach, runs);
+  points.find_runs(grid_, p, reach, runs);
   HWY_DYNAMIC_DISPATCH(add_normals)
-  ({surface_.points.x.data(), surface_.points.y.data(), surface_.points.z.data()}, {x_.data(), y_.data(), z_.data()},
-   surface_.points.area.data(), runs, p.cast<float>(), n.cast<float>(), static_cast<float>(1 / (reach * reach)), sums);
-  const auto total = [&](std::size_t which) {
-    const auto from = sums.begin() + static_cast<std::ptrdiff_t>(which * grid_padding);
-    return static_cast<double>(std::accumulate(from, from + grid_padding, 0.0F));
-  };
-  const double weights = total(3);
-  return weights > 0 ? Eigen::Vector3d(total(0) / weights, total(1) / weights, total(2) / weights) : n;
+  ({points.x.data(), points.y.data(), points.z.data()}, {x_.data(), y_.data(), z_.data()}, points.area.data(), runs,
+   p.cast<float>(), static_cast<float>(1 / (reach * reach)), sums);
+  std::array<double, 6> total;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    std::array<float, grid_padding>& lanes = sums[k];
+    for (std::size_t half = grid_padding / 2; half > 0; half /= 2) {
+      for (std::size_t i = 0; i < half; ++i) lanes[i] += lanes[i + half];
+    }
+    total[k] = static_cast<double>(lanes[0]);
+  }
+  const auto& [xx, xy, xz, yy, yz, zz] = total;
+  const double weight = xx + yy + zz;  // of normals of length 1
+  if (!(weight > 0)) return n;
+  Eigen::Matrix3d mean;
+  mean << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  mean /= weight;
+  return mean * (mean * n);
 }
 
 }  // namespace shapegauge

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "shapegauge/core/offset/grid_surface.h"
@@ -8,18 +9,26 @@
 
 namespace shapegauge {
 
-/// How far a sample is raised where the surface is flat, in parts of r: ties and flat minima of |pq| are decided by the
-/// normals around it.
-inline constexpr double raised_by = 0.4;
+/// Up to so deep inside of O(r), in parts of r, the direction in which a sample is raised turns from its normal to the
+/// mean of those around it: values change steadily where q = p + r n gets covered.
+inline constexpr double shallow = 0.05;
+
+/// p': the place on one side of a sample p, the normal's and the mean's, from which E(r) is closest to it at q. Depth
+/// is how far p + r n is inside of O(r), in parts of r.
+inline Eigen::Vector3d raised(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::Vector3d& mean,
+                              double depth, double r) {
+  const double part = std::min(1.0, depth / shallow);
+  return p + r * ((1 - part) * normal + part * mean);
+}
 
 /// Means of a surface's normals over places, by which samples are raised (docs/offset_sdf.md#why-the-sample-is-raised).
 class MeanNormals {
  public:
   MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface);
 
-  /// The mean of (n_j . n) n_j over the surface within r/2 of p (in cells), n_j being its normals; what is nearer
-  /// weighs more. Its length is 1 where the surface is flat, and less where normals differ. On which sides the n_j
-  /// point does not matter. Without triangles it is n.
+  /// m = M M n, where M is the mean of n_j n_j^T over the surface within r/2 of p (in cells), n_j being its normals;
+  /// what is nearer weighs more. Its length is 1 where the surface is flat, and less where normals differ. On which
+  /// sides the n_j point does not matter. Without triangles it is n.
   [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& p, const Eigen::Vector3d& n) const;
 
  private:

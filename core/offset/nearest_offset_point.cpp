@@ -122,7 +122,7 @@ class Projection {
 
   const Eigen::Vector3d& p_;
   const Contacts& contacts_;
-  std::array<double, Contacts::most> missing_;
+  std::array<double, Contacts::most> missing_{};
   std::array<std::array<double, Contacts::most>, Contacts::most> gram_;
 };
 
@@ -139,15 +139,6 @@ bool is_free(const ExteriorGrid& exterior, const CellsAround& around, const Eige
   if (!vectors_around(exterior, around, x, vectors)) return around.touches_exterior;
   return *std::min_element(vectors.squared.begin(), vectors.squared.end()) >= static_cast<float>(least * least);
 }
-
-}  // namespace
-
-bool is_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x, double slack) {
-  const CellsAround around = cells_around(exterior, x);
-  return around.touches_exterior && is_free(exterior, around, x, exterior.grid().r * (1 - slack));
-}
-
-namespace {
 
 /// Whether the straight way from x to a point of the exterior near it is free, up to what a convex obstacle that both
 /// ends touch may bulge into it. E(r) reaches into valleys between balls where no cell's centre fits; these are convex.
@@ -166,10 +157,6 @@ bool leads_to(const ExteriorGrid& exterior, const Eigen::Vector3d& x, const Eige
   }
   return true;
 }
-
-}  // namespace
-
-namespace {
 
 /// Triangles, and the vectors from their closest points to a point.
 struct Surroundings {
@@ -284,6 +271,7 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
   Contacts contacts;
   contacts.add(contact(triangle, site, around.vector(0), r));
   Eigen::Vector3d x = site;
+  Eigen::Vector3d move_before = Eigen::Vector3d::Zero();
   double moved_before = std::numeric_limits<double>::infinity();
   std::optional<Eigen::Vector3d> found;
   for (int step = 0; step < most_steps; ++step) {
@@ -306,7 +294,8 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
       for (std::size_t i = 0; i < contacts.count; ++i) {
         if (!kept[i]) continue;
         const Eigen::Vector3d place = x - r * contacts.list[i].normal;
-        const std::int32_t nearest = closest_triangle_about(exterior.grid(), exterior.surface(), place, 0.7, x);
+        const std::int32_t nearest =
+            closest_triangle_about(exterior.grid(), exterior.surface(), place, closest_reach, x);
         if (nearest >= 0 && around.count < around.triangles.size()) around.add(nearest);
       }
     }
@@ -316,12 +305,15 @@ std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior
     if (!(squared > 0)) return found;
     const double covering = r * (1 - tolerance);
     const bool covered = static_cast<double>(squared) < covering * covering;
-    if (covered && moved > 0.7 * moved_before) trusted /= 2;  // to and fro
+    if (move.dot(move_before) < 0 && moved > 0.5 * moved_before) trusted /= 2;  // to and fro
+    move_before = move;
     moved_before = moved;
     if (!covered && !is_limited && (cells.touches_exterior || leads_to(exterior, x, site))) {
       found = x;
       if (moved < settled * r) return found;
       if (known && (x - *known).norm() < leads_to_known * r) return std::nullopt;
+    } else if (!covered && !is_limited) {
+      return found;  // free, but enclosed: no step comes out of there again
     }
     contacts = contacts_for(around, contacts, kept, x, r, covering);
     if (contacts.count == 0) return found;

@@ -7,10 +7,6 @@
 
 namespace shapegauge {
 
-/// Whether x is exterior as far as the cells around it tell: one of them is, and their triangles are r (1 - slack)
-/// away.
-bool is_exterior(const ExteriorGrid& exterior, const Eigen::Vector3d& x, double slack);
-
 /// The point of E(r) nearest to p about a site near it (in cells), or nothing where the site is of no use: p is
 /// projected onto the half-spaces that the triangles nearest to the result leave free, again and again. Nothing, too,
 /// where it leads to one that is known already.

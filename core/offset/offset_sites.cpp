@@ -147,9 +147,10 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
         const std::size_t first = sites_.first[static_cast<std::size_t>(state)];
         const std::size_t count = sites_.first[static_cast<std::size_t>(state) + 1] - first;
         if (count == 0) continue;
-        if (squared_.size() < count + grid_padding) squared_.resize(count + grid_padding);
-        limit = std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first],
-                                                                      &sites_.z[first], count, from, squared_.data())));
+        if (of_block_.size() < count + grid_padding) of_block_.resize(count + grid_padding);
+        limit =
+            std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first], &sites_.z[first],
+                                                                  count, from, of_block_.data())));
       }
     }
   }
@@ -185,7 +186,8 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
       }
     }
   }
-  for (std::vector<float>* values : {&x_, &y_, &z_, &squared_}) values->resize(site_.size() + grid_padding);
+  for (std::vector<float>* values : {&x_, &y_, &z_, &squared_[0], &squared_[1]})
+    values->resize(site_.size() + grid_padding);
 }
 
 /// The sites of the blocks from the first on along x.
@@ -204,19 +206,22 @@ void NearbySites::collect_row(const Eigen::Vector3i& first, int end) {
   }
 }
 
-double NearbySites::measure(const Eigen::Vector3d& x) {
-  nearest_ = std::sqrt(static_cast<double>(
-      squared_distances(x_.data(), y_.data(), z_.data(), site_.size(), x.cast<float>(), squared_.data())));
+std::array<double, 2> NearbySites::measure(const std::array<Eigen::Vector3d, 2>& places) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    nearest_[i] = std::sqrt(static_cast<double>(
+        squared_distances(x_.data(), y_.data(), z_.data(), site_.size(), places[i].cast<float>(), squared_[i].data())));
+  }
   return nearest_;
 }
 
-void NearbySites::starts(double margin, double apart, std::size_t most, std::vector<Site>& found) {
+void NearbySites::starts(std::size_t place, double margin, double apart, std::size_t most, std::vector<Site>& found) {
   found.clear();
-  const auto limit = static_cast<float>(std::pow(nearest_ + margin, 2));
+  const auto limit = static_cast<float>(std::pow(nearest_[place] + margin, 2));
+  const std::vector<float>& squared = squared_[place];
   within_margin_.clear();
   candidates_.resize(site_.size());
-  const std::size_t count = indices_within(squared_.data(), site_.size(), limit, candidates_.data());
-  for (std::size_t i = 0; i < count; ++i) within_margin_.push_back({candidates_[i], squared_[candidates_[i]]});
+  const std::size_t count = indices_within(squared.data(), site_.size(), limit, candidates_.data());
+  for (std::size_t i = 0; i < count; ++i) within_margin_.push_back({candidates_[i], squared[candidates_[i]]});
   while (found.size() < most && !within_margin_.empty()) {
     const auto best = std::min_element(within_margin_.begin(), within_margin_.end(),
                                        [](const Site& a, const Site& b) { return a.distance < b.distance; });

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -41,11 +42,11 @@ class NearbySites {
     std::uint32_t site;  ///< index into the sites
     float distance;
   };
-  /// The distance from x to the nearest of the collected sites, infinite where there is none.
-  double measure(const Eigen::Vector3d& x);
-  /// Of the sites whose distance from the x measured last exceeds the nearest one's by less than the margin, in the
-  /// order of their distances: the nearest, then those farther than `apart` from all before, up to so many.
-  void starts(double margin, double apart, std::size_t most, std::vector<Site>& found);
+  /// The distances from two places to the nearest of the collected sites, infinite where there is none.
+  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places);
+  /// Of the sites whose distance from one of the places measured exceeds the nearest one's by less than the margin, in
+  /// the order of their distances: the nearest, then those farther than `apart` from all before, up to so many.
+  void starts(std::size_t place, double margin, double apart, std::size_t most, std::vector<Site>& found);
 
  private:
   void collect_row(const Eigen::Vector3i& first, int end);
@@ -53,8 +54,9 @@ class NearbySites {
 
   const ExteriorGrid& exterior_;
   const OffsetSites& sites_;
-  std::vector<float> x_, y_, z_, squared_;
-  double nearest_ = 0;
+  std::vector<float> x_, y_, z_, of_block_;
+  std::array<std::vector<float>, 2> squared_;  ///< distances from the two places
+  std::array<double, 2> nearest_{};
   std::vector<std::uint32_t> site_, candidates_;
   std::vector<Site> within_margin_;
   std::vector<std::pair<double, std::uint32_t>> waiting_;  ///< squared distances of cubes and their numbers

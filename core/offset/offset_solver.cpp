@@ -25,6 +25,8 @@ using Clock = std::chrono::steady_clock;
 /// Exterior cells no farther from O(r) than this, in cells, have a site: every place of the offset surface is within a
 /// cell of one.
 constexpr double site_band = 0.9;
+/// A sample's, along its normal and against it.
+constexpr std::array<double, 2> sides{1, -1};
 /// The points that say which triangle is closest are this far apart, in parts of r: they are too far by .25^2 / 16 of
 /// r.
 constexpr double point_spacing = 0.25;
@@ -106,10 +108,19 @@ class Solver {
   void answer(const Group& group);
   [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const;
   bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
-  [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
-  Eigen::Vector3d search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
-                         Room& room, OffsetOutcome& outcome) const;
-  double measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d& box, Room& room) const;
+  Eigen::Vector3d nearest_exterior(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                                   const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const;
+  [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
+  Eigen::Vector3d search(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 2>& places,
+                         const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const;
+  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, const Eigen::AlignedBox3d& box,
+                                Room& room) const;
+
+  /// A refined point is nearer than its site, by no more than this as a rule, in cells: however fine they are, it may
+  /// be 0.133 r.
+  [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * grid_.r); }
+  /// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
+  [[nodiscard]] double farther() const { return 3 * gain(); }
 
   const ExteriorGrid& exterior_;
   const BlockGrid& grid_;
@@ -161,7 +172,8 @@ void Solver::sort() {
 bool Solver::is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const {
   const GridSurface& surface = exterior_.surface();
   const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
-  return surface.triangles.squared_distance(p, likely) <= near_enough * near_enough ||
+  return surface.triangles.is_over_face(p, likely, near_enough) ||
+         surface.triangles.squared_distance(p, likely) <= near_enough * near_enough ||
          touches(surface.points, p, near_enough, nearby) || touches(surface.left_out, p, near_enough, nearby);
 }
 
@@ -193,41 +205,50 @@ bool Solver::touches(const GridPoints& points, const Eigen::Vector3d& p, double 
   return false;
 }
 
-std::optional<Eigen::Vector3d> Solver::direct(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const {
+/// How deep a place is inside of O(r), in parts of r, 1 where it is farther inside than the cells around know of;
+/// nothing where it is exterior.
+std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
   constexpr double slack = 1e-3;
-  if (normal.isZero()) return std::nullopt;
-  for (const double side : {1.0, -1.0}) {
-    const Eigen::Vector3d q = p + side * grid_.r * normal;
-    if (is_exterior(exterior_, q, slack)) return q;
+  const CellsAround around = cells_around(exterior_, x);
+  TriangleTable::Vectors vectors;
+  if (!vectors_around(exterior_, around, x, vectors)) {
+    return around.touches_exterior ? std::nullopt : std::optional<double>(1);
   }
-  return std::nullopt;
+  const auto closest = std::min_element(vectors.squared.begin(), vectors.squared.end());
+  double squared = static_cast<double>(*closest);
+  const double least = (1 - slack) * grid_.r;
+  if (squared >= least * least && around.touches_exterior) return std::nullopt;
+  if (squared >= std::pow((1 - shallow) * grid_.r, 2)) {
+    // Shallow: it matters how deep. Perhaps a triangle that no cell knows of is closer.
+    const Eigen::Vector3d place = x - vectors.vector(static_cast<std::size_t>(closest - vectors.squared.begin()));
+    const std::int32_t triangle = closest_triangle_about(grid_, exterior_.surface(), place, closest_reach, x);
+    if (triangle >= 0) squared = std::min(squared, exterior_.surface().triangles.squared_distance(x, triangle));
+  }
+  return std::max(1 - std::sqrt(squared) / grid_.r, 0.0);
 }
 
-/// A refined point is nearer than its site, by no more than this as a rule, in cells.
-constexpr double gain = 0.4;
-/// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
-constexpr double farther = 3 * gain;
-
-/// The distance from a raised sample to the nearest site, once all that are farther by no more than `farther` have been
-/// collected.
-double Solver::measure(const Eigen::Vector3d& raised, const Eigen::AlignedBox3d& box, Room& room) const {
-  const double lift = raised_by * grid_.r;
+/// The distances from a sample raised on either side to the nearest site, once all that are farther than the smaller
+/// by no more than farther() have been collected. The larger is at least as large as given where it exceeds the smaller
+/// by as much.
+std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, const Eigen::AlignedBox3d& box,
+                                      Room& room) const {
+  const double lift = grid_.r;
   if (room.reach == 0) {
-    room.reach = 1.6 * grid_.r + 1;
+    room.reach = 1.3 * grid_.r;
     room.sites.collect(box, room.reach + lift);
   }
-  const double distance = room.sites.measure(raised);
-  if (distance + farther < room.reach) return distance;
+  std::array<double, 2> distances = room.sites.measure(places);
+  if (std::min(distances[0], distances[1]) + farther() < room.reach) return distances;
   // From the middle of the box none is farther than this; from a sample of it by half of its diagonal at most.
   const double from_middle = room.sites.distance_to_nearest(box.center());
-  room.reach = from_middle + box.diagonal().norm() / 2 + lift + 1.01 * farther;
+  room.reach = from_middle + box.diagonal().norm() / 2 + lift + 1.01 * farther();
   room.sites.collect(box, room.reach + lift);
-  return room.sites.measure(raised);
+  return room.sites.measure(places);
 }
 
-/// q: of the points of E(r) nearest to p raised along the normals around and to p raised against them, the nearer one.
-Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::AlignedBox3d& box,
-                               Room& room, OffsetOutcome& outcome) const {
+/// Of the points of E(r) nearest to p raised on either side, the one for which that is nearer.
+Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 2>& places,
+                               const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const {
   constexpr double apart = 2;
   constexpr std::size_t most_starts = 3;
   constexpr double nearly_free = 0.8;  // of r
@@ -237,20 +258,15 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
   double best = std::numeric_limits<double>::infinity();
   Eigen::Vector3d q = p;
   double nearest_site = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d nearest_place = p + grid_.r * (normal.isZero() ? Eigen::Vector3d::UnitZ().eval() : normal);
-  const Eigen::Vector3d lift = raised_by * grid_.r * means_.at(p, normal);
+  Eigen::Vector3d nearest_place =
+      p + grid_.r * Eigen::Vector3d::UnitZ();  // of no site; there are some around any shape
   // The nearer side first, whichever way the normal points.
-  const double below = measure(p - lift, box, room);
-  const double above = measure(p + lift, box, room);
-  const double first = above <= below ? 1 : -1;
-  double measured = 1;  // the side that the sites were measured from last
-  for (const double side : {first, -first}) {
-    const Eigen::Vector3d raised = p + side * lift;
-    const double distance = side > 0 ? above : below;
-    if (distance - gain > std::min(best, nearest_site)) break;
-    if (side != measured) measure(raised, box, room);
-    measured = side;
-    room.sites.starts(gain, apart, most_starts, room.starts);
+  const std::array<double, 2> distances = measure(places, box, room);
+  const std::size_t first = distances[0] <= distances[1] ? 0 : 1;
+  for (const std::size_t side : {first, 1 - first}) {
+    const double distance = distances[side];
+    if (distance - gain() > std::min(best, nearest_site)) break;
+    room.sites.starts(side, gain(), apart, most_starts, room.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
       nearest_place = place(room.starts.front().site);
@@ -260,29 +276,51 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const Eigen::Vector3d& 
       for (const NearbySites::Site& start : room.starts) {
         const Eigen::Vector3d site = place(start.site);
         const bool is_known = best < std::numeric_limits<double>::infinity() && (site - q).norm() < apart;
-        if (is_known || static_cast<double>(start.distance) - gain > best) continue;
-        auto x = nearest_offset_point(exterior_, raised, site, sites_.triangle[start.site], known);
+        if (is_known || static_cast<double>(start.distance) - gain() > best) continue;
+        auto x = nearest_offset_point(exterior_, places[side], site, sites_.triangle[start.site], known);
         if (!x) continue;
         // p is on the surface, though perhaps no cell near x knows of its triangle.
         const double height = (*x - p).norm();
         if (height < nearly_free * grid_.r) continue;
         if (height < grid_.r) *x = p + grid_.r / height * (*x - p);
-        if (!((*x - raised).norm() < best)) continue;
-        best = (*x - raised).norm();
+        if (!((*x - places[side]).norm() < best)) continue;
+        best = (*x - places[side]).norm();
         q = *x;
         known = q;
       }
     };
     refine();
     if (!(best < std::numeric_limits<double>::infinity())) {
-      room.sites.starts(farther, apart / 2, 3 * most_starts, room.starts);
+      room.sites.starts(side, farther(), apart / 2, 3 * most_starts, room.starts);
       refine();
     }
-    if (normal.isZero()) break;
+    if (places[0] == places[1]) break;
   }
   if (best < std::numeric_limits<double>::infinity()) return q;
   outcome = OffsetOutcome::undecided;
   return nearest_place;
+}
+
+/// q.
+Eigen::Vector3d Solver::nearest_exterior(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                                         const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const {
+  if (normal.isZero()) return search(p, {p, p}, box, room, outcome);
+  std::array<double, 2> depths;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Eigen::Vector3d end = p + sides[i] * grid_.r * normal;
+    const std::optional<double> depth = depth_of(end);
+    if (!depth) {
+      outcome = OffsetOutcome::direct;
+      return end;
+    }
+    depths[i] = *depth;
+  }
+  const Eigen::Vector3d mean = means_.at(p, normal);
+  std::array<Eigen::Vector3d, 2> places;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    places[i] = raised(p, sides[i] * normal, sides[i] * mean, depths[i], grid_.r);
+  }
+  return search(p, places, box, room, outcome);
 }
 
 void Solver::answer(const Group& group) {
@@ -298,14 +336,10 @@ void Solver::answer(const Group& group) {
     const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
     if (!is_on_surface(p, likely_[static_cast<std::size_t>(i)], room.surface)) continue;
     const Eigen::Vector3d normal = normals_.row(i).transpose();
-    outcome = OffsetOutcome::direct;
-    auto q = direct(p, normal);
-    if (!q) {
-      outcome = OffsetOutcome::searched;
-      q = search(p, normal, box, room, outcome);
-    }
-    const double height = (*q - p).norm();
-    const Eigen::Vector3d outward = (*q - p) / height;
+    outcome = OffsetOutcome::searched;
+    const Eigen::Vector3d q = nearest_exterior(p, normal, box, room, outcome);
+    const double height = (q - p).norm();
+    const Eigen::Vector3d outward = (q - p) / height;
     answers_.directions.row(i) = outward.transpose();
     answers_.heights[i] = height * grid_.cell;
     // Both ends are at least r away from p, up to what single precision loses.

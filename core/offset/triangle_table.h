@@ -38,6 +38,9 @@ class TriangleTable {
   /// The squared distance from x to one of them.
   [[nodiscard]] double squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const;
 
+  /// Whether x is over the face of a triangle, and no farther from its plane than that. Not told of those of no area.
+  [[nodiscard]] bool is_over_face(const Eigen::Vector3d& x, std::int32_t triangle, double at_most) const;
+
   /// Which part of a triangle a point of it lies on.
   enum class Part : std::uint8_t { face, edge, corner };
   struct Place {

@@ -127,8 +127,8 @@ double OffsetSdfReference::distance_to_exterior(const Eigen::Vector3d& p) const 
   }
 }
 
-double OffsetSdfReference::distance_from_raised(const Eigen::Vector3d& p, const Eigen::Vector3d& lift) const {
-  return std::min(distance_to_exterior(p + lift), distance_to_exterior(p - lift));
+double OffsetSdfReference::distance_from_raised(const std::array<Eigen::Vector3d, 2>& raised) const {
+  return std::min(distance_to_exterior(raised[0]), distance_to_exterior(raised[1]));
 }
 
 double OffsetSdfReference::exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double factor) const {

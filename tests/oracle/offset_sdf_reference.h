@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"
@@ -30,8 +31,8 @@ class OffsetSdfReference {
   /// Distance from p to the closest exterior point, to within 0.004 r.
   [[nodiscard]] double distance_to_exterior(const Eigen::Vector3d& p) const;
 
-  /// |p'q|: the distance to the closest exterior point from p + lift or p - lift, whichever is less.
-  [[nodiscard]] double distance_from_raised(const Eigen::Vector3d& p, const Eigen::Vector3d& lift) const;
+  /// |p'q|: the distance to the closest exterior point from p as raised on either side, whichever is less.
+  [[nodiscard]] double distance_from_raised(const std::array<Eigen::Vector3d, 2>& raised) const;
 
   /// Distance along the ray to the first point that is exterior for an offset of r * factor, in steps of r / 500.
   [[nodiscard]] double exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction, double factor) const;

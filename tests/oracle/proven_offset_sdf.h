@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "shapegauge/core/shape/shape.h"
 #include "tests/oracle/exterior_entry.h"
@@ -21,9 +22,10 @@ class ProvenOffsetSdf {
     return nearest_.find(x, normal).point;
   }
 
-  /// q of a sample p with a normal: p + r n or p - r n, where it is exterior, else the point closest to p + lift or to
-  /// p - lift, whichever is nearer.
-  Eigen::Vector3d q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, const Eigen::Vector3d& lift);
+  /// q of a sample p with a normal: p + r n or p - r n, where it is exterior, else the point closest to p as raised on
+  /// either side, whichever is nearer.
+  Eigen::Vector3d q(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
+                    const std::array<Eigen::Vector3d, 2>& raised);
 
   /// How far from p along the direction E(r) begins.
   double exit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) { return entry_.find(p, direction).distance; }

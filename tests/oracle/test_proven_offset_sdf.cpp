@@ -5,9 +5,9 @@
 
 #include "shapegauge/core/shape/samples.h"
 #include "tests/core/sdf/crevice_shapes.h"
-#include "tests/oracle/lifts.h"
 #include "tests/oracle/offset_sdf_reference.h"
 #include "tests/oracle/proven_offset_sdf.h"
+#include "tests/oracle/raised_samples.h"
 
 namespace shapegauge {
 namespace {
@@ -19,7 +19,7 @@ TEST_P(ProvenOffsetSdfAgainstReference, KeepsTheStatedTolerances) {
   const double r = GetParam().offset;
   const OffsetSdfReference reference(shape, r);
   ProvenOffsetSdf proven(shape, r);
-  const test::Lifts lifts(shape, r);
+  const test::RaisedSamples raised_samples(shape, r);
   const Samples samples = sample_shape(shape, SampleSite::faces);
   for (Eigen::Index i = 0; i < samples.points.rows(); i += 19) {
     const Eigen::Vector3d p = samples.points.row(i);
@@ -28,11 +28,11 @@ TEST_P(ProvenOffsetSdfAgainstReference, KeepsTheStatedTolerances) {
     EXPECT_NEAR(reference.distance(nearest), r, 1e-3 * r) << i;
     EXPECT_TRUE(reference.is_exterior(nearest)) << i;
     EXPECT_NEAR((nearest - p).norm(), reference.distance_to_exterior(p), 1e-2 * r) << i;
-    const Eigen::Vector3d lift = lifts.of(p, normal);
-    const Eigen::Vector3d q = proven.q(p, normal, lift);
+    const auto raised = raised_samples.of(p, normal, [&](const Eigen::Vector3d& x) { return reference.distance(x); });
+    const Eigen::Vector3d q = proven.q(p, normal, raised);
     const bool is_direct = std::min((q - p - r * normal).norm(), (q - p + r * normal).norm()) < 1e-9;
     if (!is_direct) {
-      EXPECT_NEAR(std::min((q - p - lift).norm(), (q - p + lift).norm()), reference.distance_from_raised(p, lift),
+      EXPECT_NEAR(std::min((q - raised[0]).norm(), (q - raised[1]).norm()), reference.distance_from_raised(raised),
                   1.2e-2 * r)
           << i;
     }

@@ -40,9 +40,10 @@ inline Shape clamp() {
   return joined({box({2, 1, 0.2}, 2), upper, end});
 }
 
-/// Turned, too, so that nothing is parallel to a grid.
+/// Turned, so that nothing is parallel to a grid, with a bounding box whose diagonal is 1 then.
 inline Shape of_diagonal_1(const Shape& shape) {
-  return transformed(shape, 1 / bounding_box_diagonal(shape), rotation(5), Eigen::Vector3d::Zero());
+  const Shape turned = transformed(shape, 1, rotation(5), Eigen::Vector3d::Zero());
+  return transformed(turned, 1 / bounding_box_diagonal(turned), Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
 }
 
 inline std::vector<OffsetCase> offset_cases() {

@@ -1,13 +1,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/offset/offset_solver.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "tests/core/sdf/crevice_shapes.h"
-#include "tests/oracle/lifts.h"
 #include "tests/oracle/offset_sdf_reference.h"
+#include "tests/oracle/raised_samples.h"
 
 namespace shapegauge {
 namespace {
@@ -26,22 +28,21 @@ struct Stated {
 /// What the reference says of every 19th face, the same for all accuracies.
 struct Known {
   Known(const Shape& shape, double offset)
-      : r(offset), reference(shape, r), lifts(shape, r), samples(sample_shape(shape, SampleSite::faces)) {
+      : r(offset), reference(shape, r), samples(sample_shape(shape, SampleSite::faces)) {
+    const test::RaisedSamples all(shape, r);
     for (Eigen::Index i = 0; i < samples.points.rows(); i += step) {
-      nearest.push_back(reference.distance_from_raised(samples.points.row(i), lift(i)));
+      raised.push_back(all.of(samples.points.row(i), samples.normals.row(i),
+                              [&](const Eigen::Vector3d& x) { return reference.distance(x); }));
+      nearest.push_back(reference.distance_from_raised(raised.back()));
     }
-  }
-
-  [[nodiscard]] Eigen::Vector3d lift(Eigen::Index i) const {
-    return lifts.of(samples.points.row(i), samples.normals.row(i));
   }
 
   static constexpr Eigen::Index step = 19;
   double r;
   OffsetSdfReference reference;
-  test::Lifts lifts;
   Samples samples;
-  std::vector<double> nearest;  ///< |p'q|
+  std::vector<std::array<Eigen::Vector3d, 2>> raised;  ///< p', on either side
+  std::vector<double> nearest;                         ///< |p'q|
 };
 
 void expect_tolerances(const Shape& shape, const Known& known, const Stated& stated) {
@@ -49,6 +50,11 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
   const OffsetSdfReference& reference = known.reference;
   const Samples& samples = known.samples;
   const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = r, .accuracy = stated.accuracy});
+  const UnitFrame frame = unit_frame(shape);
+  const Points points = (samples.points.rowwise() - frame.centre.transpose()) / frame.diagonal;
+  const OffsetAnswers answers = answer_by_grid(in_unit_frame(shape, frame), points, samples.normals,
+                                               {.offset = r, .cells_per_offset = 1 / stated.cell});
+  ASSERT_EQ(result.values, answers.values * frame.diagonal);
   int count = 0;
   int off = 0;
   int skipped = 0;
@@ -57,11 +63,11 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
     const Eigen::Vector3d p = samples.points.row(i);
     const Eigen::Vector3d normal = samples.normals.row(i);
     const Eigen::Vector3d outward = result.normals.row(i);
-    // q is not told, only the way to it: it is where that ends at a distance of r.
-    const double height = reference.exit(p, outward, 1 - stated.distance);
+    const double height = answers.heights[i] * frame.diagonal;
     const Eigen::Vector3d q = p + height * outward;
-    const Eigen::Vector3d lift = known.lift(i);
-    const double found = std::min((q - p - lift).norm(), (q - p + lift).norm());
+    EXPECT_NEAR(reference.distance(q), r, stated.distance * r) << i;
+    const auto& [above, below] = known.raised[k];
+    const double found = std::min((q - above).norm(), (q - below).norm());
     // No exterior point is nearer to p than r: q needs no search where it is that far along the normal.
     const bool is_direct = outward.cross(normal).norm() < 1e-9 && height < 1.05 * r;
     const double error = std::abs(is_direct ? height - r : found - known.nearest[k]) / r;
@@ -71,11 +77,11 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
 
     const double exit = result.values[i] + 2 * r - height;
     const Eigen::Vector3d end = p - exit * outward;
-    EXPECT_NEAR(reference.distance(end), r, 2 * stated.distance * r) << i;
-    EXPECT_TRUE(reference.is_exterior(end, 1 - 2 * stated.distance) || !reference.is_resolved(end)) << i;
+    EXPECT_NEAR(reference.distance(end), r, stated.distance * r) << i;
+    EXPECT_TRUE(reference.is_exterior(end, 1 - stated.distance) || !reference.is_resolved(end)) << i;
     // No exit is skipped that is wide enough for the grid: that of an offset larger by half a cell's diagonal does not
     // come before. Nor are many others.
-    const double tolerance = 2 * stated.distance * r;
+    const double tolerance = stated.distance * r;
     EXPECT_LE(exit, reference.exit(p, -outward, 1 + std::sqrt(0.75) * stated.cell) + tolerance) << i;
     skipped += exit > reference.exit(p, -outward, 1.01) + tolerance ? 1 : 0;
   }
