@@ -129,9 +129,10 @@ std::int32_t nearest_of_runs(const GridPoints& points, const std::vector<GridPoi
   return first == std::numeric_limits<std::int32_t>::max() ? -1 : points.triangle[static_cast<std::size_t>(first)];
 }
 
-/// For each of the 64 cells whose first centre is given the nearest of the points, and its squared distance: a layer of
-/// 16 cells at once, the four layers sharing what they have in common.
-void nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, float* squared, std::int32_t* index) {
+/// For each of the 64 cells whose first centre is given the triangle of the nearest of the points; returns which cells
+/// are farther than r from all. A layer of 16 cells at once, the four layers sharing what they have in common.
+std::uint64_t nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, float r2,
+                               std::int32_t* triangles) {
   const hn::CappedTag<float, 16> d;
   const hn::RebindToSigned<decltype(d)> di;
   alignas(64) std::array<float, 16> cell_x;
@@ -141,6 +142,7 @@ void nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, 
     cell_y[i] = first.y() + static_cast<float>(i / 4);
   }
   const std::size_t n = points.triangle.size();
+  std::uint64_t free = 0;
   for (std::size_t lane = 0; lane < 16; lane += hn::Lanes(d)) {
     const auto cx = hn::Load(d, cell_x.data() + lane);
     const auto cy = hn::Load(d, cell_y.data() + lane);
@@ -169,15 +171,19 @@ void nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, 
       improve(up - 2, best2, index2);
       improve(up - 3, best3, index3);
     }
-    hn::StoreU(best0, d, squared + lane);
-    hn::StoreU(best1, d, squared + 16 + lane);
-    hn::StoreU(best2, d, squared + 32 + lane);
-    hn::StoreU(best3, d, squared + 48 + lane);
-    hn::StoreU(index0, di, index + lane);
-    hn::StoreU(index1, di, index + 16 + lane);
-    hn::StoreU(index2, di, index + 32 + lane);
-    hn::StoreU(index3, di, index + 48 + lane);
+    const auto finish = [&](std::size_t layer, const auto& best, const auto& index) {
+      const std::size_t place = 16 * layer + lane;
+      hn::StoreU(hn::GatherIndex(di, points.triangle.data(), index), di, triangles + place);
+      std::array<std::uint8_t, 8> bytes{};
+      hn::StoreMaskBits(d, hn::Gt(best, hn::Set(d, r2)), bytes.data());
+      free |= (std::uint64_t{bytes[0]} | std::uint64_t{bytes[1]} << 8U) << place;
+    };
+    finish(0, best0, index0);
+    finish(1, best1, index1);
+    finish(2, best2, index2);
+    finish(3, best3, index3);
   }
+  return free;
 }
 
 }  // namespace
@@ -302,17 +308,10 @@ BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::
   if (nearest > grid.r + band + block_radius) return BlockKind::free;
   if (nearest + block_radius < grid.r) return BlockKind::covered;
   keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
-  alignas(64) std::array<float, cells_per_block> squared;
-  alignas(64) std::array<std::int32_t, cells_per_block> index;
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
-  HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, squared.data(), index.data());
   found.index = block;
-  found.free = 0;
-  const auto r2 = static_cast<float>(grid.r * grid.r);
-  for (std::size_t i = 0; i < cells_per_block; ++i) {
-    found.free |= std::uint64_t{squared[i] > r2 ? 1U : 0U} << i;
-    found.nearest[i] = nearby.triangle[static_cast<std::size_t>(index[i])];
-  }
+  found.free = HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, static_cast<float>(grid.r * grid.r),
+                                                      found.nearest.data());
   return BlockKind::mixed;
 }
 

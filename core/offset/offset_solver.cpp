@@ -351,7 +351,7 @@ void Solver::answer(const Group& group) {
 }  // namespace
 
 OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Points& normals,
-                             const OffsetGridOptions& options) {
+                             const OffsetGridOptions& options, const std::vector<std::int32_t>& triangles) {
   const Clock::time_point start = Clock::now();
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
   const Layout layout = lay_out(shape, bounds, options);
@@ -367,7 +367,8 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   answers.heights = answers.values;
   answers.directions = Points::Zero(points.rows(), 3);
   answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
-  Solver(exterior, sites, means, points, normals, likely_triangles(shape, points.rows()), answers)
+  Solver(exterior, sites, means, points, normals,
+         triangles.empty() ? likely_triangles(shape, points.rows()) : triangles, answers)
       .solve(options.parallel);
   return answers;
 }

@@ -38,8 +38,8 @@ struct OffsetAnswers {
 ///
 /// The shape's bounding box must have a diagonal of about 1. The grid's cells measure r / cells_per_offset. Memory is
 /// bounded: of an offset so small that there would be more than 2^24 blocks or 6 million points on the surface, the
-/// least one for which there are not is taken.
+/// least one for which there are not is taken. Who knows on which triangles the points lie saves looking for them.
 OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Points& normals,
-                             const OffsetGridOptions& options);
+                             const OffsetGridOptions& options, const std::vector<std::int32_t>& triangles = {});
 
 }  // namespace shapegauge

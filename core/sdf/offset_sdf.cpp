@@ -77,7 +77,8 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   const Points points = (samples.points.rowwise() - frame_.centre.transpose()) / frame_.diagonal;
   OffsetAnswers answers = answer_by_grid(
       shape_, points, samples.normals,
-      {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel});
+      {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel},
+      samples.triangles);
   OffsetSdfResult result;
   result.values = answers.values * frame_.diagonal;
   result.outcomes = count(answers, options.offset);

@@ -55,6 +55,8 @@ TEST(OffsetSolver, AnswersSamplesOfTrianglesThatOthersStandFor) {
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 7));
   const Samples samples = sample_surface_of(sphere, 2000);
   const OffsetAnswers answers = answer_by_grid(sphere, samples.points, samples.normals, {.offset = 0.1});
+  EXPECT_EQ(answers.values,
+            answer_by_grid(sphere, samples.points, samples.normals, {.offset = 0.1}, samples.triangles).values);
   const double diameter = 2 * sphere.vertices.row(0).norm();
   for (std::size_t i = 0; i < answers.outcomes.size(); ++i) {
     ASSERT_EQ(answers.outcomes[i], OffsetOutcome::direct) << i;
