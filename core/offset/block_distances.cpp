@@ -310,8 +310,8 @@ BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::
   keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;
-  found.free = HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, static_cast<float>(grid.r * grid.r),
-                                                      found.nearest.data());
+  found.free =
+      HWY_DYNAMIC_DISPATCH(nearest_of_cells)(nearby, first, static_cast<float>(grid.r * grid.r), found.nearest.data());
   return BlockKind::mixed;
 }
 
