@@ -203,6 +203,7 @@ namespace {
 
 /// From the centre of a block to the centre of its farthest cell.
 const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
+const double cell_diagonal = std::sqrt(3.0);
 
 /// How many blocks away, along an axis, one may be whose points are within a distance of a block, if along the other
 /// axes they are so far apart already (squared).
@@ -306,7 +307,7 @@ BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::
   const Eigen::Vector3i place = grid.block_at(block);
   const double nearest = std::sqrt(static_cast<double>(collect(grid, surface, place, grid.r + band, nearby)));
   if (nearest > grid.r + band + block_radius) return BlockKind::free;
-  if (nearest + block_radius < grid.r) return BlockKind::covered;
+  if (nearest + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
   keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;

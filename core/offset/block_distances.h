@@ -10,10 +10,6 @@
 
 namespace shapegauge {
 
-/// Whether the centres of a block's cells are all free and farther from the surface than the band, all covered, or
-/// neither.
-enum class BlockKind : std::uint8_t { free, covered, mixed };
-
 /// Which points are near; kept from block to block so as not to allocate anew.
 struct NearbyPoints {
   std::vector<float> x, y, z, squared;

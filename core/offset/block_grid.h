@@ -52,6 +52,10 @@ struct BoundaryBlock {
   std::uint32_t index = 0;                              ///< the block's, in the grid
 };
 
+/// Whether the centres of a block's cells are all free and farther from the surface than the band, all covered and by
+/// more than a cell's diagonal, or neither.
+enum class BlockKind : std::uint8_t { free, covered, mixed };
+
 /// Marks all blocks within so many blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
 

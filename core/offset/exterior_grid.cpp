@@ -70,6 +70,7 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
     near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
   dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
   flood(near_surface, band, parallel);
+  look_across_edges(near_surface, band, parallel);
   near_.resize(state_.size());
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (state_[i] == unknown) state_[i] = none_exterior;
@@ -195,6 +196,26 @@ std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vec
   return touched;
 }
 
+/// Looks at blocks; those that are mixed are found at their places after the boundary()'s as it was before.
+std::vector<BlockKind> ExteriorGrid::look_at(const std::vector<Reached>& blocks, double band, bool parallel) {
+  const std::size_t first = boundary_.size();
+  boundary_.resize(first + blocks.size());
+  std::vector<BlockKind> kinds(blocks.size());
+  const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
+    thread_local NearbyPoints nearby;
+    for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      kinds[i] = look_at_block(grid_, surface_, blocks[i].block, band, nearby, boundary_[first + i]);
+    }
+  };
+  const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
+  if (parallel) {
+    tbb::parallel_for(all, look);
+  } else {
+    look(all);
+  }
+  return kinds;
+}
+
 /// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
 /// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
 void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
@@ -230,33 +251,19 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       }
     }
   };
-  using Kind = BlockKind;
   boundary_.reserve(static_cast<std::size_t>(std::count(near_surface.begin(), near_surface.end(), 1)));
   while (!passing.empty() || !reached.empty()) {
     const std::vector<Reached> blocks = std::move(reached);
     reached.clear();
-    std::size_t next = boundary_.size();
-    boundary_.resize(next + blocks.size());
-    std::vector<Kind> kinds(blocks.size());
-    const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
-      thread_local NearbyPoints nearby;
-      for (std::size_t i = range.begin(); i < range.end(); ++i) {
-        kinds[i] = look_at_block(grid_, surface_, blocks[i].block, band, nearby, boundary_[next + i]);
-      }
-    };
-    const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
-    if (parallel) {
-      tbb::parallel_for(all, look);
-    } else {
-      look(all);
-    }
-    const std::size_t first = next;
+    const std::size_t first = boundary_.size();
+    std::size_t next = first;
+    const std::vector<BlockKind> kinds = look_at(blocks, band, parallel);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       std::int32_t& state = state_[blocks[i].block];
-      if (kinds[i] == Kind::free) {
+      if (kinds[i] == BlockKind::free) {
         state = all_exterior;
         passing.push_back(blocks[i].block);
-      } else if (kinds[i] == Kind::covered) {
+      } else if (kinds[i] == BlockKind::covered) {
         state = none_exterior;
       } else {
         if (next != first + i) boundary_[next] = boundary_[first + i];
@@ -284,6 +291,61 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       pass_on(block.index, added);
     }
   }
+}
+
+namespace {
+
+/// The cells of a block that touch its neighbour in a direction, whose parts are -1, 0 or 1.
+Cells touching(const Eigen::Vector3i& direction) {
+  constexpr std::array<Cells, 3> lowest{low_x, low_y, low_z};
+  constexpr std::array<Cells, 3> highest{high_x, high_y, high_z};
+  Cells cells = all_cells;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int part = direction[static_cast<Eigen::Index>(k)];
+    if (part != 0) cells &= part < 0 ? lowest[k] : highest[k];
+  }
+  return cells;
+}
+
+/// Directions to the neighbours across edges and corners.
+std::vector<Eigen::Vector3i> diagonals() {
+  std::vector<Eigen::Vector3i> result;
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3i direction(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (direction.squaredNorm() > 1) result.push_back(direction);
+  }
+  return result;
+}
+
+}  // namespace
+
+/// The flood goes across faces. Blocks that touch exterior cells across an edge or a corner only are covered, but
+/// places between are asked for their nearest triangles as well.
+void ExteriorGrid::look_across_edges(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
+  std::vector<std::pair<Eigen::Vector3i, Cells>> directions;
+  for (const Eigen::Vector3i& direction : diagonals()) directions.emplace_back(direction, touching(direction));
+  std::vector<Reached> reached;
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    const Cells exterior = near_surface[i] != 0 && state_[i] > unknown ? exterior_cells(i) : 0;
+    if (exterior == 0) continue;
+    const Eigen::Vector3i block = grid_.block_at(i);
+    for (const auto& [direction, cells] : directions) {
+      if ((exterior & cells) == 0 || !grid_.has_block(block + direction)) continue;
+      const std::size_t next = grid_.block_index(block + direction);
+      if (state_[next] != unknown || near_surface[next] == 0) continue;
+      state_[next] = none_exterior;
+      reached.push_back({static_cast<std::uint32_t>(next), 0});
+    }
+  }
+  const std::size_t first = boundary_.size();
+  const std::vector<BlockKind> kinds = look_at(reached, band, parallel);
+  std::size_t next = first;
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    if (kinds[i] != BlockKind::mixed) continue;
+    if (next != first + i) boundary_[next] = boundary_[first + i];
+    state_[reached[i].block] = static_cast<std::int32_t>(next++);
+  }
+  boundary_.resize(next);
 }
 
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {

@@ -95,6 +95,11 @@ class Solver {
   }
 
  private:
+  struct Sample {
+    Eigen::Vector3d p, normal;
+    std::int32_t triangle;  ///< that it is likely to lie on
+  };
+
   /// What a group keeps from sample to sample, without an influence on the answers.
   struct Room {
     explicit Room(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
@@ -106,12 +111,16 @@ class Solver {
 
   void sort();
   void answer(const Group& group);
-  [[nodiscard]] bool is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const;
+  [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
   bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
-  Eigen::Vector3d nearest_exterior(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                                   const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const;
+  Eigen::Vector3d nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
+                                   OffsetOutcome& outcome) const;
   [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
-  Eigen::Vector3d search(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 2>& places,
+  [[nodiscard]] std::int32_t covering(const Sample& sample, const Eigen::Vector3d& x) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> refine(const Sample& sample, const Eigen::Vector3d& place,
+                                                      std::uint32_t site,
+                                                      const std::optional<Eigen::Vector3d>& known) const;
+  Eigen::Vector3d search(const Sample& sample, const std::array<Eigen::Vector3d, 2>& places,
                          const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const;
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, const Eigen::AlignedBox3d& box,
                                 Room& room) const;
@@ -121,6 +130,11 @@ class Solver {
   [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * grid_.r); }
   /// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
   [[nodiscard]] double farther() const { return 3 * gain(); }
+
+  [[nodiscard]] Eigen::Vector3d place_of(std::uint32_t site) const {
+    return {static_cast<double>(sites_.x[site]), static_cast<double>(sites_.y[site]),
+            static_cast<double>(sites_.z[site])};
+  }
 
   const ExteriorGrid& exterior_;
   const BlockGrid& grid_;
@@ -169,11 +183,12 @@ void Solver::sort() {
 }
 
 /// By the triangle that it is likely to lie on, then by those of the surface's points near p.
-bool Solver::is_on_surface(const Eigen::Vector3d& p, std::int32_t likely, NearbyPoints& nearby) const {
+bool Solver::is_on_surface(const Sample& sample, NearbyPoints& nearby) const {
   const GridSurface& surface = exterior_.surface();
+  const Eigen::Vector3d& p = sample.p;
   const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
-  return surface.triangles.is_over_face(p, likely, near_enough) ||
-         surface.triangles.squared_distance(p, likely) <= near_enough * near_enough ||
+  return surface.triangles.is_over_face(p, sample.triangle, near_enough) ||
+         surface.triangles.squared_distance(p, sample.triangle) <= near_enough * near_enough ||
          touches(surface.points, p, near_enough, nearby) || touches(surface.left_out, p, near_enough, nearby);
 }
 
@@ -246,20 +261,46 @@ std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& plac
   return room.sites.measure(places);
 }
 
+/// A triangle that covers x, a point that the cells around it took for exterior: the sample's own, or, where none of
+/// those cells is exterior (at the end of a wedge), any. -1 where none does.
+std::int32_t Solver::covering(const Sample& sample, const Eigen::Vector3d& x) const {
+  constexpr double slack = 1e-3;  // of r
+  if ((x - sample.p).norm() < (1 - slack) * grid_.r) return sample.triangle;
+  if (cells_around(exterior_, x).touches_exterior) return -1;
+  const std::int32_t closest = closest_triangle_about(grid_, exterior_.surface(), x, grid_.r, x);
+  if (closest < 0) return -1;
+  const double least = (1 - slack) * grid_.r;
+  return exterior_.surface().triangles.squared_distance(x, closest) < least * least ? closest : -1;
+}
+
+/// The point of E(r) nearest to a place of the raised sample, about a site.
+std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen::Vector3d& place, std::uint32_t site,
+                                              const std::optional<Eigen::Vector3d>& known) const {
+  constexpr int most_times = 3;
+  constexpr double nearly_free = 0.8;  // of r
+  auto x = nearest_offset_point(exterior_, place, place_of(site), sites_.triangle[site], known);
+  for (int i = 0; x && i < most_times; ++i) {
+    const std::int32_t triangle = covering(sample, *x);
+    if (triangle < 0) break;
+    x = nearest_offset_point(exterior_, place, *x, triangle, known);  // on from there, with it
+  }
+  if (!x) return std::nullopt;
+  const double height = (*x - sample.p).norm();
+  if (height < nearly_free * grid_.r) return std::nullopt;
+  if (height < grid_.r) *x = sample.p + grid_.r / height * (*x - sample.p);
+  return x;
+}
+
 /// Of the points of E(r) nearest to p raised on either side, the one for which that is nearer.
-Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const std::array<Eigen::Vector3d, 2>& places,
+Eigen::Vector3d Solver::search(const Sample& sample, const std::array<Eigen::Vector3d, 2>& places,
                                const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const {
   constexpr double apart = 2;
   constexpr std::size_t most_starts = 3;
-  constexpr double nearly_free = 0.8;  // of r
-  const auto place = [&](std::uint32_t site) {
-    return Eigen::Vector3d(sites_.x[site], sites_.y[site], sites_.z[site]);
-  };
-  double best = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d q = p;
-  double nearest_site = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d nearest_place =
-      p + grid_.r * Eigen::Vector3d::UnitZ();  // of no site; there are some around any shape
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double best = infinite;
+  Eigen::Vector3d q = sample.p + grid_.r * Eigen::Vector3d::UnitZ();  // where there are no sites: around no shape
+  double nearest_site = infinite;
+  Eigen::Vector3d nearest_place = q;
   // The nearer side first, whichever way the normal points.
   const std::array<double, 2> distances = measure(places, box, room);
   const std::size_t first = distances[0] <= distances[1] ? 0 : 1;
@@ -269,42 +310,37 @@ Eigen::Vector3d Solver::search(const Eigen::Vector3d& p, const std::array<Eigen:
     room.sites.starts(side, gain(), apart, most_starts, room.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
-      nearest_place = place(room.starts.front().site);
+      nearest_place = place_of(room.starts.front().site);
     }
     std::optional<Eigen::Vector3d> known;  // from this side
-    const auto refine = [&] {
+    const auto refine_all = [&] {
       for (const NearbySites::Site& start : room.starts) {
-        const Eigen::Vector3d site = place(start.site);
-        const bool is_known = best < std::numeric_limits<double>::infinity() && (site - q).norm() < apart;
+        const bool is_known = best < infinite && (place_of(start.site) - q).norm() < apart;
         if (is_known || static_cast<double>(start.distance) - gain() > best) continue;
-        auto x = nearest_offset_point(exterior_, places[side], site, sites_.triangle[start.site], known);
-        if (!x) continue;
-        // p is on the surface, though perhaps no cell near x knows of its triangle.
-        const double height = (*x - p).norm();
-        if (height < nearly_free * grid_.r) continue;
-        if (height < grid_.r) *x = p + grid_.r / height * (*x - p);
-        if (!((*x - places[side]).norm() < best)) continue;
+        const auto x = refine(sample, places[side], start.site, known);
+        if (!x || !((*x - places[side]).norm() < best)) continue;
         best = (*x - places[side]).norm();
         q = *x;
         known = q;
       }
     };
-    refine();
-    if (!(best < std::numeric_limits<double>::infinity())) {
+    refine_all();
+    if (!(best < infinite)) {
       room.sites.starts(side, farther(), apart / 2, 3 * most_starts, room.starts);
-      refine();
+      refine_all();
     }
     if (places[0] == places[1]) break;
   }
-  if (best < std::numeric_limits<double>::infinity()) return q;
+  if (best < infinite) return q;
   outcome = OffsetOutcome::undecided;
   return nearest_place;
 }
 
 /// q.
-Eigen::Vector3d Solver::nearest_exterior(const Eigen::Vector3d& p, const Eigen::Vector3d& normal,
-                                         const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const {
-  if (normal.isZero()) return search(p, {p, p}, box, room, outcome);
+Eigen::Vector3d Solver::nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
+                                         OffsetOutcome& outcome) const {
+  const auto& [p, normal, triangle] = sample;
+  if (normal.isZero()) return search(sample, {p, p}, box, room, outcome);
   std::array<double, 2> depths;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Eigen::Vector3d end = p + sides[i] * grid_.r * normal;
@@ -320,7 +356,7 @@ Eigen::Vector3d Solver::nearest_exterior(const Eigen::Vector3d& p, const Eigen::
   for (std::size_t i = 0; i < sides.size(); ++i) {
     places[i] = raised(p, sides[i] * normal, sides[i] * mean, depths[i], grid_.r);
   }
-  return search(p, places, box, room, outcome);
+  return search(sample, places, box, room, outcome);
 }
 
 void Solver::answer(const Group& group) {
@@ -333,11 +369,12 @@ void Solver::answer(const Group& group) {
   for (std::size_t k = group.begin; k < group.end; ++k) {
     const Eigen::Index i = order_[k];
     OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
-    if (!is_on_surface(p, likely_[static_cast<std::size_t>(i)], room.surface)) continue;
-    const Eigen::Vector3d normal = normals_.row(i).transpose();
+    const Sample sample{grid_.to_cells(points_.row(i).transpose()), normals_.row(i).transpose(),
+                        likely_[static_cast<std::size_t>(i)]};
+    if (!is_on_surface(sample, room.surface)) continue;
+    const Eigen::Vector3d& p = sample.p;
     outcome = OffsetOutcome::searched;
-    const Eigen::Vector3d q = nearest_exterior(p, normal, box, room, outcome);
+    const Eigen::Vector3d q = nearest_exterior(sample, box, room, outcome);
     const double height = (q - p).norm();
     const Eigen::Vector3d outward = (q - p) / height;
     answers_.directions.row(i) = outward.transpose();
