@@ -15,7 +15,7 @@ namespace {
 
 TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
-  const BlockGrid grid(bounding_box(torus), 0.2, 0.05);
+  const BlockGrid grid(bounding_box(torus), 0.2, 0.04);
   const double spacing = 1;
   const GridSurface surface(grid, torus, spacing, false);
   // A point is at most so much farther than the surface, at a distance of r: its triangle's part reaches so far.
@@ -30,7 +30,7 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
     const BlockKind kind = look_at_block(grid, surface, static_cast<std::uint32_t>(index), band, nearby, found);
     if (kind == BlockKind::free) found.free = ~std::uint64_t{0};
     ++kinds[static_cast<std::size_t>(kind)];
-    for (int bit = 0; bit < cells_per_block; bit += 7) {
+    for (int bit = 0; bit < cells_per_block; bit += 9) {
       const Eigen::Vector3d centre =
           (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
       double distance = std::numeric_limits<double>::infinity();
@@ -46,6 +46,9 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
       }
       if (kind == BlockKind::free) {
         EXPECT_GT(distance, grid.r + band - too_far);
+      }
+      if (kind == BlockKind::covered) {
+        EXPECT_LT(distance, grid.r - std::sqrt(3.0) + 1e-3);
       }
       if (kind == BlockKind::mixed && distance < grid.r + band) {
         const std::array<std::int32_t, TriangleTable::at_once> nearest{
