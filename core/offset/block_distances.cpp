@@ -48,19 +48,50 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
   return hn::GetLane(hn::MinOfLanes(d, smallest));
 }
 
-std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+/// The places from 0 to n, in their order, for which is_chosen(i) says so of the vector that begins at i; returns how
+/// many.
+template <typename IsChosen>
+HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_chosen, std::uint32_t* indices) {
   const hn::CappedTag<float, grid_padding> d;
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto is_within = hn::And(hn::FirstN(d, n - i), hn::Le(hn::LoadU(d, numbers + i), hn::Set(d, limit)));
-    if (hn::AllFalse(d, is_within)) continue;
+    const auto chosen = hn::And(hn::FirstN(d, n - i), is_chosen(i));
+    if (hn::AllFalse(d, chosen)) continue;
     std::array<std::uint8_t, 8> bytes{};
-    hn::StoreMaskBits(d, is_within, bytes.data());
+    hn::StoreMaskBits(d, chosen, bytes.data());
     for (std::uint32_t bits = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8U; bits != 0; bits &= bits - 1) {
       indices[count++] = static_cast<std::uint32_t>(i) + static_cast<std::uint32_t>(std::countr_zero(bits));
     }
   }
   return count;
+}
+
+std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+  const hn::CappedTag<float, grid_padding> d;
+  const auto most = hn::Set(d, limit);
+  return indices_where(
+      n, [&](std::size_t i) HWY_ATTR { return hn::Le(hn::LoadU(d, numbers + i), most); }, indices);
+}
+
+/// Of the points of a run, at given squared distances from a block's centre, those that may be the nearest to one of
+/// its cells' centres. c + e is no farther from p than from the point a nearest to c where |c - p|^2 - |c - a|^2 <=
+/// 2 e (p - a), and no part of e exceeds 3 / 2.
+std::size_t rivals_of(const GridPoints& points, GridPoints::Run run, const float* squared, const Eigen::Vector3f& a,
+                      float smallest, std::uint32_t* indices) {
+  const hn::CappedTag<float, grid_padding> d;
+  constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two
+  const auto x = hn::Set(d, a.x());
+  const auto y = hn::Set(d, a.y());
+  const auto z = hn::Set(d, a.z());
+  const auto least = hn::Set(d, smallest + rounding);
+  const auto edge = hn::Set(d, static_cast<float>(block_edge - 1));
+  const auto is_rival = [&](std::size_t i) HWY_ATTR {
+    const auto apart = hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.x[run.begin + i]), x)),
+                               hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.y[run.begin + i]), y)),
+                                       hn::Abs(hn::Sub(hn::LoadU(d, &points.z[run.begin + i]), z))));
+    return hn::Le(hn::LoadU(d, squared + i), hn::MulAdd(edge, apart, least));
+  };
+  return indices_where(run.end - run.begin, is_rival, indices);
 }
 
 /// The points of the runs whose squared distance exceeds the smallest by no more than the margin: the nearest of them,
@@ -198,6 +229,7 @@ HWY_EXPORT(nearest_in_runs);
 HWY_EXPORT(nearest_of_cells);
 HWY_EXPORT(nearest_of_runs);
 HWY_EXPORT(indices_of);
+HWY_EXPORT(rivals_of);
 
 namespace {
 
@@ -215,10 +247,16 @@ int blocks_within(double distance, double squared_apart) {
 /// The distance along an axis between blocks so many apart.
 double gap_between(int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); }
 
-/// Collects the points of the blocks within the distance, with squared distances from the block's centre; returns the
-/// smallest.
-float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, double distance,
-              NearbyPoints& nearby) {
+/// The point nearest to a block's centre.
+struct Nearest {
+  float squared = std::numeric_limits<float>::infinity();
+  std::size_t run = 0;    ///< that it is of
+  std::size_t place = 0;  ///< of the run's first point, among those of all runs
+};
+
+/// Collects the points of the blocks within the distance, with squared distances from the block's centre.
+Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, double distance,
+                NearbyPoints& nearby) {
   auto& runs = nearby.runs;
   runs.clear();
   std::size_t count = 0;
@@ -239,26 +277,33 @@ float collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Ve
   }
   if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
   const Eigen::Vector3f centre = ((block.cast<float>().array() + 0.5F) * block_edge).matrix();
-  float smallest = std::numeric_limits<float>::infinity();
+  Nearest nearest;
   std::size_t place = 0;
-  for (const auto& [begin, end] : runs) {
-    smallest = std::min(smallest,
-                        squared_distances(&surface.points.x[begin], &surface.points.y[begin], &surface.points.z[begin],
-                                          end - begin, centre, nearby.squared.data() + place));
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    const auto& [begin, end] = runs[run];
+    const float squared = squared_distances(&surface.points.x[begin], &surface.points.y[begin],
+                                            &surface.points.z[begin], end - begin, centre, &nearby.squared[place]);
+    if (squared < nearest.squared) nearest = {squared, run, place};
     place += end - begin;
   }
-  return smallest;
+  return nearest;
 }
 
-/// Keeps the points within the squared distance.
-void keep_within(const GridSurface& surface, float limit, NearbyPoints& nearby) {
+/// Keeps the points that may be the nearest to one of the cells' centres, once one is nearest to the block's.
+void keep_rivals(const GridSurface& surface, const Nearest& nearest, NearbyPoints& nearby) {
   const GridPoints& points = surface.points;
   const float* squared_of_run = nearby.squared.data();
+  const float* found =
+      std::find(squared_of_run + nearest.place, squared_of_run + nearby.squared.size(), nearest.squared);
+  const auto a = nearby.runs[nearest.run].begin + static_cast<std::size_t>(found - (squared_of_run + nearest.place));
+  const Eigen::Vector3f place_of_a(points.x[a], points.y[a], points.z[a]);
   std::size_t place = 0;
-  for (const auto& [begin, end] : nearby.runs) {
+  for (const GridPoints::Run& run : nearby.runs) {
+    const auto& [begin, end] = run;
     const std::size_t count = end - begin;
     if (nearby.index.size() < count) nearby.index.resize(count);
-    const std::size_t kept = indices_within(squared_of_run, count, limit, nearby.index.data());
+    const std::size_t kept =
+        HWY_DYNAMIC_DISPATCH(rivals_of)(points, run, squared_of_run, place_of_a, nearest.squared, nearby.index.data());
     for (std::vector<float>* values : {&nearby.x, &nearby.y, &nearby.z}) values->resize(place + kept);
     nearby.triangle.resize(place + kept);
     for (std::size_t i = 0; i < kept; ++i, ++place) {
@@ -305,10 +350,11 @@ std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& su
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
                         NearbyPoints& nearby, BoundaryBlock& found) {
   const Eigen::Vector3i place = grid.block_at(block);
-  const double nearest = std::sqrt(static_cast<double>(collect(grid, surface, place, grid.r + band, nearby)));
-  if (nearest > grid.r + band + block_radius) return BlockKind::free;
-  if (nearest + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
-  keep_within(surface, static_cast<float>(std::pow(nearest + 2 * block_radius, 2) * (1 + 1e-6)), nearby);
+  const Nearest nearest = collect(grid, surface, place, grid.r + band, nearby);
+  const double distance = std::sqrt(static_cast<double>(nearest.squared));
+  if (distance > grid.r + band + block_radius) return BlockKind::free;
+  if (distance + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
+  keep_rivals(surface, nearest, nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;
   found.free =

@@ -12,48 +12,85 @@ namespace shapegauge {
 
 namespace {
 
-/// Where the ray leaves the cube of so many cells that holds x, whose coordinates are not negative. The cubes begin at
-/// multiples of their edge, shifted.
+/// A ray through the cubes between the cells' centres: places in cells from the first centre.
+struct Ray {
+  Eigen::Vector3d origin, direction, inverse;
+
+  [[nodiscard]] Eigen::Vector3d at(double t) const { return origin + t * direction; }
+};
+
+/// How far from x the ray leaves the cube of a lattice of that edge which holds x, whose coordinates are not negative.
 template <int edge>
-double leave_cube(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse, double shift) {
+double leave_cube(const Eigen::Vector3d& x, const Ray& ray) {
   constexpr double inverse_edge = 1.0 / edge;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
-    const double place = (x[k] - shift) * inverse_edge;
+    const double place = x[k] * inverse_edge;
     // The conversion rounds as floor does, from -1 on by one less, which leads on as well.
     const double low = static_cast<int>(place);
-    const double way = inverse[k] > 0 ? low + 1 - place : low - place;
-    least = std::min(least, way * edge * inverse[k]);
+    const double way = ray.inverse[k] > 0 ? low + 1 - place : low - place;
+    least = std::min(least, way * edge * ray.inverse[k]);
   }
   return std::max(least, 0.0) + 1e-6;
 }
 
-/// Where the ray leaves the block without its outermost half cells, x being relative to the block's corner; 0 where x
-/// is not in there.
-double leave_inside(const Eigen::Vector3d& x, const Eigen::Vector3d& inverse) {
-  constexpr double low = 0.5;
-  constexpr double high = block_edge - 0.5;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    if (x[k] < low || x[k] > high) return 0;
-    least = std::min(least, ((inverse[k] > 0 ? high : low) - x[k]) * inverse[k]);
-  }
-  return least + 1e-6;
+/// Of the cubes between the centres of a block's cells and of those next to them, the ones that have an exterior
+/// corner. Each is the bit of its lowest cell.
+std::uint64_t cubes_at_exterior(const ExteriorGrid& exterior, const Eigen::Vector3i& block) {
+  constexpr std::uint64_t low_x = 0x1111111111111111;
+  constexpr std::uint64_t low_y = 0x000F000F000F000F;
+  const BlockGrid& grid = exterior.grid();
+  const auto cells = [&](int i, int j, int k) {
+    const Eigen::Vector3i at = (block + Eigen::Vector3i(i, j, k)).cwiseMin(grid.blocks - Eigen::Vector3i::Ones());
+    return exterior.exterior_cells(grid.block_index(at));
+  };
+  const auto along_x = [&](int j, int k) {
+    const std::uint64_t own = cells(0, j, k);
+    return own | (own & ~low_x) >> 1U | (cells(1, j, k) & low_x) << 3U;
+  };
+  const auto along_y = [&](int k) {
+    const std::uint64_t own = along_x(0, k);
+    return own | (own & ~low_y) >> 4U | (along_x(1, k) & low_y) << 12U;
+  };
+  const std::uint64_t own = along_y(0);
+  return own | own >> 16U | along_y(1) << 48U;
 }
 
-/// The cells of a block around the box from a to b, which are no nearer to its sides than half a cell.
-std::uint64_t cells_along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+/// The cubes of a block that the box from a to b meets, both relative to its corner.
+std::uint64_t cubes_along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr std::array<std::uint64_t, 3> every{0x1111111111111111, 0x0001000100010001, 1};
-  std::uint64_t cells = ~std::uint64_t{0};
+  std::uint64_t cubes = ~std::uint64_t{0};
   for (int k = 0; k < 3; ++k) {
-    const int low = std::max(static_cast<int>(std::min(a[k], b[k]) - 0.5), 0);
-    const int high = std::min(static_cast<int>(std::max(a[k], b[k]) + 0.5), block_edge - 1);
+    const int low = std::clamp(static_cast<int>(std::min(a[k], b[k])), 0, block_edge - 1);
+    const int high = std::clamp(static_cast<int>(std::max(a[k], b[k])), 0, block_edge - 1);
     const int layer = 1 << (2 * k);  // bits
     const std::uint64_t from_low = ~std::uint64_t{0} << static_cast<unsigned>(low * layer);
     const std::uint64_t to_high = ~std::uint64_t{0} >> static_cast<unsigned>(64 - (high + 1) * layer);
-    cells &= (from_low & to_high) * every[static_cast<std::size_t>(k)];
+    cubes &= (from_low & to_high) * every[static_cast<std::size_t>(k)];
   }
-  return cells;
+  return cubes;
+}
+
+/// From t on, where the ray comes to a cube that has an exterior corner, or leaves the grid.
+double next_at_exterior(const ExteriorGrid& exterior, const Ray& ray, double t) {
+  const BlockGrid& grid = exterior.grid();
+  while (true) {
+    const Eigen::Vector3d x = ray.at(t);
+    const Eigen::Vector3i block = (x / block_edge).cast<int>();
+    if (!grid.has_block(block)) return t;
+    const double end = t + leave_cube<block_edge>(x, ray);
+    if (exterior.is_near_exterior(grid.block_index(block))) {
+      const Eigen::Vector3d corner = (block_edge * block).cast<double>();
+      const std::uint64_t wanted = cubes_at_exterior(exterior, block) & cubes_along(x - corner, ray.at(end) - corner);
+      while (wanted != 0 && t < end) {
+        const Eigen::Vector3d from = ray.at(t);
+        const Eigen::Vector3i cube = (from - corner).cast<int>().cwiseMax(0).cwiseMin(block_edge - 1);
+        if ((wanted >> static_cast<unsigned>(cube.x() + 4 * cube.y() + 16 * cube.z()) & 1U) != 0) return t;
+        t += leave_cube<1>(from, ray);
+      }
+    }
+    t = end;
+  }
 }
 
 /// How far along the ray the balls of radius r about the ends of the vectors cover it; 0 where none does.
@@ -72,35 +109,17 @@ double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d
 }  // namespace
 
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  const BlockGrid& grid = exterior.grid();
-  const Eigen::Vector3d inverse = direction.cwiseInverse();
+  constexpr int most_steps = 100000;
   // After a step so short, in parts of r, the triangles seen from its end are those seen from its beginning.
   constexpr double nearly = 0.02;
-  const double r = grid.r;
+  const double r = exterior.grid().r;
+  const Ray ray{(origin.array() - 0.5).matrix(), direction, direction.cwiseInverse()};
   TriangleTable::Vectors vectors;
   double t = r;
-  for (int step = 0; step < 100000; ++step) {
+  for (int step = 0; step < most_steps; ++step) {
+    t = next_at_exterior(exterior, ray, t);
     const Eigen::Vector3d x = origin + t * direction;
-    const Eigen::Vector3i block = (x / block_edge).cast<int>();
-    if (!grid.has_block(block)) return t;
-    const std::size_t index = grid.block_index(block);
-    if (!exterior.is_near_exterior(index)) {
-      t += leave_cube<block_edge>(x, inverse, 0);
-      continue;
-    }
-    // Where no cell that the way through the block comes near is exterior, one of the eight around x may be only near
-    // the block's sides.
-    const Eigen::Vector3d from = x - (block_edge * block).cast<double>();
-    const double inner = leave_inside(from, inverse);
-    if (inner > 0 && (exterior.exterior_cells(index) & cells_along(from, from + inner * direction)) == 0) {
-      t += inner;
-      continue;
-    }
     const CellsAround around = cells_around(exterior, x);
-    if (!around.touches_exterior) {
-      t += leave_cube<1>(x, inverse, 0.5);
-      continue;
-    }
     // Balls about the closest points of the triangles around cover a stretch of the ray; the farthest end counts.
     if (!vectors_around(exterior, around, x, vectors)) return t;
     double covered = end_of_balls(vectors, direction, r);
@@ -110,7 +129,7 @@ double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, 
     const auto closest = static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
                                                   vectors.squared.begin());
     const std::int32_t triangle =
-        closest_triangle_about(grid, exterior.surface(), x - vectors.vector(closest), closest_reach, x);
+        closest_triangle_about(exterior.grid(), exterior.surface(), x - vectors.vector(closest), closest_reach, x);
     const bool is_known =
         std::find(around.triangles.begin(), around.triangles.end(), triangle) != around.triangles.end();
     if (triangle < 0 || is_known) return t;

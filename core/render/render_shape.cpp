@@ -3,15 +3,18 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <limits>
 #include <numbers>
 #include <tbb/parallel_for.h>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
-#include "shapegauge/core/spatial/ray_caster.h"
 
 namespace shapegauge {
 
@@ -19,7 +22,7 @@ namespace {
 
 constexpr double smooth_edge_degrees = 40;
 
-/// Where the rays of a parallel projection start: the image plane, in front of the shape.
+/// The image plane of a parallel projection, in front of the shape.
 struct Camera {
   Eigen::Vector3d top_left;  ///< corner of the image
   Eigen::Vector3d right;     ///< unit
@@ -27,8 +30,8 @@ struct Camera {
   Eigen::Vector3d forward;   ///< unit, away from the viewer
   double pixel = 0;          ///< side of a pixel in the shape's units
 
-  [[nodiscard]] Eigen::Vector3d at(double column, double row) const {
-    return top_left + pixel * (column * right - row * up);
+  [[nodiscard]] Eigen::Vector3d at(double column, double row, double depth) const {
+    return top_left + pixel * (column * right - row * up) + depth * forward;
   }
 };
 
@@ -101,19 +104,115 @@ Normals normals_of(const Shape& shape) {
   return normals;
 }
 
+/// What is seen along a ray: the nearest triangle, -1 where there is none, and how far from the image plane it is.
+struct Seen {
+  std::int32_t triangle = -1;
+  double depth = std::numeric_limits<double>::infinity();
+};
+
+/// The rays of some rows of the image, `per_side` by `per_side` a pixel, and what is seen along each.
+class RayGrid {
+ public:
+  RayGrid(const Camera& camera, int columns, int per_side)
+      : camera_(camera), per_side_(per_side), columns_(columns * per_side) {}
+
+  /// - `projected`: the vertices by column, row and depth, see project().
+  void look_at(const Points& projected, const Triangles& triangles, int first_row, int rows) {
+    first_row_ = first_row * per_side_;
+    rows_ = rows * per_side_;
+    seen_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), Seen());
+    for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+      look_at({projected.row(triangles(f, 0)), projected.row(triangles(f, 1)), projected.row(triangles(f, 2))},
+              static_cast<std::int32_t>(f));
+    }
+  }
+
+  /// - `column`, `row`: of the ray, the row from the first of all.
+  [[nodiscard]] const Seen& at(int column, int row) const {
+    return seen_[static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
+                 static_cast<std::size_t>(column)];
+  }
+
+  [[nodiscard]] Eigen::Vector3d point(int column, int row) const {
+    return camera_.at((column + 0.5) / per_side_, (row + 0.5) / per_side_, at(column, row).depth);
+  }
+
+  /// Places in units between rays, those of the first ray 0.
+  [[nodiscard]] Points project(const Points& vertices) const {
+    const double unit = per_side_ / camera_.pixel;
+    Eigen::Matrix3d axes;
+    axes << unit * camera_.right, -unit * camera_.up, camera_.forward;
+    const Eigen::RowVector3d half(0.5, 0.5, 0);
+    return ((vertices.rowwise() - camera_.top_left.transpose()) * axes).rowwise() - half;
+  }
+
+ private:
+  using Corners = std::array<Eigen::Vector3d, 3>;
+
+  /// The side of an edge that a ray is on. It is taken from the same end by both triangles of the edge, so that none
+  /// slips between them.
+  struct Edge {
+    Edge(Eigen::Vector3d from, Eigen::Vector3d to, double orientation) : sign(orientation) {
+      if (std::pair(to.x(), to.y()) < std::pair(from.x(), from.y())) {
+        std::swap(from, to);
+        sign = -sign;
+      }
+      start = from;
+      along = to - from;
+    }
+    [[nodiscard]] bool has_inside(double x, double y) const {
+      return sign * (along.x() * (y - start.y()) - along.y() * (x - start.x())) >= 0;
+    }
+    Eigen::Vector3d start, along;
+    double sign;
+  };
+
+  void look_at(const Corners& corners, std::int32_t triangle) {
+    const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+    const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+    const auto inside = [](double place, int end) {
+      return static_cast<int>(std::clamp(place, -1.0, static_cast<double>(end)));
+    };
+    const int first_row = std::max(inside(std::ceil(low.y()), first_row_ + rows_), first_row_);
+    const int last_row = inside(std::floor(high.y()), first_row_ + rows_ - 1);
+    const int first_column = std::max(inside(std::ceil(low.x()), columns_), 0);
+    const int last_column = inside(std::floor(high.x()), columns_ - 1);
+    if (first_row > last_row || first_column > last_column) return;
+    const Eigen::Vector3d cross = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    if (cross.z() == 0) return;  // seen from its edge
+    const std::array<Edge, 3> edges{Edge(corners[0], corners[1], cross.z()), Edge(corners[1], corners[2], cross.z()),
+                                    Edge(corners[2], corners[0], cross.z())};
+    for (int row = first_row; row <= last_row; ++row) {
+      Seen* seen = &seen_[static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_)];
+      for (int column = first_column; column <= last_column; ++column) {
+        if (!edges[0].has_inside(column, row) || !edges[1].has_inside(column, row) || !edges[2].has_inside(column, row))
+          continue;
+        const double rise = cross.x() * (column - corners[0].x()) + cross.y() * (row - corners[0].y());
+        const double depth = std::clamp(corners[0].z() - rise / cross.z(), low.z(), high.z());
+        if (depth < seen[column].depth) seen[column] = {triangle, depth};
+      }
+    }
+  }
+
+  const Camera& camera_;
+  int per_side_;
+  int columns_;
+  int first_row_ = 0;
+  int rows_ = 0;
+  std::vector<Seen> seen_;
+};
+
 /// The shape with what its look needs.
 class Scene {
  public:
-  Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, RaysAtEdges at_edges)
-      : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)), caster_(shape, at_edges) {}
+  Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site)
+      : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)) {}
 
-  /// Red, green, blue and 255 of what the ray meets; zeros where it meets nothing.
-  [[nodiscard]] Eigen::Array4d look(const Eigen::Vector3d& origin, const Camera& camera) const {
-    const RayHit hit = caster_.first_hit(origin, camera.forward);
-    if (!hit) return Eigen::Array4d::Zero();
-    const Eigen::Vector3d parts = barycentric(hit.triangle, origin + hit.distance * camera.forward);
+  /// Red, green, blue and 255 of a point of a triangle.
+  [[nodiscard]] Eigen::Array4d look(std::int32_t triangle, const Eigen::Vector3d& point, const Camera& camera) const {
+    const Eigen::Vector3d parts = barycentric(triangle, point);
     Eigen::Array4d result;
-    result << colour(hit.triangle, parts) * shade(normal(hit.triangle, parts), camera), 255;
+    result << colour(triangle, parts) * shade(normal(triangle, parts), camera), 255;
     return result;
   }
 
@@ -163,7 +262,6 @@ class Scene {
   const std::vector<Colour>& colours_;
   SampleSite site_;
   Normals normals_;
-  RayCaster caster_;
 };
 
 /// Sum over a pixel's rays of colour and opacity, as the bytes of the pixel.
@@ -181,23 +279,31 @@ std::array<std::uint8_t, 4> pixel_of(const Eigen::Array4d& sum, int rays, bool t
   return bytes;
 }
 
-Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, RaysAtEdges at_edges,
-           const RenderOptions& options) {
+Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite site, const RenderOptions& options) {
+  constexpr int rows_at_once = 16;
   const Camera camera = camera_for(shape, options);
-  const Scene scene(shape, colours, site, at_edges);
+  const Scene scene(shape, colours, site);
   const int n = options.rays_per_side;
+  const Points projected = RayGrid(camera, options.width, n).project(shape.vertices);
   Image image{.width = options.width, .height = options.height, .pixels = {}};
   image.pixels.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
-  tbb::parallel_for(0, options.height, [&](int row) {
-    auto target = image.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(options.width) * row;
-    for (int column = 0; column < options.width; ++column) {
-      Eigen::Array4d sum = Eigen::Array4d::Zero();
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-          sum += scene.look(camera.at(column + (j + 0.5) / n, row + (i + 0.5) / n), camera);
+  tbb::parallel_for(0, (options.height + rows_at_once - 1) / rows_at_once, [&](int band) {
+    const int first = band * rows_at_once;
+    const int end = std::min(first + rows_at_once, options.height);
+    RayGrid rays(camera, options.width, n);
+    rays.look_at(projected, shape.triangles, first, end - first);
+    auto target = image.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(options.width) * first;
+    for (int row = first; row < end; ++row) {
+      for (int column = 0; column < options.width; ++column) {
+        Eigen::Array4d sum = Eigen::Array4d::Zero();
+        for (int k = 0; k < n * n; ++k) {
+          const int x = column * n + k % n;
+          const int y = row * n + k / n;
+          const std::int32_t triangle = rays.at(x, y).triangle;
+          if (triangle >= 0) sum += scene.look(triangle, rays.point(x, y), camera);
         }
+        target = std::ranges::copy(pixel_of(sum, n * n, options.transparent), target).out;
       }
-      target = std::ranges::copy(pixel_of(sum, n * n, options.transparent), target).out;
     }
   });
   return image;
@@ -280,9 +386,8 @@ Image render_shape(const Shape& shape, const std::vector<Colour>& colours, Sampl
                    const RenderOptions& options) {
   check(shape, colours, site);
   check(options);
-  if (!is_cloud(shape)) return draw(shape, colours, site, RaysAtEdges::hit, options);
-  // Splats overlap: what slips between the triangles of one meets another.
-  return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, RaysAtEdges::may_slip, options);
+  if (!is_cloud(shape)) return draw(shape, colours, site, options);
+  return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, options);
 }
 
 RenderOptions principal_view(const Shape& shape, RenderOptions options) {
