@@ -1,6 +1,5 @@
 #include "shapegauge/core/offset/block_grid.h"
 
-#include <array>
 #include <cmath>
 
 namespace shapegauge {
@@ -18,26 +17,37 @@ std::size_t BlockGrid::block_count() const {
          static_cast<std::size_t>(blocks.z());
 }
 
+namespace {
+
+/// Calls visit(i, j) for all blocks i and j = i + 1 along an axis, in the order of i.
+template <typename Visit>
+void for_each_pair_along(const BlockGrid& grid, int axis, const Visit& visit) {
+  const std::size_t stride = axis == 0 ? 1 : grid.block_index(Eigen::Vector3i::Unit(axis));
+  const std::size_t span = stride * static_cast<std::size_t>(grid.blocks[axis]);
+  const std::size_t count = grid.block_count();
+  for (std::size_t start = 0; start < count; start += span) {
+    for (std::size_t i = start; i + stride < start + span; ++i) visit(i, i + stride);
+  }
+}
+
+}  // namespace
+
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach) {
-  std::vector<std::uint8_t> line;
-  const std::array<std::size_t, 3> size{static_cast<std::size_t>(grid.blocks.x()),
-                                        static_cast<std::size_t>(grid.blocks.y()),
-                                        static_cast<std::size_t>(grid.blocks.z())};
-  const std::array<std::size_t, 3> stride{1, size[0], size[0] * size[1]};
   for (int step = 0; step < reach; ++step) {
-    std::vector<std::uint8_t> wider;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      wider = marked;
-      const std::size_t s = stride[axis];
-      const std::size_t span = s * size[axis];
-      for (std::size_t start = 0; start < marked.size(); start += span) {
-        for (std::size_t i = start + s; i < start + span; ++i) {
-          wider[i] |= marked[i - s];
-          wider[i - s] |= marked[i];
-        }
-      }
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<std::uint8_t> wider = marked;
+      for_each_pair_along(grid, axis, [&](std::size_t i, std::size_t j) {
+        wider[j] |= marked[i];
+        wider[i] |= marked[j];
+      });
       marked.swap(wider);
     }
+  }
+}
+
+void dilate_down(const BlockGrid& grid, std::vector<std::uint8_t>& marked) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for_each_pair_along(grid, axis, [&](std::size_t i, std::size_t j) { marked[i] |= marked[j]; });
   }
 }
 

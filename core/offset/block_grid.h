@@ -46,8 +46,7 @@ struct BlockGrid {
 
 /// The cells of a block near the boundary of the offset solid.
 struct BoundaryBlock {
-  std::uint64_t exterior = 0;                           ///< the cells whose centres belong to E(r)
-  std::uint64_t free = 0;                               ///< those whose centres lie outside of O(r)
+  std::uint64_t free = 0;                               ///< the cells whose centres lie outside of O(r)
   std::array<std::int32_t, cells_per_block> nearest{};  ///< the triangle closest to each cell's centre, about
   std::uint32_t index = 0;                              ///< the block's, in the grid
 };
@@ -58,5 +57,8 @@ enum class BlockKind : std::uint8_t { free, covered, mixed };
 
 /// Marks all blocks within so many blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
+
+/// Marks all blocks that are just below a marked one along any of the axes.
+void dilate_down(const BlockGrid& grid, std::vector<std::uint8_t>& marked);
 
 }  // namespace shapegauge

@@ -76,7 +76,7 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
     if (state_[i] == unknown) state_[i] = none_exterior;
     near_[i] = exterior_cells(i) != 0 ? 1 : 0;
   }
-  dilate(grid, near_, 1);
+  dilate_down(grid, near_);
 }
 
 namespace {
@@ -237,7 +237,7 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       if (state == all_exterior || state == none_exterior) continue;
       if (state >= 0) {
         const auto place = static_cast<std::size_t>(state);
-        const Cells added = touched & boundary_[place].free & ~boundary_[place].exterior;
+        const Cells added = touched & boundary_[place].free & ~exterior_[place];
         if (added != 0 && seeds[place] == 0) spreading.push_back(state);
         seeds[place] |= added;
       } else if (state < unknown) {
@@ -268,6 +268,7 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       } else {
         if (next != first + i) boundary_[next] = boundary_[first + i];
         state = static_cast<std::int32_t>(next);
+        exterior_.push_back(0);
         seeds.push_back(blocks[i].seeds & boundary_[next].free);
         if (seeds.back() != 0) spreading.push_back(state);
         ++next;
@@ -283,12 +284,11 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
       }
       const auto place = static_cast<std::size_t>(spreading.back());
       spreading.pop_back();
-      BoundaryBlock& block = boundary_[place];
-      const Cells wider = fill(block.exterior | seeds[place], block.free);
-      const Cells added = wider & ~block.exterior;
+      const Cells wider = fill(exterior_[place] | seeds[place], boundary_[place].free);
+      const Cells added = wider & ~exterior_[place];
       seeds[place] = 0;
-      block.exterior = wider;
-      pass_on(block.index, added);
+      exterior_[place] = wider;
+      pass_on(boundary_[place].index, added);
     }
   }
 }
@@ -346,6 +346,7 @@ void ExteriorGrid::look_across_edges(const std::vector<std::uint8_t>& near_surfa
     state_[reached[i].block] = static_cast<std::int32_t>(next++);
   }
   boundary_.resize(next);
+  exterior_.resize(next);
 }
 
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {
@@ -373,10 +374,10 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
       touches |= state == ExteriorGrid::all_exterior;
       continue;
     }
-    const BoundaryBlock& boundary = exterior.boundary()[static_cast<std::size_t>(state)];
+    const auto place = static_cast<std::size_t>(state);
     const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
-    touches |= (boundary.exterior >> bit & 1U) != 0;
-    result.triangles[static_cast<std::size_t>(count++)] = boundary.nearest[bit];
+    touches |= (exterior.boundary_cells(place) >> bit & 1U) != 0;
+    result.triangles[static_cast<std::size_t>(count++)] = exterior.boundary()[place].nearest[bit];
   }
   result.count = count;
   result.touches_exterior = touches;

@@ -23,6 +23,8 @@ class ExteriorGrid {
   [[nodiscard]] const BlockGrid& grid() const { return grid_; }
   [[nodiscard]] const GridSurface& surface() const { return surface_; }
   [[nodiscard]] const std::vector<BoundaryBlock>& boundary() const { return boundary_; }
+  /// The exterior cells of one of the boundary().
+  [[nodiscard]] std::uint64_t boundary_cells(std::size_t place) const { return exterior_[place]; }
 
   /// What a block is: all of its cells are exterior, none is, or it is among the boundary()'s.
   static constexpr std::int32_t all_exterior = -1;
@@ -33,10 +35,10 @@ class ExteriorGrid {
   [[nodiscard]] std::uint64_t exterior_cells(std::size_t index) const {
     const std::int32_t state = state_[index];
     if (state < 0) return state == all_exterior ? ~std::uint64_t{0} : 0;
-    return boundary_[static_cast<std::size_t>(state)].exterior;
+    return boundary_cells(static_cast<std::size_t>(state));
   }
 
-  /// Whether the block or one next to it has exterior cells.
+  /// Whether the block or one above it, along any of the axes, has exterior cells.
   [[nodiscard]] bool is_near_exterior(std::size_t index) const { return near_[index] != 0; }
 
  private:
@@ -56,6 +58,7 @@ class ExteriorGrid {
   std::vector<std::int32_t> state_;
   std::vector<std::uint8_t> near_;
   std::vector<BoundaryBlock> boundary_;
+  std::vector<std::uint64_t> exterior_;  ///< the cells of each of the boundary_ that belong to E(r)
 };
 
 /// What is known of the surroundings of a point: of the eight cells whose centres are the corners of the cube, a cell

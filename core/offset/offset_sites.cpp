@@ -24,7 +24,8 @@ struct Chunk {
   std::vector<std::int32_t> triangle;
   std::vector<std::uint32_t> counts;  ///< of each block
 
-  void add(const ExteriorGrid& exterior, const BoundaryBlock& block, double band) {
+  void add(const ExteriorGrid& exterior, std::size_t number, double band) {
+    const BoundaryBlock& block = exterior.boundary()[number];
     const double r = exterior.grid().r;
     const Eigen::Vector3i place = exterior.grid().block_at(block.index);
     const std::size_t before = x.size();
@@ -32,7 +33,7 @@ struct Chunk {
     std::array<std::int32_t, most> triangles{};
     std::array<Eigen::Vector3d, most> centres;
     TriangleTable::Vectors vectors{};
-    std::uint64_t left = block.exterior;
+    std::uint64_t left = exterior.boundary_cells(number);
     while (left != 0) {
       std::size_t count = 0;
       for (; left != 0 && count < most; left &= left - 1, ++count) {
@@ -81,7 +82,7 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
   std::vector<Chunk> chunks((blocks.size() + chunk_size - 1) / chunk_size);
   const auto fill = [&](std::size_t c) {
     for (std::size_t i = c * chunk_size; i < std::min(blocks.size(), (c + 1) * chunk_size); ++i) {
-      chunks[c].add(exterior, blocks[i], band);
+      chunks[c].add(exterior, i, band);
     }
   };
   if (parallel) {

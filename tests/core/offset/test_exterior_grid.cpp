@@ -13,11 +13,7 @@ std::vector<bool> exterior_cells(const ExteriorGrid& exterior) {
   const BlockGrid& grid = exterior.grid();
   std::vector<bool> cells;
   for (std::size_t index = 0; index < grid.block_count(); ++index) {
-    const std::int32_t state = exterior.block(index);
-    for (int bit = 0; bit < cells_per_block; ++bit) {
-      cells.push_back(state == ExteriorGrid::all_exterior ||
-                      (state >= 0 && (exterior.boundary()[static_cast<std::size_t>(state)].exterior >> bit & 1U) != 0));
-    }
+    for (int bit = 0; bit < cells_per_block; ++bit) cells.push_back((exterior.exterior_cells(index) >> bit & 1U) != 0);
   }
   return cells;
 }
