@@ -237,16 +237,6 @@ namespace {
 const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
 const double cell_diagonal = std::sqrt(3.0);
 
-/// How many blocks away, along an axis, one may be whose points are within a distance of a block, if along the other
-/// axes they are so far apart already (squared).
-int blocks_within(double distance, double squared_apart) {
-  const double rest2 = distance * distance - squared_apart;
-  return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
-}
-
-/// The distance along an axis between blocks so many apart.
-double gap_between(int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); }
-
 /// The point nearest to a block's centre.
 struct Nearest {
   float squared = std::numeric_limits<float>::infinity();
@@ -254,26 +244,24 @@ struct Nearest {
   std::size_t place = 0;  ///< of the run's first point, among those of all runs
 };
 
-/// Collects the points of the blocks within the distance, with squared distances from the block's centre.
-Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block, double distance,
-                NearbyPoints& nearby) {
+/// Collects the points of the rows, with squared distances from the block's centre.
+Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block,
+                const BlockSurroundings& around, NearbyPoints& nearby) {
   auto& runs = nearby.runs;
   runs.clear();
   std::size_t count = 0;
-  const int reach = blocks_within(distance, 0);
-  for (int k = std::max(-reach, -block.z()); k <= std::min(reach, grid.blocks.z() - 1 - block.z()); ++k) {
-    for (int j = std::max(-reach, -block.y()); j <= std::min(reach, grid.blocks.y() - 1 - block.y()); ++j) {
-      const int along = blocks_within(distance, std::pow(gap_between(j), 2) + std::pow(gap_between(k), 2));
-      if (along < 0) continue;
-      const int low = std::max(block.x() - along, 0);
-      const int high = std::min(block.x() + along, grid.blocks.x() - 1);
-      const std::size_t row = grid.block_index({0, block.y() + j, block.z() + k});
-      const std::uint32_t begin = surface.points.first[row + static_cast<std::size_t>(low)];
-      const std::uint32_t end = surface.points.first[row + static_cast<std::size_t>(high) + 1];
-      if (begin == end) continue;
-      runs.push_back({begin, end});
-      count += end - begin;
-    }
+  for (const auto& [j, k, along] : around.rows) {
+    const int y = block.y() + j;
+    const int z = block.z() + k;
+    if (y < 0 || y >= grid.blocks.y() || z < 0 || z >= grid.blocks.z()) continue;
+    const int low = std::max(block.x() - along, 0);
+    const int high = std::min(block.x() + along, grid.blocks.x() - 1);
+    const std::size_t row = grid.block_index({0, y, z});
+    const std::uint32_t begin = surface.points.first[row + static_cast<std::size_t>(low)];
+    const std::uint32_t end = surface.points.first[row + static_cast<std::size_t>(high) + 1];
+    if (begin == end) continue;
+    runs.push_back({begin, end});
+    count += end - begin;
   }
   if (nearby.squared.size() < count + grid_padding) nearby.squared.resize(count + grid_padding);
   const Eigen::Vector3f centre = ((block.cast<float>().array() + 0.5F) * block_edge).matrix();
@@ -347,12 +335,29 @@ std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& su
                                             vectors.squared.begin())];
 }
 
-BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
-                        NearbyPoints& nearby, BoundaryBlock& found) {
+BlockSurroundings::BlockSurroundings(double within) : distance(within) {
+  // How many blocks away one may be whose points are within the distance of a block, if along the other axes they are
+  // so far apart already (squared).
+  const auto blocks_within = [&](double squared_apart) {
+    const double rest2 = distance * distance - squared_apart;
+    return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
+  };
+  const auto gap = [](int blocks) { return block_edge * std::max(0, std::abs(blocks) - 1); };
+  const int reach = blocks_within(0);
+  for (int k = -reach; k <= reach; ++k) {
+    for (int j = -reach; j <= reach; ++j) {
+      const int along = blocks_within(std::pow(gap(j), 2) + std::pow(gap(k), 2));
+      if (along >= 0) rows.push_back({j, k, along});
+    }
+  }
+}
+
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
+                        const BlockSurroundings& around, NearbyPoints& nearby, BoundaryBlock& found) {
   const Eigen::Vector3i place = grid.block_at(block);
-  const Nearest nearest = collect(grid, surface, place, grid.r + band, nearby);
+  const Nearest nearest = collect(grid, surface, place, around, nearby);
   const double distance = std::sqrt(static_cast<double>(nearest.squared));
-  if (distance > grid.r + band + block_radius) return BlockKind::free;
+  if (distance > around.distance + block_radius) return BlockKind::free;
   if (distance + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
   keep_rivals(surface, nearest, nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();

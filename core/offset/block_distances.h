@@ -38,10 +38,22 @@ struct NearestPoints {
   }
 };
 
-/// Looks at the distances of the centres of a block's cells to the surface's points, by all points within r + band of
-/// any. Where they are mixed, fills in which are free, and the triangle nearest to each.
-BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block, double band,
-                        NearbyPoints& nearby, BoundaryBlock& found);
+/// Rows of blocks, as seen from one in their middle, that hold all points within a distance of its cells.
+struct BlockSurroundings {
+  struct Row {
+    int j, k;   ///< along y and z
+    int along;  ///< so many blocks to each side
+  };
+  double distance;
+  std::vector<Row> rows;
+
+  explicit BlockSurroundings(double within);
+};
+
+/// Looks at the distances of the centres of a block's cells to the surface's points, by those of the rows around
+/// as far as r + band. Where they are mixed, fills in which are free, and the triangle nearest to each.
+BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
+                        const BlockSurroundings& around, NearbyPoints& nearby, BoundaryBlock& found);
 
 /// How far, in cells, the closest triangle's points are looked for around a place near it.
 inline constexpr double closest_reach = 0.5;

@@ -201,10 +201,11 @@ std::vector<BlockKind> ExteriorGrid::look_at(const std::vector<Reached>& blocks,
   const std::size_t first = boundary_.size();
   boundary_.resize(first + blocks.size());
   std::vector<BlockKind> kinds(blocks.size());
+  const BlockSurroundings around(grid_.r + band);
   const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
     thread_local NearbyPoints nearby;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
-      kinds[i] = look_at_block(grid_, surface_, blocks[i].block, band, nearby, boundary_[first + i]);
+      kinds[i] = look_at_block(grid_, surface_, blocks[i].block, around, nearby, boundary_[first + i]);
     }
   };
   const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);

@@ -27,6 +27,8 @@ struct Chunk {
   void add(const ExteriorGrid& exterior, std::size_t number, double band) {
     const BoundaryBlock& block = exterior.boundary()[number];
     const double r = exterior.grid().r;
+    // Most cells are farther: single precision says so.
+    const auto farthest2 = static_cast<float>(1.0001 * (r + band) * (r + band));
     const Eigen::Vector3i place = exterior.grid().block_at(block.index);
     const std::size_t before = x.size();
     constexpr std::size_t most = TriangleTable::at_once;
@@ -44,6 +46,7 @@ struct Chunk {
       }
       exterior.surface().triangles.vectors_to_each(vectors, triangles.data());
       for (std::size_t i = 0; i < count; ++i) {
+        if (vectors.squared[i] > farthest2) continue;
         const double distance = std::sqrt(static_cast<double>(vectors.squared[i]));
         if (!(distance < r + band) || !(distance > 0)) continue;
         const Eigen::Vector3d site = centres[i] - (1 - r / distance) * vectors.vector(i);
