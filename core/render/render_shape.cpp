@@ -163,6 +163,22 @@ class RayGrid {
     [[nodiscard]] bool has_inside(double x, double y) const {
       return sign * (along.x() * (y - start.y()) - along.y() * (x - start.x())) >= 0;
     }
+    /// Takes the columns that are outside from a row's, by where the edge crosses the row. Where that cannot be told,
+    /// fmin and fmax leave them, one by one.
+    void cut(int row, int& first, int& last) const {
+      if (along.y() == 0) {
+        if (!has_inside(first, row)) last = first - 1;
+        return;
+      }
+      const double crossing = start.x() + along.x() * ((row - start.y()) / along.y());
+      if ((sign > 0) == (along.y() < 0)) {  // what is inside is to the right
+        first = std::max(first, static_cast<int>(std::fmin(std::fmax(crossing - 1, first), last + 1.0)));
+        while (first <= last && !has_inside(first, row)) ++first;
+      } else {
+        last = std::min(last, static_cast<int>(std::fmax(std::fmin(crossing + 1, last), first - 1.0)));
+        while (first <= last && !has_inside(last, row)) --last;
+      }
+    }
     Eigen::Vector3d start, along;
     double sign;
   };
@@ -182,13 +198,16 @@ class RayGrid {
     if (cross.z() == 0) return;  // seen from its edge
     const std::array<Edge, 3> edges{Edge(corners[0], corners[1], cross.z()), Edge(corners[1], corners[2], cross.z()),
                                     Edge(corners[2], corners[0], cross.z())};
+    const double rise_x = cross.x() / cross.z();
+    const double rise_y = cross.y() / cross.z();
     for (int row = first_row; row <= last_row; ++row) {
+      int first = first_column;
+      int last = last_column;
+      for (const Edge& edge : edges) edge.cut(row, first, last);
       Seen* seen = &seen_[static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_)];
-      for (int column = first_column; column <= last_column; ++column) {
-        if (!edges[0].has_inside(column, row) || !edges[1].has_inside(column, row) || !edges[2].has_inside(column, row))
-          continue;
-        const double rise = cross.x() * (column - corners[0].x()) + cross.y() * (row - corners[0].y());
-        const double depth = std::clamp(corners[0].z() - rise / cross.z(), low.z(), high.z());
+      for (int column = first; column <= last; ++column) {
+        const double rise = rise_x * (column - corners[0].x()) + rise_y * (row - corners[0].y());
+        const double depth = std::clamp(corners[0].z() - rise, low.z(), high.z());
         if (depth < seen[column].depth) seen[column] = {triangle, depth};
       }
     }

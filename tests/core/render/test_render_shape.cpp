@@ -64,6 +64,28 @@ TEST(RenderShape, SilhouetteOfABoxFromTheFront) {
   EXPECT_EQ(pixel(image, 60, 10)[3], 0);
 }
 
+TEST(RenderShape, NothingSlipsBetweenTriangles) {
+  RenderOptions options = small_transparent();
+  options.towards_viewer = {0, 0, 1};
+  options.margin = 0;
+  options.width = options.height = 45;
+  options.rays_per_side = 1;
+  // Each ray meets a corner of the 90 x 90 squares of a side.
+  const Shape box = test::box({1, 1, 1}, 90);
+  EXPECT_DOUBLE_EQ(covered(render(box, options)), 45 * 45);
+  // Turned, it is convex still.
+  options.towards_viewer = {0.3, 0.2, 1};
+  options.up = {0.1, 1, 0};
+  const Image turned = render(box, options);
+  for (int row = 0; row < options.height; ++row) {
+    int changes = 0;
+    for (int column = 1; column < options.width; ++column) {
+      changes += pixel(turned, column, row)[3] != pixel(turned, column - 1, row)[3] ? 1 : 0;
+    }
+    EXPECT_LE(changes, 2) << row;
+  }
+}
+
 TEST(RenderShape, SizeAndPlaceDoNotMatter) {
   const RenderOptions options = small_transparent();
   const Shape torus = test::torus(3, 1, 20, 40);
