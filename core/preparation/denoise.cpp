@@ -130,13 +130,16 @@ double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) 
                                        : static_cast<double>(same) / static_cast<double>(neighbours.neighbours.size());
 }
 
-/// Moves every vertex towards the mean of its neighbours, by a fraction of the way (away from it where negative).
-void step(Points& vertices, Points& before, const VertexNeighbours& neighbours, double fraction) {
-  before = vertices;
-  for (Eigen::Index v = 0; v < vertices.rows(); ++v) {
+/// Points with a fourth coordinate of 0: rows of whole vectors.
+using PaddedPoints = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
+
+/// Every vertex moved towards the mean of its neighbours, by a fraction of the way (away from it where negative).
+void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double fraction, PaddedPoints& vertices) {
+  for (Eigen::Index v = 0; v < before.rows(); ++v) {
     const auto around = neighbours.of(v);
+    vertices.row(v) = before.row(v);
     if (around.empty()) continue;
-    Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+    Eigen::RowVector4d sum = Eigen::RowVector4d::Zero();
     for (const std::int32_t u : around) sum += before.row(u);
     vertices.row(v) += fraction * (sum / static_cast<double>(around.size()) - before.row(v));
   }
@@ -191,13 +194,14 @@ Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbour
   constexpr double inward = 0.5;
   const double outward = 1 / (pass_band - 1 / inward);  // 1 / inward + 1 / outward = pass_band
   const int rounds = static_cast<int>(std::ceil(2 / pass_band)) + 3;
-  Points smoothed = vertices;
-  Points before;
+  PaddedPoints smoothed = PaddedPoints::Zero(vertices.rows(), 4);
+  smoothed.leftCols<3>() = vertices;
+  PaddedPoints shrunk(vertices.rows(), 4);
   for (int round = 0; round < rounds; ++round) {
-    step(smoothed, before, neighbours, inward);
-    step(smoothed, before, neighbours, outward);
+    step(smoothed, neighbours, inward, shrunk);
+    step(shrunk, neighbours, outward, smoothed);
   }
-  return smoothed;
+  return smoothed.leftCols<3>();
 }
 
 DenoisedShape denoised(Shape shape) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "shapegauge/core/preparation/denoise.h"
@@ -54,10 +55,16 @@ std::size_t count_degenerate(const Shape& shape) {
   return count;
 }
 
-std::size_t count_duplicates(std::vector<CornerIndices> corners) {
+std::size_t count_duplicates(std::vector<CornerIndices> corners, std::size_t vertices) {
   for (CornerIndices& triangle : corners) std::ranges::sort(triangle);
-  std::ranges::sort(corners);
-  return static_cast<std::size_t>(corners.end() - std::unique(corners.begin(), corners.end()));
+  auto [sorted, first] = counted_by_key(corners, vertices, [](const CornerIndices& triangle) { return triangle[0]; });
+  std::size_t count = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
+    std::ranges::sort(of_vertex);
+    count += std::ranges::unique(of_vertex).size();
+  }
+  return count;
 }
 
 /// Parts connected through vertices: sets of vertices that are united triangle by triangle.
@@ -90,7 +97,7 @@ void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged,
 }
 
 void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
-  found.gap_size = gap_size(shape);
+  if (is_cloud(shape) || found.boundary_edges > 0) found.gap_size = gap_size(shape);
   found.point_spacing = point_spacing(shape);
   const VertexNeighbours neighbours = vertex_neighbours(shape);
   const NoiseLevel noise = noise_level(shape, neighbours);
@@ -115,7 +122,7 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.degenerate_triangles = count_degenerate(shape);
   std::vector<CornerIndices> corners = merged_corners(shape.triangles, merged);
   found.components = count_components(corners, merged.size());
-  found.duplicate_triangles = count_duplicates(std::move(corners));
+  found.duplicate_triangles = count_duplicates(std::move(corners), merged.size());
   diagnose_edges(shape, merged, found);
   diagnose_gaps_and_noise(shape, found);
   return found;

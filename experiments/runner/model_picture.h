@@ -11,7 +11,7 @@ namespace shapegauge {
 
 /// To be raised with every change of what pictures look like, or of what it rests on (render_shape, principal_view,
 /// colours): what a cache holds of earlier versions is then drawn anew.
-inline constexpr int picture_version = 2;
+inline constexpr int picture_version = 3;
 
 /// A small picture of a shape in its principal_view(), coloured by the values of a field at the samples on it, as the
 /// bytes of a PNG file with a transparent background. Depends on nothing else. Samples that are neither at all faces
