@@ -240,11 +240,18 @@ Quadricd plane_quadric(const Vector& unit_normal, const Vector& point, double we
   return Quadricd(unit_normal[0], unit_normal[1], unit_normal[2], -unit_normal.dot(point)) * weight;
 }
 
-/// Twice the area over the square of the longest side: 0 for a degenerate triangle, 0.87 for an equilateral one.
-double roundness(const Vector& a, const Vector& b, const Vector& c) {
-  const double longest = std::max({(b - a).sqrnorm(), (c - b).sqrnorm(), (a - c).sqrnorm()});
-  return longest > 0 ? (b - a).cross(c - a).norm() / longest : 0;
-}
+/// A triangle's normal, as long as twice its area, and that area over the square of the longest side: 0 for a
+/// degenerate triangle, 0.87 for an equilateral one.
+struct Facing {
+  Vector normal;
+  double length;
+  double roundness;
+
+  Facing(const Vector& a, const Vector& b, const Vector& c) : normal((b - a).cross(c - a)), length(normal.norm()) {
+    const double longest = std::max({(b - a).sqrnorm(), (c - b).sqrnorm(), (a - c).sqrnorm()});
+    roundness = longest > 0 ? length / longest : 0;
+  }
+};
 
 /// Says how good a collapse is: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area,
 /// and of planes that stand on open edges, which OpenMesh's own module lets erode; illegal where a face would turn over
@@ -305,11 +312,11 @@ bool DecimationModule::keeps_faces(const CollapseInfo& collapse) {
     if (second == collapse.v1 || third == collapse.v1) continue;  // a face that goes
     const Vector b = mesh().point(second);
     const Vector c = mesh().point(third);
-    const double before_roundness = roundness(collapse.p0, b, c);
-    if (roundness(collapse.p1, b, c) < std::min(least_roundness, before_roundness)) return false;
-    const Vector before = (b - collapse.p0).cross(c - collapse.p0);
-    const Vector after = (b - collapse.p1).cross(c - collapse.p1);
-    if (before_roundness > 0 && before.dot(after) < least_cosine * before.norm() * after.norm()) return false;
+    const Facing before(collapse.p0, b, c);
+    const Facing after(collapse.p1, b, c);
+    if (after.roundness < std::min(least_roundness, before.roundness)) return false;
+    if (before.roundness > 0 && before.normal.dot(after.normal) < least_cosine * before.length * after.length)
+      return false;
   }
   return true;
 }

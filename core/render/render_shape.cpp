@@ -28,6 +28,7 @@ struct Camera {
   Eigen::Vector3d right;     ///< unit
   Eigen::Vector3d up;        ///< unit
   Eigen::Vector3d forward;   ///< unit, away from the viewer
+  Eigen::Vector3d light;     ///< unit, to where the light comes from: above the viewer's left shoulder
   double pixel = 0;          ///< side of a pixel in the shape's units
 
   [[nodiscard]] Eigen::Vector3d at(double column, double row, double depth) const {
@@ -64,6 +65,7 @@ Camera camera_for(const Shape& shape, const RenderOptions& options) {
   camera.forward = -options.towards_viewer.normalized();
   camera.right = camera.forward.cross(options.up).normalized();
   camera.up = camera.right.cross(camera.forward);
+  camera.light = (camera.up - 0.6 * camera.right - 0.9 * camera.forward).normalized();
   Eigen::Matrix3d axes;
   axes << camera.right, camera.up, camera.forward;
   Eigen::AlignedBox3d box;  // in the camera's axes
@@ -122,8 +124,10 @@ class RayGrid {
     rows_ = rows * per_side_;
     seen_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), Seen());
     for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-      look_at({projected.row(triangles(f, 0)), projected.row(triangles(f, 1)), projected.row(triangles(f, 2))},
-              static_cast<std::int32_t>(f));
+      const auto corner = [&](int k) { return projected.row(triangles(f, k)); };
+      const auto [low, high] = std::minmax({corner(0).y(), corner(1).y(), corner(2).y()});
+      if (high < first_row_ || low >= first_row_ + rows_) continue;
+      look_at({corner(0), corner(1), corner(2)}, static_cast<std::int32_t>(f));
     }
   }
 
@@ -159,28 +163,30 @@ class RayGrid {
       }
       start = from;
       along = to - from;
+      slope = along.x() / along.y();
     }
     [[nodiscard]] bool has_inside(double x, double y) const {
       return sign * (along.x() * (y - start.y()) - along.y() * (x - start.x())) >= 0;
     }
-    /// Takes the columns that are outside from a row's, by where the edge crosses the row. Where that cannot be told,
-    /// fmin and fmax leave them, one by one.
+    /// Takes the columns that are outside from a row's. Where the edge crosses the row says about which, if it can be
+    /// told.
     void cut(int row, int& first, int& last) const {
       if (along.y() == 0) {
         if (!has_inside(first, row)) last = first - 1;
         return;
       }
-      const double crossing = start.x() + along.x() * ((row - start.y()) / along.y());
+      const double crossing = start.x() + slope * (row - start.y());
       if ((sign > 0) == (along.y() < 0)) {  // what is inside is to the right
-        first = std::max(first, static_cast<int>(std::fmin(std::fmax(crossing - 1, first), last + 1.0)));
+        if (crossing - 1 > first) first = static_cast<int>(std::min(crossing - 1, last + 1.0));
         while (first <= last && !has_inside(first, row)) ++first;
       } else {
-        last = std::min(last, static_cast<int>(std::fmax(std::fmin(crossing + 1, last), first - 1.0)));
+        if (crossing + 1 < last) last = static_cast<int>(std::max(crossing + 1, first - 1.0));
         while (first <= last && !has_inside(last, row)) --last;
       }
     }
     Eigen::Vector3d start, along;
     double sign;
+    double slope;  ///< columns a row
   };
 
   void look_at(const Corners& corners, std::int32_t triangle) {
@@ -272,8 +278,7 @@ class Scene {
   /// Light from the upper left that wraps around the form, and a little from the viewer.
   [[nodiscard]] static double shade(Eigen::Vector3d normal, const Camera& camera) {
     if (normal.dot(camera.forward) > 0) normal = -normal;
-    const Eigen::Vector3d light = (camera.up - 0.6 * camera.right - 0.9 * camera.forward).normalized();
-    const double wrapped = (normal.dot(light) + 0.6) / 1.6;
+    const double wrapped = (normal.dot(camera.light) + 0.6) / 1.6;
     return 0.36 + 0.54 * std::max(0.0, wrapped) + 0.1 * std::max(0.0, -normal.dot(camera.forward));
   }
 

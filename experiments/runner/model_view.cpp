@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/runner/model_view.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/view/coarse_view.h"
@@ -17,11 +18,12 @@ Eigen::Index faces_of_views(std::size_t models) {
 std::string model_view(const Shape& shape, std::span<const SampledField> fields, Eigen::Index faces) {
   ShapeView view{.name = "", .shape = coarse_shape(shape, faces), .site = SampleSite::vertices};
   const Samples places = sample_shape(view.shape, view.site);
+  std::map<const Samples*, CarriedValues> carried;  // most fields have the same samples
   for (const SampledField& field : fields) {
     const auto range = central_range({.values = field.values, .weights = field.samples.weights});
-    view.fields.push_back({.name = "",
-                           .values = CarriedValues(field.samples, places).means(field.values),
-                           .colours = range.value_or(Interval{})});
+    const CarriedValues& of_samples = carried.try_emplace(&field.samples, field.samples, places).first->second;
+    view.fields.push_back(
+        {.name = "", .values = of_samples.means(field.values), .colours = range.value_or(Interval{})});
   }
   return shape_view_json(view).dump();
 }

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// To be raised with every change of coarse_shape() and CarriedValues: what a cache holds of earlier versions is then
 /// made anew.
-inline constexpr int coarse_shape_version = 1;
+inline constexpr int coarse_shape_version = 2;
 
 /// A mesh that looks like the given one and has at most so many faces, at least 100, however broken the mesh is: by
 /// decimate(); of a mesh with many more faces, and where edge collapses do not get that far, after the vertices in each
