@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <utility>
 
@@ -88,9 +89,11 @@ class Solver {
 
   void solve(bool parallel) {
     if (parallel) {
-      tbb::parallel_for(std::size_t{0}, groups_.size(), [this](std::size_t g) { answer(groups_[g]); });
+      tbb::enumerable_thread_specific<Room> rooms([this] { return Room(*this); });
+      tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { answer(groups_[g], rooms.local()); });
     } else {
-      for (const Group& group : groups_) answer(group);
+      Room room(*this);
+      for (const Group& group : groups_) answer(group, room);
     }
   }
 
@@ -100,7 +103,7 @@ class Solver {
     std::int32_t triangle;  ///< that it is likely to lie on
   };
 
-  /// What a group keeps from sample to sample, without an influence on the answers.
+  /// What a group keeps from sample to sample, and its memory from group to group, without an influence on the answers.
   struct Room {
     explicit Room(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
     NearbySites sites;
@@ -110,7 +113,7 @@ class Solver {
   };
 
   void sort();
-  void answer(const Group& group);
+  void answer(const Group& group, Room& room) const;
   [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
   bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
   Eigen::Vector3d nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
@@ -359,8 +362,8 @@ Eigen::Vector3d Solver::nearest_exterior(const Sample& sample, const Eigen::Alig
   return search(sample, places, box, room, outcome);
 }
 
-void Solver::answer(const Group& group) {
-  Room room(*this);
+void Solver::answer(const Group& group, Room& room) const {
+  room.reach = 0;
   Eigen::AlignedBox3d box;
   for (std::size_t k = group.begin; k < group.end; ++k) {
     box.extend(grid_.to_cells(points_.row(order_[k]).transpose()));
