@@ -95,8 +95,8 @@ Shape largest_faces(const Shape& mesh, Eigen::Index faces) {
 }
 
 Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
-  // Edge collapses keep the form best, but take 100 times as long as a grid: they begin with a few faces too many.
-  constexpr Eigen::Index enough = 3;
+  // Edge collapses keep the form best, but take some 40 times as long as a grid: they begin with a few faces too many.
+  constexpr Eigen::Index enough = 5;
   Shape coarse = mesh.triangles.rows() > 2 * enough * faces ? clustered(mesh, side_for(mesh, enough * faces)) : mesh;
   try {
     coarse = decimate(coarse, faces);

@@ -21,13 +21,14 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   // A point is at most so much farther than the surface, at a distance of r: its triangle's part reaches so far.
   const double too_far = spacing * spacing / (2 * grid.r);
   constexpr double band = 0.9;
+  const BlockSurroundings around(grid.r + band);
   NearbyPoints nearby;
   std::array<int, 3> kinds{};
   for (std::size_t index = 0; index < grid.block_count(); ++index) {
     const Eigen::Vector3i block = grid.block_at(index);
     ASSERT_EQ(grid.block_index(block), index);
     BoundaryBlock found;
-    const BlockKind kind = look_at_block(grid, surface, static_cast<std::uint32_t>(index), band, nearby, found);
+    const BlockKind kind = look_at_block(grid, surface, static_cast<std::uint32_t>(index), around, nearby, found);
     if (kind == BlockKind::free) found.free = ~std::uint64_t{0};
     ++kinds[static_cast<std::size_t>(kind)];
     for (int bit = 0; bit < cells_per_block; bit += 9) {
