@@ -50,8 +50,9 @@ struct BlockSurroundings {
   explicit BlockSurroundings(double within);
 };
 
-/// Looks at the distances of the centres of a block's cells to the surface's points, by those of the rows around
-/// as far as r + band. Where they are mixed, fills in which are free, and the triangle nearest to each.
+/// Looks at the distances of the centres of a block's cells to the surface's points, of which only those in the rows
+/// around the block matter: they reach as far as r + band. Where they are mixed, fills in which are free, and the
+/// triangle nearest to each.
 BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
                         const BlockSurroundings& around, NearbyPoints& nearby, BoundaryBlock& found);
 

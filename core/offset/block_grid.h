@@ -58,7 +58,7 @@ enum class BlockKind : std::uint8_t { free, covered, mixed };
 /// Marks all blocks within so many blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
 
-/// Marks all blocks that are just below a marked one along any of the axes.
+/// Marks all blocks from which one step up along some of the axes leads to a marked one.
 void dilate_down(const BlockGrid& grid, std::vector<std::uint8_t>& marked);
 
 }  // namespace shapegauge

@@ -38,7 +38,7 @@ class ExteriorGrid {
     return boundary_cells(static_cast<std::size_t>(state));
   }
 
-  /// Whether the block or one above it, along any of the axes, has exterior cells.
+  /// Whether the block has exterior cells, or one that a step up along some of the axes leads to.
   [[nodiscard]] bool is_near_exterior(std::size_t index) const { return near_[index] != 0; }
 
  private:
