@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
 /// earlier versions is then computed anew.
-inline constexpr int offset_sdf_version = 7;
+inline constexpr int offset_sdf_version = 8;
 
 /// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
