@@ -62,7 +62,7 @@ std::size_t count_duplicates(std::vector<CornerIndices> corners, std::size_t ver
   for (std::size_t v = 0; v < vertices; ++v) {
     const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
     std::ranges::sort(of_vertex);
-    count += std::ranges::unique(of_vertex).size();
+    count += static_cast<std::size_t>(of_vertex.end() - std::unique(of_vertex.begin(), of_vertex.end()));
   }
   return count;
 }
