@@ -57,10 +57,6 @@ struct DecimationMesh : OpenMesh::TriMesh_ArrayKernelT<DecimationTraits> {
   [[nodiscard]] HalfedgeHandle turned(HalfedgeHandle side) const {
     return next_halfedge_handle(opposite_halfedge_handle(side));
   }
-  [[nodiscard]] bool is_on_boundary(VertexHandle vertex) const {
-    const HalfedgeHandle side = halfedge_handle(vertex);
-    return !side.is_valid() || !face_handle(side).is_valid();
-  }
 };
 
 bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
@@ -73,7 +69,7 @@ bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
   const VertexHandle right = apex(other);
   if (left == right) return false;
   // An edge between two vertices of the boundary must be part of it.
-  if (is_on_boundary(first) && is_on_boundary(second) && !is_boundary(side) && !is_boundary(other)) return false;
+  if (is_boundary(first) && is_boundary(second) && !is_boundary(side) && !is_boundary(other)) return false;
   // No other vertex may be joined to both.
   for (HalfedgeHandle a = turned(side); a != side; a = turned(a)) {
     const VertexHandle vertex = to_vertex_handle(a);

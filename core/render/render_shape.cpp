@@ -106,6 +106,15 @@ Normals normals_of(const Shape& shape) {
   return normals;
 }
 
+/// Points by column, row and depth, in units between rays of which a pixel has so many a side; the first ray's are 0.
+Points projected_points(const Points& points, const Camera& camera, int per_side) {
+  const double unit = per_side / camera.pixel;
+  Eigen::Matrix3d axes;
+  axes << unit * camera.right, -unit * camera.up, camera.forward;
+  const Eigen::RowVector3d half(0.5, 0.5, 0);
+  return ((points.rowwise() - camera.top_left.transpose()) * axes).rowwise() - half;
+}
+
 /// What is seen along a ray: the nearest triangle, -1 where there is none, and how far from the image plane it is.
 struct Seen {
   std::int32_t triangle = -1;
@@ -118,7 +127,7 @@ class RayGrid {
   RayGrid(const Camera& camera, int columns, int per_side)
       : camera_(camera), per_side_(per_side), columns_(columns * per_side) {}
 
-  /// - `projected`: the vertices by column, row and depth, see project().
+  /// - `projected`: the vertices' projected_points().
   void look_at(const Points& projected, const Triangles& triangles, int first_row, int rows) {
     first_row_ = first_row * per_side_;
     rows_ = rows * per_side_;
@@ -139,15 +148,6 @@ class RayGrid {
 
   [[nodiscard]] Eigen::Vector3d point(int column, int row) const {
     return camera_.at((column + 0.5) / per_side_, (row + 0.5) / per_side_, at(column, row).depth);
-  }
-
-  /// Places in units between rays, those of the first ray 0.
-  [[nodiscard]] Points project(const Points& vertices) const {
-    const double unit = per_side_ / camera_.pixel;
-    Eigen::Matrix3d axes;
-    axes << unit * camera_.right, -unit * camera_.up, camera_.forward;
-    const Eigen::RowVector3d half(0.5, 0.5, 0);
-    return ((vertices.rowwise() - camera_.top_left.transpose()) * axes).rowwise() - half;
   }
 
  private:
@@ -308,7 +308,7 @@ Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
   const Camera camera = camera_for(shape, options);
   const Scene scene(shape, colours, site);
   const int n = options.rays_per_side;
-  const Points projected = RayGrid(camera, options.width, n).project(shape.vertices);
+  const Points projected = projected_points(shape.vertices, camera, n);
   Image image{.width = options.width, .height = options.height, .pixels = {}};
   image.pixels.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
   tbb::parallel_for(0, (options.height + rows_at_once - 1) / rows_at_once, [&](int band) {

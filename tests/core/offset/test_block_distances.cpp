@@ -13,6 +13,17 @@
 namespace shapegauge {
 namespace {
 
+/// From x to the nearest of all points, or of those of a triangle.
+double distance_to_points(const GridPoints& points, const Eigen::Vector3d& x, std::int32_t triangle = -1) {
+  double squared = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < points.triangle.size(); ++i) {
+    if (triangle >= 0 && points.triangle[i] != triangle) continue;
+    const Eigen::Vector3f point(points.x[i], points.y[i], points.z[i]);
+    squared = std::min(squared, (point.cast<double>() - x).squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
 TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.04);
@@ -56,6 +67,8 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
             found.nearest[static_cast<std::size_t>(bit)], 0, 0, 0, 0, 0, 0, 0};
         TriangleTable::Vectors vectors;
         surface.triangles.vectors_to(centre, nearest.data(), vectors);
+        EXPECT_NEAR(distance_to_points(surface.points, centre, nearest[0]), distance_to_points(surface.points, centre),
+                    1e-4);
         // Where the nearest point is of another triangle than the nearest, that one is hardly farther. Near the surface
         // nobody asks.
         if (distance > 0.9 * grid.r) {
