@@ -19,6 +19,16 @@ find_package(PNG REQUIRED)
 if(SHAPEGAUGE_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()
+# MPI's C interface only: its C++ bindings were removed from the standard, and Open MPI's headers of them give warnings.
+set(MPI_CXX_SKIP_MPICXX ON)
+if(SHAPEGAUGE_MPI STREQUAL "AUTO")
+  find_package(MPI QUIET COMPONENTS CXX)
+  if(NOT MPI_CXX_FOUND)
+    message(STATUS "No MPI found: runs of several processes are left out (SHAPEGAUGE_MPI)")
+  endif()
+elseif(SHAPEGAUGE_MPI)
+  find_package(MPI REQUIRED COMPONENTS CXX)
+endif()
 # D3 draws the charts of reports: one file of JavaScript, which the program carries.
 find_file(SHAPEGAUGE_D3_FILE d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/share/javascript/d3
           DOC "d3.min.js of D3 5 or later (Debian: node-d3)" NO_CACHE REQUIRED)

@@ -7,7 +7,7 @@ set(CPACK_COMPONENTS_ALL program development)
 if(SHAPEGAUGE_BUILD_PYTHON)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
-if(SHAPEGAUGE_MPI)
+if(TARGET shapegauge_mpi)
   list(APPEND CPACK_COMPONENTS_ALL mpi)
 endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
@@ -26,7 +26,7 @@ into parts, and evaluates any retrieval method the way the SHREC contests do.
 
 This package has the program, its documentation and its configurations.")
 
-if(SHAPEGAUGE_MPI)
+if(TARGET shapegauge_mpi)
   set(CPACK_DEBIAN_MPI_PACKAGE_NAME shapegauge-mpi)
   set(CPACK_DEBIAN_MPI_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# What scripts/quickstart, scripts/test and .ci/run share. Sourced by them, with the repository as working directory.
+# What the scripts and .ci/run share. Sourced by them, with the repository as working directory.
 # All progress goes to standard error: standard output belongs to the results.
 
 say() { printf '== %s\n' "$*" >&2; }
@@ -11,9 +11,12 @@ fail() {
 }
 
 # install_build_packages: installs what building shapegauge and its tests takes.
-install_build_packages() {
+install_build_packages() { install_listed_packages scripts/packages.txt; }
+
+# install_listed_packages FILE: installs the packages that a file lists, one a line.
+install_listed_packages() {
   local packages
-  mapfile -t packages < <(grep -Ev '^(#|$)' scripts/packages.txt)
+  mapfile -t packages < <(grep -Ev '^(#|$)' "$1")
   install_packages "${packages[@]}"
 }
 
