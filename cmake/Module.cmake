@@ -46,6 +46,10 @@ function(shapegauge_configure_target target)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
+  # A page is one literal, longer than the standard asks every compiler to take.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    target_compile_options(${target} PRIVATE -Wno-overlength-strings)
+  endif()
   if(SHAPEGAUGE_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE} -fno-sanitize-recover=all
                                             -fno-omit-frame-pointer)

@@ -258,8 +258,7 @@ std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std:
     if (3 * common.size() > 2 * theirs.size()) expanded.insert(expanded.end(), theirs.begin(), theirs.end());
   }
   std::ranges::sort(expanded);
-  const auto same = std::ranges::unique(expanded);
-  expanded.erase(same.begin(), same.end());
+  expanded.erase(std::unique(expanded.begin(), expanded.end()), expanded.end());
   return expanded;
 }
 

@@ -54,8 +54,7 @@ Adjacency adjacency_of(const Shape& shape, const Samples& samples) {
   }
   for (auto& of_sample : adjacency) {
     std::ranges::sort(of_sample);
-    const auto same = std::ranges::unique(of_sample);
-    of_sample.erase(same.begin(), same.end());
+    of_sample.erase(std::unique(of_sample.begin(), of_sample.end()), of_sample.end());
   }
   return adjacency;
 }

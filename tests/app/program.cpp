@@ -101,7 +101,7 @@ bool BackgroundRun::has_ended() {
 }
 
 bool BackgroundRun::wait_until(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
   while (!condition()) {
     if (has_ended() || std::chrono::steady_clock::now() > end) return condition();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));

@@ -52,7 +52,7 @@ class BackgroundRun {
   BackgroundRun& operator=(BackgroundRun&&) = delete;
   ~BackgroundRun();
 
-  /// Waits until the condition holds; false where the run ends, or a minute passes, before it does.
+  /// Waits until the condition holds; false where the run ends, or hangs for minutes, before it does.
   bool wait_until(const std::function<bool()>& condition);
   void send(int signal) const;
   /// The processes that it has started itself.

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -53,16 +52,13 @@ class FuzzCorpus : public ::testing::TestWithParam<Target> {
     return files_in(fs::path(SHAPEGAUGE_FUZZ_FOLDER) / kind / GetParam().name);
   }
 
-  /// Whether the target has a use for the file, as far as it says; seconds and memory are bounded.
+  /// Whether the target has a use for the file, as far as it says. Memory is bounded here, time by CTest.
   static bool run(const fs::path& file) {
     SCOPED_TRACE(file);
     const std::string bytes = read_file_bytes(file);
     bool accepted = false;
     test::reset_largest_allocation();
-    const auto start = std::chrono::steady_clock::now();
     EXPECT_NO_THROW(accepted = GetParam().run(bytes));
-    // Far more than it takes: only what gets out of hand is to fail, not what a busy machine delays.
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
     // The octree of the offset SDF takes what it takes, but no more; what is read takes a multiple of its file.
     const std::size_t limit = GetParam().run == shape_sdf ? 200'000'000 : 200'000 + 100 * bytes.size();
     EXPECT_LT(test::largest_allocation(), limit);
