@@ -93,7 +93,7 @@ class Communicator {
 std::unique_ptr<Communicator> single_process();
 
 /// The processes that this one was started with (mpirun, srun), or this one alone. MPI is loaded only where there are
-/// others, from a module of its own (cmake -DSHAPEGAUGE_MPI=ON): SHAPEGAUGE_MPI_MODULE in the environment, or
+/// others, from a module of its own (built where MPI is installed): SHAPEGAUGE_MPI_MODULE in the environment, or
 /// shapegauge_mpi.so beside the executable or in the folder of libraries. Throws InputError where it cannot be loaded,
 /// or knows of other processes than the environment says.
 std::unique_ptr<Communicator> started_processes();

@@ -53,7 +53,7 @@ fs::path module_file() {
 std::unique_ptr<Communicator> load_mpi(int processes) {
   const fs::path file = module_file();
   if (file.empty()) {
-    fail(processes, fmt::format("{} is not installed (a package of its own; cmake -D SHAPEGAUGE_MPI=ON builds it)",
+    fail(processes, fmt::format("{} is not installed (a package of its own; a build has it where MPI is installed)",
                                 mpi_module_name));
   }
   // Open MPI's own modules look for its symbols among those that all see.
