@@ -41,6 +41,7 @@ std::vector<LabelEdge> borders_of(const SurfaceGraph& graph, const std::vector<s
     }
   }
   std::vector<LabelEdge> borders;
+  borders.reserve(costs.size());
   const double mean_length = costs.empty() ? 1 : lengths / static_cast<double>(costs.size());
   for (const auto& [patches, cost] : costs) {
     borders.push_back({patches.first, patches.second, mean_length > 0 ? smoothness * cost / mean_length : 0});
@@ -68,6 +69,7 @@ std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::spa
   const std::vector<std::int32_t> clusters =
       alpha_expansion(costs, borders_of(graph, patch, options.smoothness), std::move(start));
   std::vector<std::int32_t> labels;
+  labels.reserve(patch.size());
   for (const std::int32_t p : patch) labels.push_back(clusters[static_cast<std::size_t>(p)]);
   return connected_parts(graph, labels);
 }

@@ -28,7 +28,7 @@ Shape cut_into_four(const Shape& mesh) {
   // A side of its own for each triangle with two corners at one place, which edge_uses() leaves out.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor> middle =
       Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>::Constant(mesh.triangles.rows(), 3, -1);
-  std::int32_t next = static_cast<std::int32_t>(corners);
+  auto next = static_cast<std::int32_t>(corners);
   for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
     for (const EdgeUse& use : edge) middle(use.triangle, use.corner) = next;
     ++next;

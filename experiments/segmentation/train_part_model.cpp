@@ -247,7 +247,7 @@ std::string weights_of(const PartModel& model) {
   std::string text = "// Written by train_part_model: what part_model.h describes, learnt from generated shapes.\n";
   write_array(text, "feature_means", "region_features", model.mean);
   write_array(text, "feature_deviations", "region_features", model.deviation);
-  write_array(text, "hidden_units", fmt::format("{} * (region_features + 2)", model.output.size()),
+  write_array(text, "hidden_units", fmt::format("{}UL * (region_features + 2)", model.output.size()),
               Eigen::VectorXd(units.reshaped()));
   return text + fmt::format("constexpr float output_bias = {:#.6g}F;\n", model.output_bias);
 }

@@ -82,6 +82,14 @@ class RunProcesses : public SmallRun {
     EXPECT_EQ(run_executable("run " + quoted("small.json") + " --no-cache --output " + quoted("alone")).status, 0);
     return results_in(at("alone"));
   }
+  /// Makes the run last long enough to be stopped on its way.
+  void take_long() const {
+  json configuration = json::parse(text_of(at("small.json")));
+  for (json& signature : configuration["signatures"]) {
+    if (signature.contains("field")) signature["field"]["rays"] = 3000;
+  }
+  write_text(at("small.json"), configuration.dump());
+  }
   [[nodiscard]] std::size_t fields_kept() const {
     return cache_contents(at("cache")).by_kind.at(static_cast<std::size_t>(EntryKind::field)).entries;
   }
@@ -144,11 +152,7 @@ TEST_F(RunProcesses, AFolderInUseIsRefusedOnce) {
 TEST_F(RunProcesses, WhicheverProcessDiesWheneverTheSameCommandGoesOn) {
   if (!missing().empty()) GTEST_SKIP() << missing();
   std::mt19937 random(16);
-  json configuration = json::parse(text_of(at("small.json")));
-  for (json& signature : configuration["signatures"]) {
-    if (signature.contains("field")) signature["field"]["rays"] = 3000;
-  }
-  write_text(at("small.json"), configuration.dump());
+  take_long();
   for (int attempt = 0; attempt < 4; ++attempt) {
     SCOPED_TRACE(attempt);
     const std::size_t before = fields_kept();
@@ -173,6 +177,7 @@ TEST_F(RunProcesses, WhicheverProcessDiesWheneverTheSameCommandGoesOn) {
 
 TEST_F(RunProcesses, AProcessThatIsTerminatedSaysHowToGoOn) {
   if (!missing().empty()) GTEST_SKIP() << missing();
+  take_long();
   BackgroundRun run(arguments(2, "out"), at("errors"), mpirun);
   ASSERT_TRUE(run.wait_until([&] { return run.children().size() == 2 && fields_kept() >= 1; }));
   ::kill(run.children().front(), SIGTERM);  // mpirun itself, terminated, would pass nothing on
