@@ -84,11 +84,11 @@ class RunProcesses : public SmallRun {
   }
   /// Makes the run last long enough to be stopped on its way.
   void take_long() const {
-  json configuration = json::parse(text_of(at("small.json")));
-  for (json& signature : configuration["signatures"]) {
-    if (signature.contains("field")) signature["field"]["rays"] = 3000;
-  }
-  write_text(at("small.json"), configuration.dump());
+    json configuration = json::parse(text_of(at("small.json")));
+    for (json& signature : configuration["signatures"]) {
+      if (signature.contains("field")) signature["field"]["rays"] = 3000;
+    }
+    write_text(at("small.json"), configuration.dump());
   }
   [[nodiscard]] std::size_t fields_kept() const {
     return cache_contents(at("cache")).by_kind.at(static_cast<std::size_t>(EntryKind::field)).entries;
