@@ -18,7 +18,7 @@ struct Laplacian {
 };
 
 /// The Laplacian of a triangle mesh of any kind: along an edge, all of its triangles count, one (the natural, Neumann
-/// boundary), two or more. The cotangents of triangles that are nearly collinear are scaled down to 1e4. Throws
+/// boundary), two or more, doubles counted once (distinct_triangles()). The cotangents of triangles that are nearly collinear are scaled down to 1e4. Throws
 /// InputError for an unusable shape (validity.h), a point cloud, and a mesh without area.
 Laplacian cotangent_laplacian(const Shape& mesh);
 
