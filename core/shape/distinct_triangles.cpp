@@ -1,6 +1,7 @@
 #include "shapegauge/core/shape/distinct_triangles.h"
 
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "shapegauge/core/shape/connectivity.h"
@@ -16,18 +17,25 @@ std::vector<std::int32_t> counted_up(Eigen::Index size) {
   return numbers;
 }
 
-/// By vertex: itself, or where the distinct triangles do not use it one of theirs at the same place.
-std::vector<std::int32_t> used_instead(const Shape& distinct, const std::vector<bool>& used_before,
-                                       std::span<const std::int32_t> merged) {
-  const std::vector<bool> used = used_vertices(distinct);
-  std::vector<std::int32_t> used_at(merged.size(), -1);
-  for (const std::int32_t vertex : distinct.triangles.reshaped<Eigen::RowMajor>()) {
-    std::int32_t& at = used_at[static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)])];
-    if (at < 0) at = vertex;
+/// By vertex: itself, or where only doubles use it that of the first of them at the same place.
+/// - first: by triangle, as by first_of_doubles()
+std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const std::int32_t> merged,
+                                            std::span<const std::int32_t> first) {
+  std::vector<bool> settled(merged.size());
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    if (first[f] != static_cast<std::int32_t>(f)) continue;
+    for (const std::int32_t vertex : mesh.triangles.row(first[f])) settled[static_cast<std::size_t>(vertex)] = true;
   }
-  std::vector<std::int32_t> result = counted_up(distinct.vertices.rows());
-  for (std::size_t v = 0; v < result.size(); ++v) {
-    if (used_before[v] && !used[v]) result[v] = used_at[static_cast<std::size_t>(merged[v])];
+  std::vector<std::int32_t> result = counted_up(mesh.vertices.rows());
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    for (const std::int32_t vertex : mesh.triangles.row(static_cast<Eigen::Index>(f))) {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (settled[v]) continue;
+      settled[v] = true;
+      for (const std::int32_t other : mesh.triangles.row(first[f])) {
+        if (merged[static_cast<std::size_t>(other)] == merged[v]) result[v] = other;
+      }
+    }
   }
   return result;
 }
@@ -55,9 +63,8 @@ DistinctTriangles distinct_triangles(Shape shape) {
   }
   if (count == first.size()) return result;
   kept.resize(count);
-  const std::vector<bool> used = used_vertices(mesh);
+  result.vertex_of = vertices_of_first(mesh, merged, first);
   mesh.triangles = mesh.triangles(kept, Eigen::all).eval();
-  result.vertex_of = used_instead(mesh, used, merged);
   return result;
 }
 

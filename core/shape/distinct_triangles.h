@@ -7,8 +7,8 @@
 
 namespace shapegauge {
 
-/// A mesh without its doubled triangles. Doubles are triangles with the same three corners in any order, vertices at the
-/// same place taken as one; the first of them, in the order of the shape, stands for all
+/// A mesh without its doubled triangles. Doubles are triangles with the same three corners in any order, vertices at
+/// the same place taken as one; the first of them, in the order of the shape, stands for all
 /// (docs/definitions.md#doubled-triangles).
 struct DistinctTriangles {
   Shape shape;                            ///< the vertices of the mesh, and those of its triangles that are no doubles

@@ -13,11 +13,11 @@ namespace {
 
 struct Doubling {
   std::string name;
-  int copies = 1;            ///< of each triangle that is doubled, besides itself
-  int every = 1;             ///< which triangles are doubled
-  bool turned = false;       ///< whether the copies are oriented the other way
-  bool own_vertices = false; ///< whether each copy has vertices of its own
-  bool between = false;      ///< whether copies follow their triangle at once, not all after the last one
+  int copies = 1;             ///< of each triangle that is doubled, besides itself
+  int every = 1;              ///< which triangles are doubled
+  bool turned = false;        ///< whether the copies are oriented the other way
+  bool own_vertices = false;  ///< whether each copy has vertices of its own
+  bool between = false;       ///< whether copies follow their triangle at once, not all after the last one
 };
 
 /// Adds a copy of triangle f, which begins at another corner.
@@ -39,7 +39,8 @@ void add_copy(DoubledShape& doubled, const Shape& mesh, Eigen::Index f, const Do
 }
 
 DoubledShape doubled(const Shape& mesh, const Doubling& doubling) {
-  DoubledShape result{.name = doubling.name, .shape = {mesh.vertices, Triangles(0, 3)}, .triangles = {}, .vertices = {}};
+  DoubledShape result{
+      .name = doubling.name, .shape = {mesh.vertices, Triangles(0, 3)}, .triangles = {}, .vertices = {}};
   result.vertices.resize(static_cast<std::size_t>(mesh.vertices.rows()));
   std::iota(result.vertices.begin(), result.vertices.end(), 0);
   const auto add_copies = [&](Eigen::Index f) {

@@ -17,8 +17,8 @@ struct DoubledShape {
   std::vector<std::int32_t> vertices;   ///< by vertex: the one of the mesh given whose place it has
 };
 
-/// The mesh with doubled triangles in several ways: twice, three times, turned over, each with vertices of its own, some
-/// only, after the others or between them. The first of each set of doubles is always the mesh's own triangle.
+/// The mesh with doubled triangles in several ways: twice, three times, turned over, each with vertices of its own,
+/// some only, after the others or between them. The first of each set of doubles is always the mesh's own triangle.
 std::vector<DoubledShape> doublings(const Shape& mesh);
 
 /// A name and a mesh.
