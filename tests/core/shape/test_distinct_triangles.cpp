@@ -13,7 +13,7 @@ namespace {
 using Indices = std::vector<std::int32_t>;
 
 /// Vertices 4 and 5 are where 0 and 1 are.
-Points places() { return {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}}; }
+Points places() { return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}}; }
 
 TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {
   const Shape shape{places(), Triangles{{0, 1, 2}, {0, 1, 3}, {2, 1, 0}, {2, 4, 5}, {1, 3, 0}, {1, 2, 3}}};
