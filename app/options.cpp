@@ -100,16 +100,20 @@ ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
 }
 
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
+  // Openings too wide for any offset that is chosen automatically are left open.
+  const bool leaves_gaps_open = chosen.automatic && chosen.gap > chosen.automatic->gap;
   if (chosen.automatic) {
-    remarks.notes.push_back(
-        fmt::format("offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps, {:.4g} levels the noise)",
-                    chosen.offset, chosen.automatic->gap, chosen.automatic->noise));
+    remarks.notes.push_back(fmt::format(
+        "offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps{}, {:.4g} levels the noise)",
+        chosen.offset, chosen.automatic->gap,
+        leaves_gaps_open ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
+        chosen.automatic->noise));
   }
   if (chosen.offset >= chosen.gap) return;
-  remarks.warnings.push_back(
-      fmt::format("the offset is smaller than the gaps of the shape ({:.2g} % of the diagonal): "
-                  "the offset surface leaks into it; {}",
-                  100 * chosen.gap, advice(chosen)));
+  remarks.warnings.push_back(fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
+                                         leaves_gaps_open ? "widest gap of the shape"
+                                                          : "offset is smaller than the gaps of the shape",
+                                         100 * chosen.gap, leaves_gaps_open ? " stays open" : "", advice(chosen)));
 }
 
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {

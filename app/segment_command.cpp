@@ -16,6 +16,7 @@
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -64,7 +65,9 @@ LabelWriter label_writer(const fs::path& name) {
   throw InputError(fmt::format("cannot write {}: parts are written as .seg, .ply or .png", name.string()));
 }
 
-Labels paper_labels(const Shape& shape, const SegmentArguments& arguments, Remarks& remarks) {
+Labels paper_labels(const Shape& given, const SegmentArguments& arguments, Remarks& remarks) {
+  const DistinctTriangles mesh = distinct_triangles(given);
+  const Shape& shape = mesh.shape;
   const SurfaceGraph graph = surface_graph(shape);
   ScalarField field{.values = {}, .weights = graph.samples.weights};
   if (arguments.field == "cone") {
@@ -76,7 +79,7 @@ Labels paper_labels(const Shape& shape, const SegmentArguments& arguments, Remar
   }
   PaperSegmentationOptions options;
   if (arguments.parts > 0) options.mixture.components = arguments.parts;
-  return paper_segmentation(graph, {&field, 1}, options);
+  return with_doubles(mesh, paper_segmentation(graph, {&field, 1}, options));
 }
 
 void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& given, const ShapeJob& job,

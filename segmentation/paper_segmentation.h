@@ -13,7 +13,7 @@ namespace shapegauge {
 
 /// To be raised with every change of paper_segmentation() that changes a label: what a cache holds of earlier versions
 /// is then computed anew.
-inline constexpr int paper_segmentation_version = 3;
+inline constexpr int paper_segmentation_version = 4;
 
 /// How the paper's pipeline is run. The paper gives the number of patches, 50, and leaves the rest open.
 struct PaperSegmentationOptions {

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/segment_labels.h"
@@ -80,14 +81,17 @@ std::vector<std::int32_t> part_segmentation(const ThickSurface& surface, const P
   return renumbered(smoothed_boundaries(surface, renumbered(labels), options.smoothing));
 }
 
-std::vector<std::int32_t> part_segmentation(const Shape& shape, const PartSegmentationOptions& options,
+std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmentationOptions& options,
                                             const PartModel& model) {
+  require_usable(given);
+  const DistinctTriangles mesh = distinct_triangles(given);
+  const Shape& shape = mesh.shape;
   // Many parts of few triangles are of single triangles.
   if (triangles_per_part * options.parts > shape.triangles.rows()) {
-    return part_segmentation(thick_surface(shape), options, model);
+    return with_doubles(mesh, part_segmentation(thick_surface(shape), options, model));
   }
   const StandIn cut = stand_in(facing_outward(shape));
-  return renumbered(cut.carried_back(part_segmentation(thick_surface(cut.shape), options, model)));
+  return with_doubles(mesh, renumbered(cut.carried_back(part_segmentation(thick_surface(cut.shape), options, model))));
 }
 
 }  // namespace shapegauge

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 /// To be raised with every change of part_segmentation() that changes a label: what a cache holds of earlier versions
 /// is then computed anew.
-inline constexpr int part_segmentation_version = 3;
+inline constexpr int part_segmentation_version = 4;
 
 /// How a shape is cut into parts.
 struct PartSegmentationOptions {

@@ -78,6 +78,13 @@ std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
   return result;
 }
 
+std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels) {
+  if (!mesh.has_doubles()) return labels;
+  std::vector<std::int32_t> all = mesh.triangle_of;
+  for (std::int32_t& triangle : all) triangle = labels[static_cast<std::size_t>(triangle)];
+  return all;
+}
+
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
   check(graph, labels);
   DisjointSets sets;

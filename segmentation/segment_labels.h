@@ -5,12 +5,17 @@
 #include <vector>
 
 #include "shapegauge/core/render/image.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/segmentation/surface_graph.h"
 
 namespace shapegauge {
 
 /// The labels' numbers replaced by 0, 1, ... in the order in which they first occur.
 std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
+
+/// Labels of the distinct triangles, for all triangles of their mesh: doubles have that of their first. Those of a
+/// cloud stay as they are.
+std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels);
 
 /// The connected parts of each label: nodes have the same number where links lead from one to the other within their
 /// label. Numbers go from 0 on, in the order of the parts' first nodes. Throws std::invalid_argument where there is not

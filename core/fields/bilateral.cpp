@@ -140,6 +140,11 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   const double spatial_width = options.spatial_width * std::sqrt(field.weights.sum());
   if (options.iterations == 0 || !(value_width > 0) || !(spatial_width > 0)) return field;
   const Adjacency adjacency = adjacency_of(shape, samples);
+  // Doubles are nobody's neighbours: they get the values of their first.
+  const std::vector<std::int32_t> doubles_of_faces =
+      samples.site == SampleSite::faces && !is_cloud(shape)
+          ? first_of_doubles(shape.triangles, merged_by_place(shape.vertices))
+          : std::vector<std::int32_t>();
   tbb::enumerable_thread_specific<Vicinity> vicinities([&] { return Vicinity(samples.points, adjacency); });
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const Eigen::VectorXd before = field.values;
@@ -157,6 +162,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
       });
       if (total > 0) field.values[i] = sum / total;
     });
+    if (!doubles_of_faces.empty()) field.values = field.values(doubles_of_faces).eval();
   }
   return field;
 }

@@ -9,7 +9,7 @@ namespace shapegauge {
 
 /// To be raised with every change of bilateral_smoothing() that changes a value: what a cache holds of earlier versions
 /// is then computed anew.
-inline constexpr int bilateral_version = 1;
+inline constexpr int bilateral_version = 2;
 
 /// Settings of bilateral_smoothing().
 struct BilateralOptions {

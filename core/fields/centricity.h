@@ -10,7 +10,7 @@ namespace shapegauge {
 
 /// To be raised with every change of centricity() that changes a value: what a cache holds of earlier versions is then
 /// computed anew.
-inline constexpr int centricity_version = 1;
+inline constexpr int centricity_version = 2;
 
 /// What is taken of the geodesic distances from a place to all others.
 enum class Centricity {

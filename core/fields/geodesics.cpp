@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/geodesics_cgal.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -254,7 +255,7 @@ GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& 
   if (shape.vertices.rows() == 0) throw InputError("there are no geodesic distances on a shape without vertices");
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
   if (options.method == GeodesicMethod::graph) return graph_distances(shape, merged, options.neighbours);
-  Shape merged_shape = shape;
+  Shape merged_shape = without_doubles(shape);
   for (std::int32_t& v : merged_shape.triangles.reshaped()) v = merged[static_cast<std::size_t>(v)];
   const GeodesicDistances distances = geodesic_distances_cgal(merged_shape, options.method);
   return [merged, distances](std::int32_t source) {

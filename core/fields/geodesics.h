@@ -28,7 +28,8 @@ using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 /// may be called from several threads with `graph`, from one at a time with the other methods.
 ///
 /// `graph` joins the vertices along the edges, and across each edge with two triangles along the straight segment in
-/// the two triangles' unfolded plane, where it crosses the edge. Vertices at the same place are one. A point cloud's
+/// the two triangles' unfolded plane, where it crosses the edge. Vertices at the same place are one, doubled triangles
+/// count once. A point cloud's
 /// points are joined to their nearest neighbours. Where the graph has several components they are joined, so that every
 /// distance is finite: vertices of different components that are among each other's nearest neighbours first, then each
 /// remaining component with the nearest of the others (nearest among 64 vertices of each).

@@ -8,7 +8,7 @@ namespace shapegauge {
 
 /// To be raised with every change of the signatures here, or of the spectrum, that changes a value: what a cache holds
 /// of earlier versions is then computed anew.
-inline constexpr int heat_kernel_version = 2;
+inline constexpr int heat_kernel_version = 3;
 
 /// Settings of heat_kernel_signature(). Times are in units of the surface area, so the signature, multiplied by the
 /// area, does not depend on the scale.

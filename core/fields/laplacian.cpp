@@ -16,6 +16,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -166,9 +167,10 @@ int component_count(const SparseMatrix& matrix) {
 
 }  // namespace
 
-Laplacian cotangent_laplacian(const Shape& mesh) {
-  require_usable(mesh);
-  if (is_cloud(mesh)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
+Laplacian cotangent_laplacian(const Shape& given) {
+  require_usable(given);
+  if (is_cloud(given)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
+  const Shape mesh = without_doubles(given);
   const std::vector<std::int32_t> places = merged_by_place(mesh.vertices);
   std::vector<std::int32_t> node_at(places.size(), -1);
   std::int32_t nodes = 0;

@@ -9,19 +9,12 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include "shapegauge/core/spatial/closest_point.h"
-
 namespace shapegauge {
 
 namespace {
 
 /// Edge of the cubes of which one small triangle each is kept, in parts of r.
 constexpr double finest = 1.0 / 16;
-
-Triangle triangle_of(const BlockGrid& grid, const Shape& shape, Eigen::Index f) {
-  const auto corner = [&](int k) { return grid.to_cells(shape.vertices.row(shape.triangles(f, k)).transpose()); };
-  return {corner(0), corner(1), corner(2)};
-}
 
 /// How many parts no longer than that a length has; faster than to round up by the library.
 int parts_of(double length, double at_most) {
@@ -89,7 +82,7 @@ std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double s
     if (is_cloud(shape)) {
       t.a = t.b = t.c = grid.to_cells(shape.vertices.row(row).transpose());
     } else {
-      t = triangle_of(grid, shape, row);
+      t = triangle_in_cells(grid, shape, row);
     }
     triangles.set(f, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
     const Columns columns(t, spacing);
@@ -234,6 +227,13 @@ void GridPoints::find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, 
       }
     }
   }
+}
+
+Triangle triangle_in_cells(const BlockGrid& grid, const Shape& shape, Eigen::Index triangle) {
+  const auto corner = [&](int k) {
+    return grid.to_cells(shape.vertices.row(shape.triangles(triangle, k)).transpose());
+  };
+  return {corner(0), corner(1), corner(2)};
 }
 
 SurfaceExtent::SurfaceExtent(const Shape& shape)

@@ -9,6 +9,7 @@
 #include "shapegauge/core/offset/block_grid.h"
 #include "shapegauge/core/offset/triangle_table.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/closest_point.h"
 
 namespace shapegauge {
 
@@ -56,6 +57,9 @@ struct GridSurface {
   /// The points are so many cells apart.
   GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
 };
+
+/// A triangle of the shape in cells.
+Triangle triangle_in_cells(const BlockGrid& grid, const Shape& shape, Eigen::Index triangle);
 
 /// How much surface there is, in the shape's unit.
 struct SurfaceExtent {

@@ -74,9 +74,10 @@ struct Group {
 /// What all samples have in common.
 class Solver {
  public:
-  Solver(const ExteriorGrid& exterior, const OffsetSites& sites, const MeanNormals& means, const Points& points,
-         const Points& normals, std::vector<std::int32_t> likely, OffsetAnswers& answers)
-      : exterior_(exterior),
+  Solver(const Shape& shape, const ExteriorGrid& exterior, const OffsetSites& sites, const MeanNormals& means,
+         const Points& points, const Points& normals, std::vector<std::int32_t> likely, OffsetAnswers& answers)
+      : shape_(shape),
+        exterior_(exterior),
         grid_(exterior.grid()),
         sites_(sites),
         means_(means),
@@ -115,6 +116,7 @@ class Solver {
   void sort();
   void answer(const Group& group, Room& room) const;
   [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
+  [[nodiscard]] bool is_on_own_triangle(const Sample& sample, double near_enough) const;
   bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
   Eigen::Vector3d nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
                                    OffsetOutcome& outcome) const;
@@ -139,6 +141,7 @@ class Solver {
             static_cast<double>(sites_.z[site])};
   }
 
+  const Shape& shape_;
   const ExteriorGrid& exterior_;
   const BlockGrid& grid_;
   const OffsetSites& sites_;
@@ -192,7 +195,19 @@ bool Solver::is_on_surface(const Sample& sample, NearbyPoints& nearby) const {
   const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
   return surface.triangles.is_over_face(p, sample.triangle, near_enough) ||
          surface.triangles.squared_distance(p, sample.triangle) <= near_enough * near_enough ||
-         touches(surface.points, p, near_enough, nearby) || touches(surface.left_out, p, near_enough, nearby);
+         is_on_own_triangle(sample, near_enough) || touches(surface.points, p, near_enough, nearby) ||
+         touches(surface.left_out, p, near_enough, nearby);
+}
+
+/// In double precision: single precision loses the middle of a triangle that is a thousand times as long as wide. Its
+/// sides tell of those so thin that not even double precision finds the middle.
+bool Solver::is_on_own_triangle(const Sample& sample, double near_enough) const {
+  if (is_cloud(shape_)) return false;
+  const auto is_near = [&](const Eigen::Vector3d& x) { return (x - sample.p).norm() <= near_enough; };
+  const Triangle own = triangle_in_cells(grid_, shape_, sample.triangle);
+  return is_near(closest_point(own, sample.p)) || is_near(closest_point_on_segment(own.a, own.b, sample.p)) ||
+         is_near(closest_point_on_segment(own.b, own.c, sample.p)) ||
+         is_near(closest_point_on_segment(own.c, own.a, sample.p));
 }
 
 bool Solver::touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
@@ -407,7 +422,7 @@ OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Poi
   answers.heights = answers.values;
   answers.directions = Points::Zero(points.rows(), 3);
   answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
-  Solver(exterior, sites, means, points, normals,
+  Solver(shape, exterior, sites, means, points, normals,
          triangles.empty() ? likely_triangles(shape, points.rows()) : triangles, answers)
       .solve(options.parallel);
   return answers;

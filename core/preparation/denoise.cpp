@@ -10,6 +10,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -147,8 +148,9 @@ void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double
 
 }  // namespace
 
-VertexNeighbours vertex_neighbours(const Shape& shape) {
-  require_usable(shape);
+VertexNeighbours vertex_neighbours(const Shape& given) {
+  require_usable(given);
+  const Shape shape = without_doubles(given);
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
   const CountedByKey<Neighbour> places = neighbouring_places(shape.triangles, merged);
   const std::vector<bool> used = used_vertices(shape);
@@ -173,7 +175,7 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
   constexpr double pass_band = 0.1;
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
   const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
-  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, shape.triangles)};
+  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, without_doubles(shape).triangles)};
   return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
           .agreement = agreement_of(heights, neighbours)};
@@ -210,7 +212,8 @@ DenoisedShape denoised(Shape shape) {
   DenoisedShape result{.shape = std::move(shape), .noise = noise};
   if (!is_noisy(noise, neighbours)) return result;
   result.pass_band = std::clamp(0.025 / noise.relative(), 0.02, 0.3);
-  result.shape.vertices = taubin_smoothed(result.shape.vertices, neighbours, result.pass_band);
+  const Points smoothed = taubin_smoothed(result.shape.vertices, neighbours, result.pass_band);
+  result.shape.vertices = smoothed(distinct_triangles(result.shape).vertex_of, Eigen::all);
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace shapegauge {
 
 /// Vertex adjacency: for every vertex the vertices that it shares an edge with, each once, in ascending order. Vertices
 /// at the same place are merged: they have the same neighbours, and of neighbours at the same place only the first is
-/// listed.
+/// listed. Vertices that only doubled triangles use have none (distinct_triangles()).
 struct VertexNeighbours {
   std::vector<std::size_t> first;        ///< by vertex, where its neighbours begin; one more entry at the end
   std::vector<std::int32_t> neighbours;  ///< all, vertex by vertex
@@ -66,7 +66,8 @@ struct DenoisedShape {
 };
 
 /// Smooths a mesh whose vertices are noisy beyond doubt (is_noisy()), with a pass band of 0.025 / noise.relative(),
-/// clamped to 0.02 to 0.3 (docs/figures.md, Fig 6, shows the effect). Other meshes and clouds are returned unchanged.
+/// clamped to 0.02 to 0.3 (docs/figures.md, Fig 6, shows the effect). Doubled triangles stay doubled. Other meshes and
+/// clouds are returned unchanged.
 DenoisedShape denoised(Shape shape);
 
 }  // namespace shapegauge

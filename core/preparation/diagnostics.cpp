@@ -12,6 +12,7 @@
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -55,15 +56,10 @@ std::size_t count_degenerate(const Shape& shape) {
   return count;
 }
 
-std::size_t count_duplicates(std::vector<CornerIndices> corners, std::size_t vertices) {
-  for (CornerIndices& triangle : corners) std::ranges::sort(triangle);
-  auto [sorted, first] = counted_by_key(corners, vertices, [](const CornerIndices& triangle) { return triangle[0]; });
+std::size_t count_duplicates(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+  const std::vector<std::int32_t> first = first_of_doubles(triangles, merged);
   std::size_t count = 0;
-  for (std::size_t v = 0; v < vertices; ++v) {
-    const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
-    std::ranges::sort(of_vertex);
-    count += static_cast<std::size_t>(of_vertex.end() - std::unique(of_vertex.begin(), of_vertex.end()));
-  }
+  for (std::size_t f = 0; f < first.size(); ++f) count += first[f] == static_cast<std::int32_t>(f) ? 0 : 1;
   return count;
 }
 
@@ -120,15 +116,15 @@ ShapeDiagnostics diagnose(const Shape& shape) {
   found.triangles = static_cast<std::size_t>(shape.triangles.rows());
   found.area = surface_area(shape);
   found.degenerate_triangles = count_degenerate(shape);
-  std::vector<CornerIndices> corners = merged_corners(shape.triangles, merged);
-  found.components = count_components(corners, merged.size());
-  found.duplicate_triangles = count_duplicates(std::move(corners), merged.size());
+  found.components = count_components(merged_corners(shape.triangles, merged), merged.size());
+  found.duplicate_triangles = count_duplicates(shape.triangles, merged);
   diagnose_edges(shape, merged, found);
   diagnose_gaps_and_noise(shape, found);
   return found;
 }
 
-double signed_volume(const Shape& shape) {
+double signed_volume(const Shape& given) {
+  const Shape shape = without_doubles(given);
   const Eigen::Vector3d centre = bounding_box(shape).center();
   double six_volumes = 0;
   for (const auto& triangle : shape.triangles.rowwise()) {

@@ -7,10 +7,11 @@
 namespace shapegauge {
 
 /// Raised with every change of what diagnose() finds, which makes cached results of earlier versions stale.
-inline constexpr int diagnostics_version = 1;
+inline constexpr int diagnostics_version = 2;
 
 /// Defects and properties of a shape before it is measured. For edges and components, vertices at exactly the same
-/// place are one vertex, and a triangle whose corners are not at three places has no edges. Nothing depends on the
+/// place are one vertex, and a triangle whose corners are not at three places has no edges. Doubled triangles are
+/// counted, and play no further part (distinct_triangles()). Nothing depends on the
 /// order of vertices and triangles.
 struct ShapeDiagnostics {
   std::size_t vertices = 0;
@@ -41,7 +42,8 @@ struct ShapeDiagnostics {
 /// (require_usable()).
 ShapeDiagnostics diagnose(const Shape& shape);
 
-/// The volume that a watertight, consistently oriented mesh encloses; negative where its triangles face inward.
+/// The volume that a watertight, consistently oriented mesh encloses; negative where its triangles face inward. Of
+/// doubled triangles the first counts.
 double signed_volume(const Shape& shape);
 
 }  // namespace shapegauge

@@ -15,7 +15,7 @@ Shape scaled_to_unit_area(Shape shape);
 
 /// Raised with every change of what prepare_shape() makes of a shape, which makes cached results of earlier versions
 /// stale.
-inline constexpr int preparation_version = 1;
+inline constexpr int preparation_version = 2;
 
 /// What a shape is scaled by before it is compared with others.
 enum class ScaleEstimate {

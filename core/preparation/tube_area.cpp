@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 
@@ -89,7 +90,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));
   }
-  const Shape unit_shape = in_unit_frame(shape, unit_frame(shape));
+  const Shape unit_shape = in_unit_frame(without_doubles(shape), unit_frame(shape));
   const TriangleBVH tree(unit_shape);
   const Eigen::AlignedBox3d box = bounding_box(unit_shape);
   const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);

@@ -6,7 +6,7 @@ namespace shapegauge {
 
 /// To be raised with every change of automatic_offset() that changes an offset: what a cache holds of earlier versions
 /// is then computed anew.
-inline constexpr int automatic_offset_version = 1;
+inline constexpr int automatic_offset_version = 2;
 
 /// Bounds of the offset that is chosen for a shape, as fractions of the bounding-box diagonal.
 struct AutomaticOffsetOptions {

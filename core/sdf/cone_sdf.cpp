@@ -4,6 +4,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -43,13 +44,36 @@ void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
   }
 }
 
+/// Samples of the mesh as samples of its distinct triangles: at faces those of the first of each set of doubles.
+Samples on_distinct(const Samples& samples, const DistinctTriangles& mesh) {
+  Samples result = samples;
+  for (std::int32_t& triangle : result.triangles) triangle = mesh.triangle_of[static_cast<std::size_t>(triangle)];
+  if (samples.site != SampleSite::faces) return result;
+  const Eigen::Index count = mesh.shape.triangles.rows();
+  result.points.conservativeResize(count, Eigen::NoChange);
+  result.normals.conservativeResize(count, Eigen::NoChange);
+  for (std::size_t f = mesh.triangle_of.size(); f-- > 0;) {  // the first of each set comes last
+    result.points.row(mesh.triangle_of[f]) = samples.points.row(static_cast<Eigen::Index>(f));
+    result.normals.row(mesh.triangle_of[f]) = samples.normals.row(static_cast<Eigen::Index>(f));
+  }
+  return result;
+}
+
+/// The values at distinct triangles for all samples of the mesh.
+void carry_to_doubles(Eigen::VectorXd& values, SampleSite site, const DistinctTriangles& mesh) {
+  if (site == SampleSite::faces) values = values(mesh.triangle_of).eval();
+}
+
 }  // namespace
 
 ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   check(options);
   check(shape, samples, options.engine);
-  ConeSdfResult result =
-      options.engine == ConeSdfEngine::cgal ? cone_sdf_cgal(shape, options) : cone_sdf_embree(shape, samples, options);
+  const DistinctTriangles mesh = distinct_triangles(shape);
+  ConeSdfResult result = options.engine == ConeSdfEngine::cgal
+                             ? cone_sdf_cgal(mesh.shape, options)
+                             : cone_sdf_embree(mesh.shape, on_distinct(samples, mesh), options);
+  carry_to_doubles(result.values, samples.site, mesh);
   result.missing = static_cast<std::size_t>(result.values.array().isNaN().count());
   return result;
 }

@@ -10,7 +10,7 @@
 namespace shapegauge {
 
 /// Raised with every change of cone_sdf() that changes a value, which makes cached results of earlier versions stale.
-inline constexpr int cone_sdf_version = 2;
+inline constexpr int cone_sdf_version = 3;
 
 /// Who casts the rays: CGAL's own `sdf_values` (the reference) or the same definition on Embree.
 enum class ConeSdfEngine { embree, cgal };
@@ -42,7 +42,7 @@ struct ConeSdfResult {
 /// triangles that touch the sample. Of each ray the nearest hit counts, and only if the ray leaves the shape there (the
 /// triangle's normal is within 90 degrees of the ray). The value is the mean of the distances that lie within 1.5
 /// median absolute deviations of their median. There is none (NaN) where the sample has no normal or no ray counts: on
-/// faces turned inwards, for example.
+/// faces turned inwards, for example. Doubled triangles have the value of their first, and stop no ray.
 ///
 /// The engines cast the same rays. cgal answers at faces only, on one thread, and needs an oriented manifold; `samples`
 /// then says where, not what. With embree, what is closer to the sample than 2^-22 diagonals touches it. The same input

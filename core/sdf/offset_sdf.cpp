@@ -50,6 +50,14 @@ double cells_per_offset(OffsetAccuracy accuracy) {
   }
 }
 
+/// Gives each sample the answer of another one, or its own.
+void carry(OffsetAnswers& answers, const std::vector<std::int32_t>& from) {
+  answers.values = answers.values(from).eval();
+  answers.directions = answers.directions(from, Eigen::all).eval();
+  const std::vector<OffsetOutcome> outcomes = answers.outcomes;
+  for (std::size_t i = 0; i < from.size(); ++i) answers.outcomes[i] = outcomes[static_cast<std::size_t>(from[i])];
+}
+
 OffsetSdfOutcomes count(const OffsetAnswers& answers, double offset) {
   OffsetSdfOutcomes outcomes;
   outcomes.total = answers.outcomes.size();
@@ -67,8 +75,18 @@ OffsetSdfOutcomes count(const OffsetAnswers& answers, double offset) {
 
 OffsetSdfSolver::OffsetSdfSolver(const Shape& shape) : frame_(unit_frame_of(shape)) {
   const Clock::time_point start = Clock::now();
-  shape_ = in_unit_frame(shape, frame_);
+  mesh_ = distinct_triangles(shape);
+  mesh_.shape = in_unit_frame(mesh_.shape, frame_);
   build_seconds_ = seconds_since(start);
+}
+
+/// By sample the distinct triangle that it lies on; empty where the solver finds that by itself.
+std::vector<std::int32_t> OffsetSdfSolver::triangles_of(const Samples& samples) const {
+  std::vector<std::int32_t> triangles = samples.triangles;
+  for (std::int32_t& triangle : triangles) triangle = mesh_.triangle_of[static_cast<std::size_t>(triangle)];
+  const bool all_faces = samples.site == SampleSite::faces && samples.points.rows() == std::ssize(mesh_.triangle_of);
+  if (mesh_.has_doubles() && all_faces) triangles = mesh_.triangle_of;
+  return triangles;
 }
 
 OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOptions& options) const {
@@ -76,9 +94,10 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   const Clock::time_point start = Clock::now();
   const Points points = (samples.points.rowwise() - frame_.centre.transpose()) / frame_.diagonal;
   OffsetAnswers answers = answer_by_grid(
-      shape_, points, samples.normals,
+      mesh_.shape, points, samples.normals,
       {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel},
-      samples.triangles);
+      triangles_of(samples));
+  if (mesh_.has_doubles() && samples.site == SampleSite::vertices) carry(answers, mesh_.vertex_of);
   OffsetSdfResult result;
   result.values = answers.values * frame_.diagonal;
   result.outcomes = count(answers, options.offset);

@@ -3,9 +3,12 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -13,7 +16,7 @@ namespace shapegauge {
 
 /// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
 /// earlier versions is then computed anew.
-inline constexpr int offset_sdf_version = 8;
+inline constexpr int offset_sdf_version = 9;
 
 /// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
@@ -63,9 +66,11 @@ class OffsetSdfSolver {
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
  private:
+  [[nodiscard]] std::vector<std::int32_t> triangles_of(const Samples& samples) const;
+
   double build_seconds_ = 0;
   UnitFrame frame_;
-  Shape shape_;  ///< in the frame
+  DistinctTriangles mesh_;  ///< in the frame
 };
 
 /// The same for one offset; the build's seconds are those of everything.

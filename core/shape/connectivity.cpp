@@ -41,6 +41,16 @@ class PlaceTable {
   std::vector<std::int32_t> slots_;
 };
 
+/// The corners of a triangle at their places.
+std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Index triangle,
+                                          std::span<const std::int32_t> merged) {
+  std::array<std::int32_t, 3> corners{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[k] = merged[static_cast<std::size_t>(triangles(triangle, static_cast<Eigen::Index>(k)))];
+  }
+  return corners;
+}
+
 /// The uses by (low, high, triangle).
 std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
   CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
@@ -72,14 +82,36 @@ std::vector<std::int32_t> merged_by_place(const Points& vertices) {
   return merged;
 }
 
+std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span<const std::int32_t> merged) {
+  struct SortedCorners {
+    std::array<std::int32_t, 3> corners;
+    std::int32_t triangle;
+  };
+  std::vector<SortedCorners> all(static_cast<std::size_t>(triangles.rows()));
+  for (std::size_t f = 0; f < all.size(); ++f) {
+    all[f] = {corner_places(triangles, static_cast<Eigen::Index>(f), merged), static_cast<std::int32_t>(f)};
+    std::ranges::sort(all[f].corners);
+  }
+  auto [sorted, first] = counted_by_key(all, merged.size(), [](const SortedCorners& t) { return t.corners[0]; });
+  std::vector<std::int32_t> result(all.size());
+  for (std::size_t v = 0; v < merged.size(); ++v) {
+    const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
+    std::ranges::sort(of_vertex, {}, [](const SortedCorners& t) { return std::tie(t.corners, t.triangle); });
+    for (std::size_t i = 0, leader = 0; i < of_vertex.size(); ++i) {
+      if (of_vertex[i].corners != of_vertex[leader].corners) leader = i;
+      result[static_cast<std::size_t>(of_vertex[i].triangle)] = of_vertex[leader].triangle;
+    }
+  }
+  return result;
+}
+
 std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
+  const std::vector<std::int32_t> first = first_of_doubles(triangles, merged);
   std::vector<EdgeUse> uses;
   uses.reserve(3 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
-    std::array<std::int32_t, 3> corners{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      corners[k] = merged[static_cast<std::size_t>(triangles(f, static_cast<Eigen::Index>(k)))];
-    }
+    if (first[static_cast<std::size_t>(f)] != f) continue;
+    const std::array<std::int32_t, 3> corners = corner_places(triangles, f, merged);
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int32_t from = corners[k];

@@ -60,6 +60,10 @@ class DisjointSets {
 /// For each vertex, the index of the first vertex at exactly the same place, which may be its own.
 std::vector<std::int32_t> merged_by_place(const Points& vertices);
 
+/// For each triangle the first one with the same three corners, in any order: its own index unless it is a double.
+/// Vertices are named as by merged_by_place().
+std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span<const std::int32_t> merged);
+
 /// A half-edge: a side of a triangle, and the edge that it lies on. Vertices are named as by merged_by_place().
 struct EdgeUse {
   std::int32_t low;       ///< the edge's lesser vertex
@@ -71,7 +75,8 @@ struct EdgeUse {
   [[nodiscard]] bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
 };
 
-/// All sides of the triangles whose corners are at three places, sorted by edge, those of an edge by triangle.
+/// All sides of the triangles whose corners are at three places, sorted by edge, those of an edge by triangle. Of
+/// doubled triangles only the first has sides (first_of_doubles()).
 std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged);
 
 /// Calls visit(std::span<const EdgeUse>) with the uses of each edge.
@@ -86,8 +91,8 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
 }
 
 /// Whether the triangles separate an inside from an outside by ray parity: every edge belongs to an even number of
-/// triangles. Vertices at the same place are merged, triangles without area are left out, and orientation plays no
-/// part. False without triangles. Throws InputError for an unusable shape (require_usable()).
+/// triangles. Vertices at the same place are merged, triangles without area and doubles are left out, and orientation
+/// plays no part. False without triangles. Throws InputError for an unusable shape (require_usable()).
 bool is_watertight(const Shape& shape);
 
 /// Whether the shape is watertight and consistently oriented: every edge is traversed equally often both ways. Then any

@@ -10,6 +10,8 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -17,9 +19,13 @@ namespace shapegauge {
 
 namespace {
 
-/// The sum of the areas up to and with each triangle.
+/// The sum of the areas up to and with each triangle; doubles add none.
 Eigen::VectorXd running_areas(const Shape& mesh) {
   Eigen::VectorXd areas = triangle_areas(mesh);
+  const std::vector<std::int32_t> first = first_of_doubles(mesh.triangles, merged_by_place(mesh.vertices));
+  for (Eigen::Index f = 0; f < areas.size(); ++f) {
+    if (first[static_cast<std::size_t>(f)] != f) areas[f] = 0;
+  }
   for (Eigen::Index f = 1; f < areas.size(); ++f) areas[f] += areas[f - 1];
   const double total = areas.size() > 0 ? areas[areas.size() - 1] : 0;
   if (!std::isnormal(total)) {
@@ -125,7 +131,13 @@ Samples empty_samples(SampleSite site, Eigen::Index count) {
 
 Samples sample_faces(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::faces, shape.triangles.rows());
+  const std::vector<std::int32_t> first = first_of_doubles(shape.triangles, merged_by_place(shape.vertices));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    if (const std::int32_t own = first[static_cast<std::size_t>(f)]; own != f) {
+      samples.points.row(f) = samples.points.row(own);
+      samples.normals.row(f) = samples.normals.row(own);
+      continue;
+    }
     const Corners corners = corners_of(shape, f);
     const TriangleForm form = form_of(corners);
     samples.points.row(f) = (corners[0] / 3 + corners[1] / 3 + corners[2] / 3).transpose();
@@ -176,7 +188,9 @@ void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_a
   }
 }
 
-Samples sample_vertices(const Shape& shape) {
+Samples sample_vertices(const Shape& given) {
+  const DistinctTriangles distinct = distinct_triangles(given);
+  const Shape& shape = distinct.shape;
   Samples samples = empty_samples(SampleSite::vertices, shape.vertices.rows());
   samples.points = shape.vertices;
   Eigen::VectorXd total_angles = Eigen::VectorXd::Zero(shape.vertices.rows());
@@ -199,6 +213,9 @@ Samples sample_vertices(const Shape& shape) {
     } else {
       samples.normals.row(v).setZero();
     }
+  }
+  for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
+    samples.normals.row(v) = samples.normals.row(distinct.vertex_of[static_cast<std::size_t>(v)]).eval();
   }
   return samples;
 }

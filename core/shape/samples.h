@@ -16,13 +16,13 @@ struct SurfacePoints {
 };
 
 /// Points of a mesh, uniform by area and stratified: the area is cut, triangle after triangle, into `count` equal
-/// parts, and each part has one point, which spreads them better than independent ones. Throws InputError for a mesh
-/// whose area is zero or not finite, and for less than one point.
+/// parts, and each part has one point, which spreads them better than independent ones. Of doubled triangles only the
+/// first has points. Throws InputError for a mesh whose area is zero or not finite, and for less than one point.
 SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
 /// Raised with every change of the samples of a shape (places, normals, weights), which makes cached results of earlier
 /// versions stale.
-inline constexpr int samples_version = 2;
+inline constexpr int samples_version = 3;
 
 /// Where a field is sampled (docs/definitions.md#samples-and-weights). The points of a cloud are its vertices.
 enum class SampleSite {
@@ -45,7 +45,8 @@ struct Samples {
 /// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals or, where they cancel
 /// as some triangles are turned over, the line along which they lie). A point cloud is sampled at its points whatever
 /// the site (weight: point_weights(), whose errors it throws; normal: the file's, or unsigned_point_normals()), and the
-/// result's site is `vertices`. Throws InputError for an unusable shape (require_usable()).
+/// result's site is `vertices`. Doubled triangles, and vertices that only they use, have the point and the normal of
+/// their first, and a weight of 0 (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
 /// Samples at `count` points of the surface (SampleSite::surface; see surface_points()), with the triangles' normals

@@ -31,7 +31,7 @@ Eigen::AlignedBox3d bounding_box(const Shape& shape);
 /// Length of the diagonal of the bounding box; 0 for an empty shape.
 double bounding_box_diagonal(const Shape& shape);
 
-/// Area of every triangle, in the shape's units squared.
+/// Area of every triangle, in the shape's units squared; doubles have that of their first.
 Eigen::VectorXd triangle_areas(const Shape& shape);
 
 /// Whether the shape is a point cloud: it has no triangles.
@@ -40,7 +40,7 @@ inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 /// For each vertex, whether a triangle uses it.
 std::vector<bool> used_vertices(const Shape& shape);
 
-/// Sum of the triangles' areas; 0 for a point cloud.
+/// Sum of the triangles' areas, doubled ones counted once (distinct_triangles()); 0 for a point cloud.
 double surface_area(const Shape& shape);
 
 /// What makes a shape unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a usable

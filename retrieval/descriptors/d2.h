@@ -8,7 +8,7 @@
 namespace shapegauge {
 
 /// To be raised with every change of d2() that changes a value.
-inline constexpr int d2_version = 1;
+inline constexpr int d2_version = 2;
 
 /// Settings of d2().
 struct D2Options {

@@ -15,6 +15,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
 
@@ -132,10 +133,11 @@ Shape in_unit_ball(const Shape& mesh) {
   if (is_cloud(mesh)) {
     throw InputError("the descriptor light_field needs triangles, whose silhouettes it draws; the shape is a cloud");
   }
-  const Samples faces = sample_shape(mesh, SampleSite::faces);
+  require_usable(mesh);
+  Shape unit = without_doubles(mesh);
+  const Samples faces = sample_shape(unit, SampleSite::faces);
   const double area = faces.weights.sum();
   if (!(area > 0)) throw InputError("the descriptor light_field needs a mesh with area");
-  Shape unit = mesh;
   unit.vertices.rowwise() -= faces.weights.transpose() * faces.points / area;
   double square = 0;
   for (const std::int32_t v : unit.triangles.reshaped()) square = std::max(square, unit.vertices.row(v).squaredNorm());

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 /// To be raised with every change of light_field() or its distance that changes a value.
-inline constexpr int light_field_version = 1;
+inline constexpr int light_field_version = 2;
 
 /// Settings of light_field().
 struct LightFieldOptions {

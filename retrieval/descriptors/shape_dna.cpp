@@ -23,6 +23,7 @@ constexpr auto parameters = parameters_of(table);
 
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
   check_options("shape_dna", table, options);
+  require_usable(mesh);
   const double area = surface_area(mesh);
   const Spectrum spectrum = laplacian_spectrum(mesh, options.eigenvalues + 1);
   Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);

@@ -9,7 +9,7 @@
 namespace shapegauge {
 
 /// To be raised with every change of shape_dna() that changes a value.
-inline constexpr int shape_dna_version = 2;
+inline constexpr int shape_dna_version = 3;
 
 /// Settings of shape_dna().
 struct ShapeDnaOptions {

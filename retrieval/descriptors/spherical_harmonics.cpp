@@ -13,6 +13,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 #include "shapegauge/retrieval/distances.h"
@@ -118,7 +119,7 @@ Shape centred(const Shape& shape, const Samples& samples) {
   const Eigen::RowVector3d centroid = samples.weights.transpose() * samples.points / total;
   const double mean = samples.weights.dot((samples.points.rowwise() - centroid).rowwise().norm()) / total;
   if (!(mean > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with extent");
-  Shape result = shape;
+  Shape result = without_doubles(shape);
   result.vertices = (shape.vertices.rowwise() - centroid) / mean;
   result.normals = {};
   return result;

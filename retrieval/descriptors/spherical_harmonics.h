@@ -8,7 +8,7 @@
 namespace shapegauge {
 
 /// To be raised with every change of spherical_harmonics() that changes a value.
-inline constexpr int spherical_harmonics_version = 1;
+inline constexpr int spherical_harmonics_version = 2;
 
 /// Settings of spherical_harmonics().
 struct SphericalHarmonicsOptions {

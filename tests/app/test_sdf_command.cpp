@@ -64,6 +64,31 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
   for (std::size_t i = 1; i < rows.size(); ++i) EXPECT_NEAR(std::stod(rows[i].cells[1]), 20, 0.1) << i;
 }
 
+TEST_F(SdfCommand, TheAutomaticOffsetDoesNotClaimToCloseWhatItLeavesOpen) {
+  // A ball with a small hole, and the same with a wide mouth as well.
+  const auto without = [&](auto is_left_out) {
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+      if (!is_left_out(f, shape.vertices(shape.triangles(f, 0), 2))) kept.push_back(f);
+    }
+    return Shape{shape.vertices, shape.triangles(kept, Eigen::all)};
+  };
+  const auto errors_of = [&](const Shape& open) {
+    write_off(at("open.off"), open);
+    const Outcome outcome =
+        run_executable("sdf '" + at("open.off") + "' --method offset --offset auto -o '" + at("x.csv") + "'");
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return outcome.errors;
+  };
+  const std::string cracked = errors_of(without([](Eigen::Index f, double) { return f == 0; }));
+  EXPECT_THAT(cracked, HasSubstr("closes the gaps,"));
+  EXPECT_THAT(cracked, testing::Not(HasSubstr("leaks")));
+  const std::string mouth = errors_of(without([](Eigen::Index f, double z) { return f == 0 || z < -8; }));
+  EXPECT_THAT(mouth, testing::Not(HasSubstr("closes the gaps,")));
+  EXPECT_THAT(mouth, HasSubstr("0.05 can close"));
+  EXPECT_THAT(mouth, HasSubstr("stays open"));
+}
+
 TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
   const Shape cloud = test::random_points(shape, 500, 1);
   std::string lines = "500\n";

@@ -12,6 +12,7 @@
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/segmentation/dumbbell.h"
+#include "tests/support/doubled_shapes.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -50,6 +51,20 @@ TEST(PartSegmentation, ADumbbellHasBallsApart) {
   EXPECT_EQ(low.size(), 1U);
   EXPECT_EQ(high.size(), 1U);
   EXPECT_NE(low, high);
+}
+
+TEST(PartSegmentation, DoubledTrianglesHaveThePartsOfTheirFirst) {
+  const Shape shape = test::dumbbell(4);
+  const PartSegmentationOptions options{.parts = 3, .samples = 200};
+  const Labels expected = part_segmentation(shape, options);
+  std::size_t tried = 0;
+  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+    if (++tried > 6) break;  // each takes as long as any other segmentation
+    Labels of_all;
+    for (const std::int32_t triangle : doubled.triangles)
+      of_all.push_back(expected[static_cast<std::size_t>(triangle)]);
+    EXPECT_EQ(part_segmentation(doubled.shape, options), of_all) << doubled.name;
+  }
 }
 
 TEST(PartSegmentation, ASphereIsOnePart) { EXPECT_EQ(count_of(part_segmentation(test::sphere(1, 4), {})), 1U); }

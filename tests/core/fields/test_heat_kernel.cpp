@@ -1,5 +1,8 @@
 #include <cmath>
+#include <complex>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/fields/heat_kernel.h"
@@ -75,6 +78,49 @@ TEST(HeatKernel, ScaleInvariantSignatureDoesNotNeedTheArea) {
   // What is flat at both ends of time is only moved, and the magnitudes stay; the plain signature is half as much
   // again.
   EXPECT_LT((known - wrong).cwiseAbs().maxCoeff(), 0.08 * known.maxCoeff());
+}
+
+/// The definition, spelled out: the derivative of the logarithm by the logarithm of time, and the magnitudes of its
+/// discrete Fourier transform, which stand for integrals.
+Eigen::VectorXd scale_invariant_by_definition(const Spectrum& spectrum, Eigen::Index vertex, double area,
+                                              const ScaleInvariantOptions& options) {
+  const int steps = options.times - 1;
+  const double step = std::log(options.last_time / options.first_time) / steps;
+  std::vector<double> logarithm;
+  for (int i = 0; i < options.times; ++i) {
+    const double t = options.first_time * std::exp(i * step) * area;
+    double kernel = 0;
+    for (Eigen::Index k = 0; k < spectrum.eigenvalues.size(); ++k) {
+      kernel += std::exp(-spectrum.eigenvalues[k] * t) * std::pow(spectrum.eigenvectors(vertex, k), 2);
+    }
+    logarithm.push_back(std::log(area * kernel));
+  }
+  Eigen::VectorXd magnitudes(options.frequencies);
+  for (int k = 0; k < options.frequencies; ++k) {
+    std::complex<double> sum = 0;
+    for (int i = 0; i < steps; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const double derivative = (logarithm[at + 1] - logarithm[at]) / step;
+      sum += derivative * std::polar(1.0, -2 * std::numbers::pi * i * k / steps) * step;
+    }
+    magnitudes[k] = std::abs(sum);
+  }
+  return magnitudes;
+}
+
+TEST(HeatKernel, ScaleInvariantSignatureIsTheMagnitudeOfAFourierTransform) {
+  const Shape shape = test::capsule(0.3, 2, 12, 8);
+  const Spectrum spectrum = spectrum_of(shape, 20);
+  const double area = surface_area(shape);
+  const ScaleInvariantOptions options = {.first_time = 0.001, .last_time = 1, .times = 20, .frequencies = 6};
+  const Eigen::MatrixXd found = scale_invariant_heat_kernel_signature(spectrum, area, options);
+  for (const Eigen::Index vertex : {0, 17, 60}) {
+    const Eigen::VectorXd expected = scale_invariant_by_definition(spectrum, vertex, area, options);
+    for (Eigen::Index k = 0; k < expected.size(); ++k) {
+      EXPECT_NEAR(found(vertex, k), expected[k], 1e-10) << "coefficient " << k;
+      EXPECT_GT(expected[k], 1e-3) << "coefficient " << k << " says nothing";
+    }
+  }
 }
 
 TEST(HeatKernel, MeanOfTheWaveKernelByAreaIsOne) {

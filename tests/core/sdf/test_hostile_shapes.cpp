@@ -196,6 +196,13 @@ TEST(HostileShapes, AnOffsetTooSmallForTheGridIsEnlargedAndCounted) {
   EXPECT_GT(small.offset, 2e-6);
   EXPECT_LT(small.offset, 3e-3);
   EXPECT_EQ(small.outcomes.enlarged, small.outcomes.total);
+  // A vertex that no triangle uses has no value, at a larger offset as at any other.
+  Shape more = sphere;
+  more.vertices.conservativeResize(more.vertices.rows() + 1, Eigen::NoChange);
+  more.vertices.bottomRows<1>().setZero();
+  const OffsetSdfResult one_missing = offset_sdf(more, sample_shape(more, SampleSite::vertices), {.offset = 2e-6});
+  EXPECT_EQ(one_missing.outcomes.missing, 1U);
+  EXPECT_EQ(one_missing.outcomes.enlarged, one_missing.outcomes.total - 1);
   const OffsetSdfResult usual = offset_sdf(sphere, samples, {.offset = 0.05});
   EXPECT_EQ(usual.offset, 0.05);
   EXPECT_EQ(usual.outcomes.enlarged, 0U);
@@ -221,14 +228,31 @@ TEST(HostileShapes, AnOffsetAsLargeAsTheShape) {
   EXPECT_LE(values.maxCoeff(), 2 + 2e-3 * r);
 }
 
-TEST(HostileShapes, DuplicatedFacesChangeNothing) {
-  const Shape sphere = test::sphere(1, 3);
-  Shape twice = test::joined({sphere, sphere});
-  twice.triangles.bottomRows(sphere.triangles.rows()) = sphere.triangles;  // the very same vertices
-  for (const double offset : {0.01, 0.05, 0.3}) {
-    const double tolerance = 0.02 * offset * bounding_box_diagonal(sphere);
-    const Eigen::VectorXd values = values_of(sphere, offset);
-    EXPECT_LT((values_of(twice, offset).head(values.size()) - values).cwiseAbs().maxCoeff(), tolerance) << offset;
+/// A ball and triangles of 0.9 by ever less beside it, in all directions.
+Shape ball_with_slivers(int count) {
+  std::vector<Shape> parts{test::sphere(0.3, 2)};
+  for (int i = 0; i < count; ++i) {
+    const double width = std::pow(10, -1 - 12.0 * i / count);
+    const Shape sliver{Points{{-0.45, 0, 0}, {0.45, 0, 0}, {0.1, width, 0}}, Triangles{{0, 1, 2}}};
+    parts.push_back(test::transformed(sliver, 1, test::rotation(static_cast<unsigned>(i)), {0.3, 0.2, 0.1}));
+  }
+  return test::joined(parts);
+}
+
+TEST(HostileShapes, SliversHaveValues) {
+  const Shape shape = ball_with_slivers(300);
+  const Samples faces = sample_shape(shape, SampleSite::faces);
+  // Points on the slivers themselves, too: a third from one end, just inside of the longest side.
+  Samples on_slivers = faces;
+  on_slivers.site = SampleSite::surface;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    const auto corner = [&](int k) { return shape.vertices.row(shape.triangles(f, k)); };
+    on_slivers.points.row(f) = 0.62 * corner(0) + 0.37 * corner(1) + 0.01 * corner(2);
+    on_slivers.triangles.push_back(static_cast<std::int32_t>(f));
+  }
+  for (const double offset : {0.002, 0.003, 0.01, 0.05}) {
+    EXPECT_EQ(offset_sdf(shape, faces, {.offset = offset}).outcomes.missing, 0U) << offset;
+    EXPECT_EQ(offset_sdf(shape, on_slivers, {.offset = offset}).outcomes.missing, 0U) << offset;
   }
 }
 

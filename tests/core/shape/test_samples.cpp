@@ -130,16 +130,25 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).weights.sum(), surface_area(fan), 1e-14);
 }
 
-TEST(SampleVertices, UnusedVerticesAndOpposedSheetsHaveNoNormal) {
-  Shape sheet = test::transformed(triangle({0, 0, 0}, {1, 0, 0}, {0.3, 0.8, 0}), 1, test::rotation(3), {1, 2, 3});
-  sheet.vertices.conservativeResize(4, 3);
-  sheet.vertices.bottomRows<1>() << 9, 9, 9;
+TEST(SampleVertices, HaveNoNormalWhereNoTriangleUsesThemOrNormalsCancel) {
+  // Two triangles in a plane, turned to opposite sides, that meet in vertex 0.
+  const Shape bow{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}},
+                  Triangles{{0, 1, 2}, {0, 4, 3}}};
+  const Samples samples = sample_shape(test::transformed(bow, 1, test::rotation(3), {1, 2, 3}), SampleSite::vertices);
+  EXPECT_TRUE(samples.normals.row(0).isZero(0));
+  EXPECT_TRUE(samples.normals.row(5).isZero(0));
+  EXPECT_EQ(samples.weights[5], 0);
+  EXPECT_NEAR(samples.normals.row(1).dot(samples.normals.row(3)), -1, 1e-14);
+  EXPECT_NEAR(samples.weights.sum(), 1, 1e-14);
+}
+
+TEST(SampleVertices, OfASheetWithABackHaveTheNormalsOfWhatComesFirst) {
+  Shape sheet = triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   sheet.triangles.conservativeResize(2, 3);
   sheet.triangles.bottomRows<1>() << 2, 1, 0;
   const Samples samples = sample_shape(sheet, SampleSite::vertices);
-  EXPECT_TRUE(samples.normals.isZero(0));
-  EXPECT_EQ(samples.weights[3], 0);
-  EXPECT_NEAR(samples.weights.sum(), surface_area(sheet), 1e-14);
+  EXPECT_EQ(samples.normals, (Points{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}));
+  EXPECT_NEAR(samples.weights.sum(), 0.5, 1e-15);
 }
 
 TEST(Samples, OfAnEmptyShape) { EXPECT_EQ(sample_shape(Shape{}, SampleSite::faces).points.rows(), 0); }

@@ -46,6 +46,22 @@ TEST(MakeField, TakesTheAccuracyOfTheOffsetSdf) {
   EXPECT_THROW(make_field({{"type", "offset_sdf"}, {"offset", 0.2}, {"accuracy", "finest"}}), InputError);
 }
 
+TEST(MakeField, TakesTheGeodesicsOfCentricity) {
+  const Shape shape = test::torus(1, 0.4, 12, 8);
+  const Samples samples = sample_shape(shape, SampleSite::vertices);
+  const auto by = [&](GeodesicMethod method) {
+    return centricity(shape, samples, {.geodesics = {.method = method}, .sources = 5});
+  };
+  ASSERT_FALSE(by(GeodesicMethod::exact).isApprox(by(GeodesicMethod::heat), 1e-3));
+  for (const auto& [word, method] :
+       {std::pair("graph", GeodesicMethod::graph), {"heat", GeodesicMethod::heat}, {"exact", GeodesicMethod::exact}}) {
+    FieldSource source(shape);
+    const Field field =
+        make_field({{"type", "centricity"}, {"method", word}, {"sources", 5}, {"at", "vertices"}});
+    EXPECT_EQ(field.compute(source, samples, false).values, by(method)) << word;
+  }
+}
+
 TEST(OutcomeWarnings, AreOfSamplesThatUsersShouldKnowOf) {
   EXPECT_TRUE(outcome_warnings({{"total", 9}, {"direct", 9}, {"missing", 0}}).empty());
   const std::vector<std::string> warnings =

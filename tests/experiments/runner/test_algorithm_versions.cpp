@@ -81,7 +81,7 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   const Samples samples = take_samples(prepared.shape, field.samples);
   FieldSource source(prepared.shape);
   const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
-  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 8}}));
+  ASSERT_EQ(field.versions, (Json{{"offset_sdf", 9}}));
   EXPECT_NEAR(found.mean, 0.204830418962, 1e-6);
   EXPECT_NEAR(found.deviation, 0.0807011254096, 1e-6);
 }
@@ -89,50 +89,50 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
 INSTANTIATE_TEST_SUITE_P(
     Each, FieldVersions,
     testing::Values(Recorded{{{"type", "offset_sdf"}, {"offset", 0.05}},
-                             {{"offset_sdf", 8}},
+                             {{"offset_sdf", 9}},
                              {{0.242653915264, 0.0889625310615, 1},
                               {0.167920601592, 0.00469943333799, 1},
                               {0.146101084313, 0.251082068399, 1}}},
                     Recorded{{{"type", "offset_sdf"}, {"offset", "auto"}},
-                             {{"offset_sdf", 8}, {"automatic_offset", 1}},
+                             {{"offset_sdf", 9}, {"automatic_offset", 2}},
                              {{0.238434649214, 0.0698555617861, 1}, {0.167916106353, 0.00469944274785, 1}, {0, 0, 1}}},
                     Recorded{{{"type", "cone_sdf"}, {"at", "vertices"}},
-                             {{"cone_sdf", 2}},
+                             {{"cone_sdf", 3}},
                              {{0.232795342978, 0.0184649490631, 1},
                               {0.178653326058, 0.00590609399661, 1},
                               {0.2384317788, 0.121570595955, 1}}},
                     Recorded{{{"type", "cone_sdf"}, {"engine", "cgal"}},
-                             {{"cone_sdf", 2}},
+                             {{"cone_sdf", 3}},
                              {{0.231977234255, 0.018015454063, 1},
                               {0.16875778698, 0.00462984133005, 1},
                               {0.216233404362, 0.131093401095, 1}}},
                     Recorded{{{"type", "cone_sdf"}, {"at", {{"surface", 50}}}},
-                             {{"cone_sdf", 2}},
+                             {{"cone_sdf", 3}},
                              {{0.229121719107, 0.00860165659469, 1},
                               {0.171100542702, 0.00698436038499, 1},
                               {0.179804427187, 0.100130395241, 1}}},
                     Recorded{{{"type", "cone_sdf"}, {"bilateral", {{"spatial_width", 0.1}}}},
-                             {{"cone_sdf", 2}, {"bilateral", 1}},
+                             {{"cone_sdf", 3}, {"bilateral", 2}},
                              {{0.231911001733, 0.0177264830065, 1},
                               {0.168726834873, 0.00453162312508, 1},
                               {0.215488226882, 0.129339721505, 1}}},
                     Recorded{{{"type", "centricity"}, {"sources", 10}},
-                             {{"centricity", 1}},
+                             {{"centricity", 2}},
                              {{0.733580482658, 0.00835312157243, 1},
                               {0.50818944009, 0.0340711017093, 1},
                               {0.508725727755, 0.0371406930241, 1}}},
                     Recorded{{{"type", "heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 2}},
+                             {{"heat_kernel", 3}},
                              {{2.77857635004, 0.0592608896745, 1},
                               {4.98598287561, 0.952004588327, 1},
                               {5.87461205629, 0.946088913311, 1}}},
                     Recorded{{{"type", "scale_invariant_heat_kernel"}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 2}},
+                             {{"heat_kernel", 3}},
                              {{2.74588568815, 0.356760653803, 1},
                               {2.93777064724, 0.047911871497, 1},
                               {2.92259960366, 0.155531032212, 1}}},
                     Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
-                             {{"heat_kernel", 2}},
+                             {{"heat_kernel", 3}},
                              {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}}));
 
 /// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
@@ -202,18 +202,18 @@ INSTANTIATE_TEST_SUITE_P(
                            1,
                            {1, 0.142857143, 1.00000003, 0.556180605, 1.00000002, 0.677089521, 2.00000003, 2.00000002}},
         RecordedDescriptor{{{"type", "light_field"}, {"pixels", 64}},
-                           1,
+                           2,
                            {73762, 36850.8058, 70354, 34971.2902, 78737, 39160.6958, 17.5176471, 15.4705882}},
         RecordedDescriptor{
             {{"type", "spherical_harmonics"}},
-            1,
+            2,
             {49.2751949, 26.2526351, 43.7502794, 20.8272946, 73.8722302, 36.7951221, 4.12609432, 2.56034255}},
         RecordedDescriptor{{{"type", "d2"}, {"points", 100}},
-                           1,
+                           2,
                            {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
         RecordedDescriptor{
             {{"type", "shape_dna"}},
-            2,
+            3,
             {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {

@@ -179,6 +179,16 @@ TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
   EXPECT_LT(cloud.offset_normals->percentile_90, 8);
 }
 
+/// On which side the normals of a cloud without any point is chance: only their lines are compared.
+TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
+  Json changed = document();
+  changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
+  changed["signatures"].erase(1);
+  changed["signatures"][0]["field"]["offset"] = 0.1;
+  const ComparisonResults results = run(changed);
+  EXPECT_LT(results.shapes[0].fields[0].own_normals->percentile_90, 8);
+}
+
 TEST(GeneratedComparison, RunsWithoutData) {
   const fs::path file = fs::path(SHAPEGAUGE_CONFIGS_FOLDER) / "generated_comparison.json";
   Json document = read_configuration_document(file);

@@ -39,6 +39,22 @@ TEST(D2, CloudsAreDescribedByTheirPoints) {
   EXPECT_LT(distance_of_d2(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
 }
 
+/// Pairs count by the areas of their points, not by the points' number.
+TEST(D2, OfACloudDoesNotDependOnWhereItIsDenser) {
+  // Two plates, 4 apart: three quarters of the points are on the first, of which each stands for a third of the area.
+  const auto plate = [](Eigen::Index points, double z, std::uint64_t seed) {
+    const Shape square{Points{{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
+    return test::random_points(square, points, seed).vertices;
+  };
+  Points uneven(1200, 3);
+  uneven << plate(900, 0, 1), plate(300, 4, 2);
+  Points even(600, 3);
+  even << plate(300, 0, 3), plate(300, 4, 4);
+  const Eigen::VectorXf expected = d2(Shape{even, {}}, {.points = 1200, .bins = 12});
+  // By their number, 10/16 of the pairs would be on one plate, not a half.
+  EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.08);
+}
+
 TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(d2(ball, {.points = 1}), InputError);

@@ -1,0 +1,73 @@
+#include "shapegauge/core/shape/distinct_triangles.h"
+
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "shapegauge/core/shape/connectivity.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The numbers from 0 on.
+std::vector<std::int32_t> counted_up(Eigen::Index size) {
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(size));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// By vertex: itself, or where only doubles use it that of the first of them at the same place.
+/// - first: by triangle, as by first_of_doubles()
+std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const std::int32_t> merged,
+                                            std::span<const std::int32_t> first) {
+  std::vector<bool> settled(merged.size());
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    if (first[f] != static_cast<std::int32_t>(f)) continue;
+    for (const std::int32_t vertex : mesh.triangles.row(first[f])) settled[static_cast<std::size_t>(vertex)] = true;
+  }
+  std::vector<std::int32_t> result = counted_up(mesh.vertices.rows());
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    for (const std::int32_t vertex : mesh.triangles.row(static_cast<Eigen::Index>(f))) {
+      const auto v = static_cast<std::size_t>(vertex);
+      if (settled[v]) continue;
+      settled[v] = true;
+      for (const std::int32_t other : mesh.triangles.row(first[f])) {
+        if (merged[static_cast<std::size_t>(other)] == merged[v]) result[v] = other;
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+DistinctTriangles distinct_triangles(Shape shape) {
+  DistinctTriangles result{.shape = std::move(shape), .triangle_of = {}, .vertex_of = {}};
+  Shape& mesh = result.shape;
+  result.vertex_of = counted_up(mesh.vertices.rows());
+  if (is_cloud(mesh)) return result;
+  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
+  const std::vector<std::int32_t> first = first_of_doubles(mesh.triangles, merged);
+  std::vector<std::int32_t> kept = first;
+  std::size_t count = 0;
+  result.triangle_of = first;
+  for (std::size_t f = 0; f < first.size(); ++f) {
+    const auto own = static_cast<std::size_t>(first[f]);  // before f, or f
+    if (own == f) {
+      result.triangle_of[f] = static_cast<std::int32_t>(count);
+      kept[count++] = first[f];
+    } else {
+      result.triangle_of[f] = result.triangle_of[own];
+    }
+  }
+  if (count == first.size()) return result;
+  kept.resize(count);
+  result.vertex_of = vertices_of_first(mesh, merged, first);
+  mesh.triangles = mesh.triangles(kept, Eigen::all).eval();
+  return result;
+}
+
+Shape without_doubles(Shape shape) { return distinct_triangles(std::move(shape)).shape; }
+
+}  // namespace shapegauge

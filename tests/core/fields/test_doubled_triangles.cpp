@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "shapegauge/core/fields/bilateral.h"
+#include "shapegauge/core/fields/centricity.h"
+#include "shapegauge/core/fields/geodesics.h"
+#include "shapegauge/core/fields/heat_kernel.h"
+#include "shapegauge/core/fields/laplacian.h"
+#include "shapegauge/core/shape/shape.h"
+#include "tests/support/doubled_shapes.h"
+#include "tests/support/test_shapes.h"
+
+// A shape with doubled triangles has the fields of the shape without them, and doubles have the values of their first.
+
+namespace shapegauge {
+
+namespace {
+
+/// Sums over all samples may round otherwise with those that weigh nothing among them.
+constexpr double rounding = 1e-12;
+
+template <typename Check>
+void for_each_doubling(Check check) {
+  for (const auto& [name, shape] : test::shapes_without_doubles()) {
+    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+      SCOPED_TRACE(name + ", " + doubled.name);
+      check(shape, doubled);
+    }
+  }
+}
+
+TEST(DoubledTriangles, DoNotChangeGeodesicDistances) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const Eigen::VectorXd expected = geodesic_distances(shape)(3);
+    EXPECT_TRUE(geodesic_distances(doubled.shape)(3) == expected(doubled.vertices));
+  });
+}
+
+TEST(DoubledTriangles, DoNotChangeExactGeodesicDistances) {
+  const Shape torus = test::torus(1, 0.35, 8, 12);
+  for (const GeodesicMethod method : {GeodesicMethod::heat, GeodesicMethod::exact}) {
+    const Eigen::VectorXd expected = geodesic_distances(torus, {.method = method})(3);
+    for (const test::DoubledShape& doubled : test::doublings(torus)) {
+      SCOPED_TRACE(doubled.name);
+      EXPECT_TRUE(geodesic_distances(doubled.shape, {.method = method})(3) == expected(doubled.vertices));
+    }
+  }
+}
+
+TEST(DoubledTriangles, DoNotChangeCentricity) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const Eigen::VectorXd expected = centricity(shape, sample_shape(shape, SampleSite::faces), {.sources = 12});
+    const Eigen::VectorXd found =
+        centricity(doubled.shape, sample_shape(doubled.shape, SampleSite::faces), {.sources = 12});
+    EXPECT_TRUE(found.isApprox(expected(doubled.triangles), rounding));
+  });
+}
+
+TEST(DoubledTriangles, DoNotChangeTheLaplacian) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const Laplacian expected = cotangent_laplacian(shape);
+    const Laplacian found = cotangent_laplacian(doubled.shape);
+    EXPECT_TRUE(found.mass == expected.mass);
+    EXPECT_EQ((found.stiffness - expected.stiffness).norm(), 0);
+    for (std::size_t v = 0; v < found.node_of.size(); ++v) {
+      EXPECT_EQ(found.node_of[v], expected.node_of[static_cast<std::size_t>(doubled.vertices[v])]);
+    }
+  });
+}
+
+TEST(DoubledTriangles, DoNotChangeHeatKernels) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const auto heat = [](const Shape& mesh) {
+      return heat_kernel_signature_at(laplacian_spectrum(mesh, 12), surface_area(mesh), 0.05);
+    };
+    EXPECT_TRUE(heat(doubled.shape) == heat(shape)(doubled.vertices));
+  });
+}
+
+TEST(DoubledTriangles, AreSmoothedWithTheirFirst) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const auto smooth = [](const Shape& mesh) {
+      const Samples samples = sample_shape(mesh, SampleSite::faces);
+      const Eigen::VectorXd values = (3 * samples.points.col(0) + 5 * samples.points.col(1)).array().sin();
+      return bilateral_smoothing(mesh, samples, {values, samples.weights}, {.iterations = 2, .spatial_width = 0.04})
+          .values;
+    };
+    EXPECT_TRUE(smooth(doubled.shape).isApprox(smooth(shape)(doubled.triangles), rounding));
+  });
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/core/preparation/denoise.h"
+#include "shapegauge/core/preparation/diagnostics.h"
+#include "shapegauge/core/preparation/gap_size.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/core/preparation/tube_area.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "tests/support/doubled_shapes.h"
+#include "tests/support/test_shapes.h"
+
+// What a shape without doubled triangles has, the same shape with doubles has as well.
+
+namespace shapegauge {
+
+namespace {
+
+template <typename Check>
+void for_each_doubling(Check check) {
+  for (const auto& [name, shape] : test::shapes_without_doubles()) {
+    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+      SCOPED_TRACE(name + ", " + doubled.name);
+      check(shape, doubled);
+    }
+  }
+}
+
+TEST(DoubledTriangles, PlayNoPartInTheDiagnosis) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    const ShapeDiagnostics expected = diagnose(shape);
+    const ShapeDiagnostics found = diagnose(doubled.shape);
+    EXPECT_EQ(found.triangles, doubled.triangles.size());
+    EXPECT_EQ(found.duplicate_triangles, doubled.triangles.size() - expected.triangles);
+    EXPECT_EQ(found.area, expected.area);
+    EXPECT_EQ(found.components, expected.components);
+    EXPECT_EQ(found.watertight, expected.watertight);
+    EXPECT_EQ(found.edges, expected.edges);
+    EXPECT_EQ(found.boundary_edges, expected.boundary_edges);
+    EXPECT_EQ(found.boundary_length, expected.boundary_length);
+    EXPECT_EQ(found.non_manifold_edges, expected.non_manifold_edges);
+    EXPECT_EQ(found.inconsistent_edges, expected.inconsistent_edges);
+    EXPECT_EQ(found.gap_size, expected.gap_size);
+    EXPECT_EQ(found.noise_deviation, expected.noise_deviation);
+    EXPECT_EQ(signed_volume(doubled.shape), signed_volume(shape));
+  });
+}
+
+TEST(DoubledTriangles, LeaveAClosedMeshClosedAndAnOpenOneOpen) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    EXPECT_EQ(is_watertight(doubled.shape), is_watertight(shape));
+    EXPECT_EQ(is_watertight_and_oriented(doubled.shape), is_watertight_and_oriented(shape));
+    EXPECT_EQ(gap_size(doubled.shape), gap_size(shape));
+    EXPECT_EQ(boundary_loops(doubled.shape).size(), boundary_loops(shape).size());
+  });
+}
+
+TEST(DoubledTriangles, DoNotChangeTheScale) {
+  for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
+    EXPECT_EQ(positive_area(doubled.shape), positive_area(shape));
+    EXPECT_EQ(tube_area(doubled.shape), tube_area(shape));
+  });
+}
+
+TEST(DoubledTriangles, AreSmoothedWithTheirFirst) {
+  RandomNumbers random(1);
+  const Shape noisy =
+      vertex_noise(test::sphere(1, 4), {.amplitude = 0.03, .distribution = NoiseDistribution::gaussian}, random);
+  const DenoisedShape expected = denoised(noisy);
+  ASSERT_GT(expected.pass_band, 0);
+  for (const test::DoubledShape& doubled : test::doublings(noisy)) {
+    SCOPED_TRACE(doubled.name);
+    const DenoisedShape found = denoised(doubled.shape);
+    EXPECT_EQ(found.noise.deviation, expected.noise.deviation);
+    EXPECT_EQ(found.noise.edge_length, expected.noise.edge_length);
+    EXPECT_EQ(found.noise.agreement, expected.noise.agreement);
+    ASSERT_EQ(found.pass_band, expected.pass_band);
+    EXPECT_TRUE(found.shape.vertices == expected.shape.vertices(doubled.vertices, Eigen::all));
+  }
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+#include <vector>
+
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
+#include "tests/support/doubled_shapes.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Indices = std::vector<std::int32_t>;
+
+/// Vertices 4 and 5 are where 0 and 1 are.
+Points places() { return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}}; }
+
+TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {
+  const Shape shape{places(), Triangles{{0, 1, 2}, {0, 1, 3}, {2, 1, 0}, {2, 4, 5}, {1, 3, 0}, {1, 2, 3}}};
+  EXPECT_EQ(first_of_doubles(shape.triangles, merged_by_place(shape.vertices)), (Indices{0, 1, 0, 0, 1, 5}));
+  const DistinctTriangles found = distinct_triangles(shape);
+  EXPECT_TRUE(found.has_doubles());
+  EXPECT_EQ(found.shape.triangles, (Triangles{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}}));
+  EXPECT_EQ(found.shape.vertices, shape.vertices);
+  EXPECT_EQ(found.triangle_of, (Indices{0, 1, 0, 0, 1, 2}));
+  EXPECT_EQ(found.vertex_of, (Indices{0, 1, 2, 3, 0, 1, 6})) << "vertex 6 no triangle uses";
+}
+
+TEST(DistinctTriangles, AVertexOfItsOwnThatOtherTrianglesUseStays) {
+  const Shape shape{places(), Triangles{{0, 1, 2}, {4, 5, 2}, {4, 3, 2}}};
+  EXPECT_EQ(distinct_triangles(shape).vertex_of, (Indices{0, 1, 2, 3, 4, 1, 6}));
+}
+
+TEST(DistinctTriangles, OfACornerTwiceAreDoublesOnlyWithTheSameCorner) {
+  const Shape shape{places(), Triangles{{0, 0, 1}, {0, 1, 1}, {1, 0, 4}}};
+  EXPECT_EQ(distinct_triangles(shape).triangle_of, (Indices{0, 1, 0}));
+}
+
+TEST(DistinctTriangles, OfAMeshWithoutDoublesAreAll) {
+  for (const auto& [name, shape] : test::shapes_without_doubles()) {
+    const DistinctTriangles found = distinct_triangles(shape);
+    EXPECT_FALSE(found.has_doubles()) << name;
+    EXPECT_EQ(found.shape.triangles, shape.triangles) << name;
+    for (const test::DoubledShape& doubled : test::doublings(shape)) {
+      EXPECT_EQ(without_doubles(doubled.shape).triangles, shape.triangles) << name << ", " << doubled.name;
+      EXPECT_EQ(distinct_triangles(doubled.shape).triangle_of, doubled.triangles) << name << ", " << doubled.name;
+    }
+  }
+}
+
+TEST(DistinctTriangles, OfACloudAreNone) {
+  const DistinctTriangles found = distinct_triangles({places(), {}});
+  EXPECT_FALSE(found.has_doubles());
+  EXPECT_TRUE(is_cloud(found.shape));
+  EXPECT_EQ(found.vertex_of.size(), 7U);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

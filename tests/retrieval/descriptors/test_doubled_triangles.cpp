@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "shapegauge/retrieval/descriptors/d2.h"
+#include "shapegauge/retrieval/descriptors/light_field.h"
+#include "shapegauge/retrieval/descriptors/shape_dna.h"
+#include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
+#include "tests/support/doubled_shapes.h"
+
+// A shape with doubled triangles has the descriptors of the shape without them.
+
+namespace shapegauge {
+
+namespace {
+
+class DescriptorsOfDoubledTriangles : public testing::TestWithParam<test::NamedShape> {};
+INSTANTIATE_TEST_SUITE_P(Shapes, DescriptorsOfDoubledTriangles, testing::ValuesIn(test::shapes_without_doubles()));
+
+template <typename Describe>
+void expect_same(const Shape& shape, Describe describe) {
+  const Eigen::VectorXf expected = describe(shape);
+  for (const test::DoubledShape& doubled : test::doublings(shape)) {
+    EXPECT_TRUE(describe(doubled.shape) == expected) << doubled.name;
+  }
+}
+
+TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirst) {
+  expect_same(GetParam().shape, [](const Shape& shape) { return d2(shape, {.points = 100}); });
+  expect_same(GetParam().shape, [](const Shape& shape) { return light_field(shape, {.pixels = 32}); });
+  expect_same(GetParam().shape,
+              [](const Shape& shape) { return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5}); });
+  expect_same(GetParam().shape, [](const Shape& shape) { return shape_dna(shape); });
+}
+
+TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirstVoxelised) {
+  expect_same(GetParam().shape, [](const Shape& shape) {
+    return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5, .voxels = true});
+  });
+}
+
+}  // namespace
+
+}  // namespace shapegauge
