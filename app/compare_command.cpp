@@ -160,7 +160,7 @@ int run(const CompareArguments& arguments) {
   }
   warn_of_same_files(arguments.inputs, warnings);
   warn_of_few_units(comparisons.front(), options, warnings);
-  fmt::print("{}", formatted_comparison(aligned, comparisons, options, arguments));
+  print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
   return exit_success;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 
 namespace shapegauge {
 
@@ -162,7 +163,7 @@ void add_completion_command(CLI::App& app, int& status) {
   const auto shell = std::make_shared<std::string>();
   command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
   command->callback([&app, shell, &status] {
-    fmt::print("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
+    print_output("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
     status = exit_success;
   });
 }

@@ -57,8 +57,8 @@ int show_dataset(const LookArguments& arguments) {
     if (!failures.empty()) table.rows.back().push_back(fmt::format("{}", unusable[label]));
   }
   const std::string flaw = failures.empty() ? "" : fmt::format(", {} of them unusable", failures.size());
-  fmt::print("layout {}: {} models in {} classes{}\n\n{}", location.layout, dataset.models.size(), table.rows.size(),
-             flaw, to_plain_text(table));
+  print_output("layout {}: {} models in {} classes{}\n\n{}", location.layout, dataset.models.size(), table.rows.size(),
+               flaw, to_plain_text(table));
   for (const ModelFailure& failure : failures) {
     warn(fmt::format("model {}: {}", dataset.models[failure.model].id, failure.message));
   }
@@ -79,9 +79,9 @@ int validate(const LookArguments& arguments) {
   with_threads(arguments.threads, [&] { failures = validate_models(dataset, control); });
   progress.clear();
   for (const ModelFailure& failure : failures) {
-    fmt::print("{}: {}\n", dataset.models[failure.model].id, failure.message);
+    print_output("{}: {}\n", dataset.models[failure.model].id, failure.message);
   }
-  fmt::print("{} of {} models can be used\n", dataset.models.size() - failures.size(), dataset.models.size());
+  print_output("{} of {} models can be used\n", dataset.models.size() - failures.size(), dataset.models.size());
   return failures.empty() ? exit_success : exit_with_failures;
 }
 
@@ -95,8 +95,8 @@ int generate(const GenerateArguments& arguments) {
     });
   });
   progress.clear();
-  fmt::print("{} models of {} classes in {}\n", arguments.options.classes * arguments.options.models_per_class,
-             arguments.options.classes, arguments.folder.string());
+  print_output("{} models of {} classes in {}\n", arguments.options.classes * arguments.options.models_per_class,
+               arguments.options.classes, arguments.folder.string());
   return exit_success;
 }
 

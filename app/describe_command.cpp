@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/files/model_ids.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
@@ -84,26 +86,44 @@ Described described(const DescriptorChoice& choice, const Shape& given, bool den
   Described result;
   result.fields = compute_fields(choice, shape);
   if (learns(choice.descriptor, choice.values)) return result;
-  result.features = choice.descriptor.describe({.shape = shape, .fields = result.fields}, {}, choice.values);
+  result.features = compute_features(choice.descriptor, {.shape = shape, .fields = result.fields}, {}, choice.values);
   result.fields.clear();
   return result;
 }
 
-/// Describes the shapes by what is learnt from all of them.
-void learn_and_describe(const DescriptorChoice& choice, std::vector<std::optional<Described>>& shapes) {
+/// Describes the shapes, which are those of the files, by what is learnt from all of them.
+void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
+                        std::vector<std::optional<Described>>& shapes) {
   const Shape none;
   std::vector<DescriptorInput> inputs;
   for (const auto& shape : shapes) {
     if (shape) inputs.push_back({.shape = none, .fields = shape->fields});
   }
   const LearntFeatures learnt = choice.descriptor.learn(inputs, choice.values);
-  for (auto& shape : shapes) {
-    if (!shape) continue;
-    shape->features = choice.descriptor.describe({.shape = none, .fields = shape->fields}, learnt, choice.values);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (!shapes[i]) continue;
+    try {
+      const DescriptorInput input{.shape = none, .fields = shapes[i]->fields};
+      shapes[i]->features = compute_features(choice.descriptor, input, learnt, choice.values);
+    } catch (const std::exception& error) {
+      throw InputError(fmt::format("{}: {}", files.inputs[i].string(), error.what()));
+    }
   }
 }
 
-void write_features(const DescribeArguments& arguments, const std::vector<std::optional<Described>>& shapes) {
+/// The ids of the rows: the files' names, with so much of their paths as tells them apart.
+std::vector<std::string> ids_of(const std::vector<fs::path>& inputs) {
+  std::vector<fs::path> paths;
+  for (const fs::path& input : inputs) {
+    paths.push_back(input.lexically_normal());
+    if (std::ranges::count(paths, paths.back()) == 1) continue;
+    throw InputError(fmt::format("{} is given twice; two rows would have the same id", input.string()));
+  }
+  return distinguishing_ends(paths);
+}
+
+void write_features(const DescribeArguments& arguments, const std::vector<std::string>& ids,
+                    const std::vector<std::optional<Described>>& shapes) {
   DistanceMatrix rows;
   Table table{.header = {"id"}, .rows = {}};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -111,7 +131,7 @@ void write_features(const DescribeArguments& arguments, const std::vector<std::o
     const Eigen::VectorXf& features = shapes[i]->features;
     rows.conservativeResize(rows.rows() + 1, features.size());
     rows.bottomRows<1>() = features.transpose().cast<double>();
-    auto& row = table.rows.emplace_back(std::vector{arguments.files.inputs[i].stem().string()});
+    auto& row = table.rows.emplace_back(std::vector{ids[i]});
     for (const float feature : features) row.push_back(fmt::format("{}", feature));
   }
   if (arguments.output.extension() == ".npy") return write_npy(arguments.output, rows);
@@ -121,7 +141,7 @@ void write_features(const DescribeArguments& arguments, const std::vector<std::o
 
 int run(const DescribeArguments& arguments) {
   if (arguments.list) {
-    fmt::print("{}", list_of_descriptors());
+    print_output("{}", list_of_descriptors());
     return exit_success;
   }
   if (arguments.files.inputs.empty()) throw InputError("name the shapes to describe; --list tells by what");
@@ -129,6 +149,7 @@ int run(const DescribeArguments& arguments) {
     throw InputError(fmt::format("features are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
   }
   const DescriptorChoice choice = choice_of(arguments);
+  const std::vector<std::string> ids = ids_of(arguments.files.inputs);
   std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
     try {
@@ -139,8 +160,8 @@ int run(const DescribeArguments& arguments) {
   });
   const auto none_left = std::ranges::none_of(shapes, [](const auto& shape) { return shape.has_value(); });
   if (none_left) return exit_unusable_input;
-  if (learns(choice.descriptor, choice.values)) learn_and_describe(choice, shapes);
-  write_features(arguments, shapes);
+  if (learns(choice.descriptor, choice.values)) learn_and_describe(choice, arguments.files, shapes);
+  write_features(arguments, ids, shapes);
   if (status != exit_success) warn(fmt::format("{} has no rows for these shapes", arguments.output.string()));
   return status;
 }

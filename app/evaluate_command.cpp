@@ -186,7 +186,7 @@ int run(const EvaluateArguments& arguments) {
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
-  fmt::print("{}", formatted_evaluation(named, task, arguments));
+  print_output("{}", formatted_evaluation(named, task, arguments));
   print_warnings(warnings);
   return exit_success;
 }

@@ -12,6 +12,7 @@
 
 #include "app/commands.h"
 #include "app/shape_files.h"
+#include "app/terminal.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/experiments/results/shape_tables.h"
@@ -136,13 +137,13 @@ int run(const InfoArguments& arguments) {
   for (std::size_t i = 0; i < infos.size(); ++i) {
     if (infos[i].is_null()) continue;
     if (arguments.format == "text") {
-      fmt::print("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", names[i]) : "", text_of(infos[i]));
+      print_output("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", names[i]) : "", text_of(infos[i]));
     }
     OrderedJson named{{"file", names[i]}};
     named.update(infos[i]);
     all.push_back(several ? std::move(named) : infos[i]);
   }
-  if (arguments.format == "json") fmt::print("{}\n", (several ? all : all.front()).dump(2));
+  if (arguments.format == "json") print_output("{}\n", (several ? all : all.front()).dump(2));
   return status;
 }
 

@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
 #include <fmt/format.h>
 #include <malloc.h>
 #include <new>
@@ -16,6 +15,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
@@ -44,11 +44,9 @@ void keep_memory() {
 #endif
 }
 
-/// An error on one line, whatever the message.
-int report(std::string message, int status) {
-  std::ranges::replace(message, '\n', ' ');
-  message.erase(message.find_last_not_of(' ') + 1);
-  fmt::print(stderr, "shapegauge: error: {}\n", message);
+/// Prints the error; returns the status.
+int report(const std::string& message, int status) {
+  print_error(message);
   return status;
 }
 
@@ -146,7 +144,7 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
     if (error.get_exit_code() == 0) {  // --help and --version
       std::ostringstream text;
       app.exit(error, text, text);
-      fmt::print("{}", text.str());
+      print_output("{}", text.str());
       return exit_success;
     }
     return report(fmt::format("{}; see '{} --help'", error.what(), command_in(app)), exit_unusable_input);
@@ -201,14 +199,13 @@ int run_command(std::span<const std::string> arguments) {
 }
 
 /// The program. Results go to standard output or files, messages and progress to standard error. Results that do not
-/// reach standard output (a full disk, a closed pipe) are an error like any other.
+/// reach standard output (a full disk) are an error like any other; of a closed pipe the status says it.
 int run_program(std::span<const std::string> arguments) {
   const int status = run_command(arguments);
-  errno = 0;
-  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-  if (written || status == exit_unusable_input) return status;
-  const std::string reason = errno != 0 ? ": " + std::generic_category().message(errno) : "";
-  return report("cannot write to standard output" + reason, exit_unusable_input);
+  const int error = output_error();
+  if (error == 0 || status == exit_unusable_input) return status;
+  if (error == EPIPE) return exit_unusable_input;  // whoever read it has seen enough, as `head` has
+  return report("cannot write to standard output: " + std::generic_category().message(error), exit_unusable_input);
 }
 
 }  // namespace
@@ -225,9 +222,11 @@ int interruption_status() { return 128 + received_signal; }
 }  // namespace shapegauge
 
 int main(int argc, char** argv) {
+  shapegauge::hold_standard_streams();
   shapegauge::keep_memory();
   // A limit of the size of files is met as a full disk is: by an error where the file is written.
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);  // and a pipe that nobody reads like a full device
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   return shapegauge::run_program(arguments);
 }

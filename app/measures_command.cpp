@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands.h"
+#include "app/terminal.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/segmentation_errors.h"
 
@@ -44,18 +45,18 @@ int run(const std::string& format) {
     for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
       all.push_back({{"name", error.name}, {"segmentation", true}, {"definition", error.definition}});
     }
-    fmt::print("{}\n", all.dump(2));
+    print_output("{}\n", all.dump(2));
     return exit_success;
   }
-  fmt::print("h(i) is 1 where the model at rank i is relevant, else 0; R is the number of relevant models.\n");
+  print_output("h(i) is 1 where the model at rank i is relevant, else 0; R is the number of relevant models.\n");
   for (const MeasureDefinition& measure : measure_definitions()) {
-    fmt::print("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
-               wrapped(fmt::format("Source: {}", measure.source), 4),
-               wrapped(fmt::format("Caveat: {}", measure.caveat), 4));
+    print_output("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
+                 wrapped(fmt::format("Source: {}", measure.source), 4),
+                 wrapped(fmt::format("Caveat: {}", measure.caveat), 4));
   }
-  fmt::print("\nErrors of segmentations, as Chen, Golovinskiy and Funkhouser 2009 measure them; less is better.\n");
+  print_output("\nErrors of segmentations, as Chen, Golovinskiy and Funkhouser 2009 measure them; less is better.\n");
   for (const SegmentationErrorEntry& error : segmentation_error_entries()) {
-    fmt::print("\n{}\n{}", error.name, wrapped(error.definition, 4));
+    print_output("\n{}\n{}", error.name, wrapped(error.definition, 4));
   }
   return exit_success;
 }

@@ -33,6 +33,7 @@
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/runner/run_warnings.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 
@@ -93,7 +94,7 @@ RequestedRun requested_run(const RunSource& source) {
 constexpr std::size_t most_by_name = 10;
 
 void print_lines(const std::vector<std::string>& names, std::string_view verdict) {
-  for (const std::string& name : names) fmt::print("{:<14}{}\n", verdict, name);
+  for (const std::string& name : names) print_output("{:<14}{}\n", verdict, name);
 }
 
 /// Warns on standard error of inputs of a run that are not those recorded, at most ten by name.
@@ -120,7 +121,7 @@ void warn_of_inputs(const RequestedRun& request, const Configuration& configurat
 int report_replay(const nlohmann::json& recorded, const fs::path& results) {
   const nlohmann::json now = read_json(results / manifest_name);
   const ComparedOutputs outputs = compare_outputs(recorded, now);
-  fmt::print("\n");
+  print_output("\n");
   print_lines(outputs.same, "same");
   print_lines(outputs.different, "DIFFERENT");
   print_lines(outputs.timings, "not compared");
@@ -128,14 +129,14 @@ int report_replay(const nlohmann::json& recorded, const fs::path& results) {
   const std::vector<std::string> inputs = changed_inputs(recorded.at("inputs"), now.at("inputs"));
   const std::size_t named = std::min(inputs.size(), most_by_name);
   print_lines({inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(named)}, "input");
-  if (named < inputs.size()) fmt::print("{:<14}and {} more\n", "input", inputs.size() - named);
+  if (named < inputs.size()) print_output("{:<14}and {} more\n", "input", inputs.size() - named);
   const std::size_t all = outputs.same.size() + outputs.different.size();
   if (outputs.different.empty()) {
-    fmt::print("All {} outputs are the same bytes as recorded.\n", all);
+    print_output("All {} outputs are the same bytes as recorded.\n", all);
     return exit_success;
   }
-  fmt::print("{} of {} outputs are not the same bytes as recorded{}.\n", outputs.different.size(), all,
-             inputs.empty() ? "" : fmt::format("; {} of its inputs are not those recorded", inputs.size()));
+  print_output("{} of {} outputs are not the same bytes as recorded{}.\n", outputs.different.size(), all,
+               inputs.empty() ? "" : fmt::format("; {} of its inputs are not those recorded", inputs.size()));
   return exit_with_failures;
 }
 
@@ -187,16 +188,15 @@ struct LeftOut {
   std::string why;
 };
 
-/// Prints warnings about the fields and the shapes left out, of `all` shapes; returns the exit status.
-int report_flaws(const std::vector<FieldReport>& fields, const std::vector<LeftOut>& left_out, std::size_t all,
+/// Prints the warnings and the shapes left out, of `all` shapes; returns the exit status.
+int report_flaws(const std::vector<std::string>& warnings, const std::vector<LeftOut>& left_out, std::size_t all,
                  std::string_view kind) {
-  for (const std::string& warning : field_warnings(fields)) warn(warning);
+  for (const std::string& warning : warnings) warn(warning);
   for (const LeftOut& one : left_out) {
     warn(fmt::format("left out {}: {}", one.what, one.why));
   }
   if (left_out.empty()) return exit_success;
-  fmt::print(stderr, "shapegauge: error: {} of {} {} could not be used; the results are without them\n",
-             left_out.size(), all, kind);
+  print_error(fmt::format("{} of {} {} could not be used; the results are without them", left_out.size(), all, kind));
   return exit_with_failures;
 }
 
@@ -250,13 +250,14 @@ void compare_configurations(const Configuration& configuration, Communicator& ra
 
 /// Prints what a run has to say at its end; returns the exit status.
 int report_run(const ExperimentResults& results, const RequestedRun& request, const fs::path& folder) {
-  fmt::print("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
-  if (results.configuration.report.wanted) fmt::print("Report: {}\n", (folder / report_name).string());
+  print_output("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
+  if (results.configuration.report.wanted) print_output("Report: {}\n", (folder / report_name).string());
   std::vector<LeftOut> left_out;
   for (const FailedModel& failure : results.failures)
     left_out.push_back({"model " + failure.model.id, failure.message});
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.models.size(), "models"));
+  return std::max(replayed,
+                  report_flaws(run_warnings(results), left_out, left_out.size() + results.models.size(), "models"));
 }
 
 int run_retrieval(const RunArguments& arguments, const RequestedRun& request, Communicator& ranks) {
@@ -290,13 +291,14 @@ int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
   const ComparisonResults results = run_comparison(comparison, run_control(arguments, progress));
   write_comparison(folder, results);
   progress.clear();
-  fmt::print("{}\nResults in {}\n", summary_text(results), folder.string());
+  print_output("{}\nResults in {}\n", summary_text(results), folder.string());
   std::vector<LeftOut> left_out;
   for (const FailedShape& failure : results.failures) {
     left_out.push_back({fmt::format("shape \"{}\"", failure.name), failure.message});
   }
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed, report_flaws(results.fields, left_out, left_out.size() + results.shapes.size(), "shapes"));
+  return std::max(replayed, report_flaws(field_warnings(results.fields), left_out,
+                                         left_out.size() + results.shapes.size(), "shapes"));
 }
 
 int run_parts(const RunArguments& arguments, const RequestedRun& request) {
@@ -313,8 +315,8 @@ int run_parts(const RunArguments& arguments, const RequestedRun& request) {
   write_segmentation(folder, results);
   if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
   progress.clear();
-  fmt::print("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache), folder.string(),
-             (folder / report_name).string());
+  print_output("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache), folder.string(),
+               (folder / report_name).string());
   std::vector<LeftOut> left_out;
   for (const FailedSegmentation& failure : results.failures) {
     left_out.push_back({"shape " + failure.model.id, failure.message});
@@ -347,7 +349,7 @@ class InterruptionNotice {
     if (ranks.rank() > 1) return;
     thread_ = std::thread([this, text = fmt::format("rank {}: {}", ranks.rank(), text)] {
       while (!ended_ && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      if (!ended_) fmt::print(stderr, "shapegauge: error: {}\n", text);
+      if (!ended_) print_error(text);
     });
   }
   InterruptionNotice(const InterruptionNotice&) = delete;
@@ -386,7 +388,7 @@ int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
     ranks.abort(interruption_status());
     return interruption_status();
   } catch (const std::exception& error) {
-    fmt::print(stderr, "shapegauge: error: rank {}: {}\n", ranks.rank(), error.what());
+    print_error(fmt::format("rank {}: {}", ranks.rank(), error.what()));
     ranks.abort(exit_unusable_input);
     return exit_unusable_input;
   }

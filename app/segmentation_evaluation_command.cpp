@@ -136,7 +136,7 @@ int run(const EvaluationArguments& arguments) {
                      benchmark.without_people.front()));
   }
   if (!arguments.per_mesh.empty()) write_file_atomically(arguments.per_mesh, to_csv(mesh_table(scores)));
-  fmt::print("{}", formatted_errors(scores, arguments));
+  print_output("{}", formatted_errors(scores, arguments));
   return exit_success;
 }
 

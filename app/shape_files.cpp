@@ -177,9 +177,9 @@ int for_each_shape(const ShapeFiles& files,
   }
   progress.clear();
   for (const ShapeJob& job : jobs) print(remarks[job.index], job.input + ": ");
-  for (const ModelFailure& failure : failures) fmt::print(stderr, "shapegauge: error: {}\n", failure.message);
+  for (const ModelFailure& failure : failures) print_error(failure.message);
   if (failures.empty()) return exit_success;
-  fmt::print(stderr, "shapegauge: error: {} of {} shapes could not be used\n", failures.size(), jobs.size());
+  print_error(fmt::format("{} of {} shapes could not be used", failures.size(), jobs.size()));
   return exit_with_failures;
 }
 

@@ -3,12 +3,22 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <stdlib.h>
 #include <system_error>
+#include <unistd.h>
 
 #include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
+
+void hold_standard_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) != -1) continue;
+    // The lowest free number is that of the stream. Opened the wrong way round, so that its use is an error as before.
+    [[maybe_unused]] const int opened = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
 
 bool is_standard_stream(const std::filesystem::path& path) { return path == "-"; }
 

@@ -8,6 +8,10 @@
 
 namespace shapegauge {
 
+/// Puts an unusable file in place of each standard stream that is closed. Otherwise the next file to be opened would
+/// get its number, and messages would be written into results. To be called first of all.
+void hold_standard_streams();
+
 bool is_standard_stream(const std::filesystem::path& path);
 
 /// All of standard input. Throws InputError where there is nothing.

@@ -1,5 +1,7 @@
 #include "app/terminal.h"
 
+#include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
@@ -16,24 +18,48 @@ bool shows_progress() { return current_verbosity != Verbosity::quiet && isatty(S
 
 constexpr const char* wipe = "\r\x1b[K";
 
+int first_output_error = 0;
+
+/// Writes to standard error. Where that fails there is nobody left to tell.
+void write_message(std::string_view text) {
+  [[maybe_unused]] const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 }  // namespace
+
+void write_output(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written && first_output_error == 0) first_output_error = errno;
+}
+
+int output_error() {
+  const bool flushed = std::fflush(stdout) == 0;
+  if (!flushed && first_output_error == 0) first_output_error = errno;
+  return first_output_error;
+}
 
 void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
 
 Verbosity verbosity() { return current_verbosity; }
 
 void note(std::string_view text) {
-  if (current_verbosity != Verbosity::quiet) fmt::print(stderr, "shapegauge: {}\n", text);
+  if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", text));
 }
 
-void warn(std::string_view text) { fmt::print(stderr, "shapegauge: warning: {}\n", text); }
+void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", text)); }
+
+void print_error(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  write_message(fmt::format("shapegauge: error: {}\n", text));
+}
 
 ProgressLine::ProgressLine() : shown_(shows_progress()) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 
 void ProgressLine::clear() {
-  if (shown_ && !stage_.empty()) fmt::print(stderr, "{}", wipe);
+  if (shown_ && !stage_.empty()) write_message(wipe);
 }
 
 void ProgressLine::show(std::string_view stage, std::size_t done, std::size_t total) {
@@ -47,8 +73,7 @@ void ProgressLine::show(std::string_view stage, std::size_t done, std::size_t to
   if (!new_stage && done != total && now - last_drawn_ < std::chrono::milliseconds(200)) return;
   last_drawn_ = now;
   const double seconds = std::chrono::duration<double>(now - stage_start_).count();
-  fmt::print(stderr, "{}{}", wipe, progress_text(stage, done, total, seconds));
-  std::fflush(stderr);
+  write_message(wipe + progress_text(stage, done, total, seconds));
 }
 
 std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds) {
@@ -66,11 +91,10 @@ BusyLine::BusyLine(std::string what) {
     std::unique_lock lock(mutex_);
     if (ended_.wait_for(lock, std::chrono::seconds(2), ended)) return;
     for (int seconds = 2; !end_; ++seconds) {
-      fmt::print(stderr, "{}{}  {}:{:02}", wipe, what, seconds / 60, seconds % 60);
-      std::fflush(stderr);
+      write_message(fmt::format("{}{}  {}:{:02}", wipe, what, seconds / 60, seconds % 60));
       ended_.wait_for(lock, std::chrono::seconds(1), ended);
     }
-    fmt::print(stderr, "{}", wipe);
+    write_message(wipe);
   });
 }
 

@@ -3,12 +3,15 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <fmt/format.h>
 #include <mutex>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
-/// What the user sees on standard error: messages, and how far a long job is.
+/// What the user sees: output, messages, and how far a long job is. Nothing here throws where a stream cannot be
+/// written to, as a full device or a closed one: a message that nobody can read is no reason to lose results.
 
 namespace shapegauge {
 
@@ -18,9 +21,24 @@ enum class Verbosity {
   verbose  ///< -v: what is done and how long it takes, too
 };
 
+/// Writes the text to standard output; failures are remembered for output_error().
+void write_output(std::string_view text);
+
+/// Flushes standard output. Returns the reason (errno) why not all of the program's output was written, or 0.
+int output_error();
+
 /// Applies to everything below from now on; normal before.
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
+
+/// Writes formatted text to standard output. Never throws: output_error() says at the end what went wrong.
+template <typename... Values>
+void print_output(fmt::format_string<Values...> format, Values&&... values) {
+  write_output(fmt::format(format, std::forward<Values>(values)...));
+}
+
+/// Prints "shapegauge: error: <text>", on one line whatever the text.
+void print_error(std::string text);
 
 /// Prints "shapegauge: <text>" unless quiet.
 void note(std::string_view text);

@@ -140,7 +140,9 @@ void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen
 }  // namespace
 
 RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last)
-    : task_(&task), measures_(options.measures.empty() ? default_measures(options.protocol) : options.measures) {
+    : task_(&task),
+      measures_(options.measures.empty() ? default_measures(options.protocol) : options.measures),
+      first_tier_(measure_of("FT")) {
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   blank_.protocol = options.protocol;
   blank_.ties = options.ties;
@@ -156,6 +158,7 @@ RowJudge::RowJudge(const RetrievalTask& task, const EvaluationOptions& options, 
   scores_.precisions.resize(count, std::ssize(recall_levels(blank_.curve, largest_)));
   scores_.relevant.resize(static_cast<std::size_t>(count));
   scores_.tied.resize(static_cast<std::size_t>(count));
+  scores_.first_tiers.resize(count, Eigen::NoChange);
 }
 
 void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
@@ -166,8 +169,14 @@ void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
   const auto end = std::ranges::lower_bound(blank_.queries, first + rows.rows()) - blank_.queries.begin();
   tbb::parallel_for(begin, end, [&](std::ptrdiff_t query) {
     const auto i = static_cast<std::size_t>(query);
-    keep(i - first_query_,
-         ranked_list(rows, is_whole ? *task_ : part, blank_.queries[i] - first, blank_.protocol, blank_.ties));
+    const auto list_by = [&](Ties ties) {
+      return ranked_list(rows, is_whole ? *task_ : part, blank_.queries[i] - first, blank_.protocol, ties);
+    };
+    const RankedList list = list_by(blank_.ties);
+    keep(i - first_query_, list);
+    scores_.first_tiers.row(query - static_cast<std::ptrdiff_t>(first_query_))
+        << first_tier_.value(list.tied ? list_by(Ties::pessimistic) : list),
+        first_tier_.value(list.tied ? list_by(Ties::optimistic) : list);
   });
 }
 
@@ -189,6 +198,8 @@ Evaluation RowJudge::evaluation_of(const QueryScores& all) const {
   evaluation.micro = mean_of_rows(evaluation.per_query);
   evaluation.macro = mean_of_rows(evaluation.per_class);
   evaluation.queries_with_ties = std::count(all.tied.begin(), all.tied.end(), 1);
+  const Eigen::VectorXd bounds = mean_of_rows(all.first_tiers);
+  evaluation.first_tier_bounds = {.pessimistic = bounds[0], .optimistic = bounds[1]};
   draw_curves(all, groups, mean_by_group(all.precisions, groups), evaluation);
   return evaluation;
 }

@@ -27,6 +27,12 @@ struct EvaluationOptions {
   int minimum_class_size = 2;
 };
 
+/// Mean first tier (FT) over the queries by the order of tied models: the relevant ones last, and first.
+struct FirstTierBounds {
+  double pessimistic = 0;
+  double optimistic = 0;
+};
+
 /// The scores of a distance matrix under one protocol: fractions from 0 to 1. Column j of every table is measures[j].
 struct Evaluation {
   Protocol protocol = Protocol::psb;
@@ -45,6 +51,7 @@ struct Evaluation {
   std::vector<PrecisionRecallCurve> class_curves;  ///< by classes
   Eigen::Index models_left_out = 0;                ///< rows that would be queries but have too few relevant models
   Eigen::Index queries_with_ties = 0;              ///< queries with relevant and other models at equal distance
+  FirstTierBounds first_tier_bounds;               ///< whatever the measures are; equal where ties change nothing
 };
 
 /// Evaluates a distance matrix against the models' classes, every model a query to all others
@@ -72,6 +79,7 @@ struct QueryScores {
   Eigen::MatrixXd precisions;         ///< queries x recall levels
   std::vector<std::size_t> relevant;  ///< of each query
   std::vector<char> tied;             ///< of each query
+  Eigen::MatrixX2d first_tiers;       ///< of each query: FT under Ties::pessimistic and Ties::optimistic
 };
 
 /// Streaming version of evaluate() that is given the rows, of all of the matrix or of a part of it: several processes
@@ -96,6 +104,7 @@ class RowJudge {
 
   const RetrievalTask* task_;
   std::vector<Measure> measures_;
+  Measure first_tier_;
   Evaluation blank_;             ///< without figures
   std::size_t largest_ = 0;      ///< number of relevant models of a query
   std::size_t first_query_ = 0;  ///< of those among its rows

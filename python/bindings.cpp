@@ -34,6 +34,7 @@
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/runner/run_warnings.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"
@@ -135,7 +136,7 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
     const std::vector<ScalarField> fields = compute_fields(choice, shape);
-    return choice.descriptor.describe({.shape = shape, .fields = fields}, {}, choice.values);
+    return compute_features(choice.descriptor, {.shape = shape, .fields = fields}, {}, choice.values);
   }));
 }
 
@@ -313,7 +314,7 @@ FinishedRun run_configuration(const fs::path& configuration, const std::vector<s
   Cache cache(cache_folder.value_or(default_cache_folder()), false);
   const ExperimentResults results = run_into_folder(output, experiment, control, cache, *single_process());
   if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
-  finished = {.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
+  finished = {.summary = summary_text(results), .warnings = run_warnings(results), .left_out = {}};
   for (const FailedModel& failure : results.failures) {
     finished.left_out.push_back(failure.model.id + ": " + failure.message);
   }

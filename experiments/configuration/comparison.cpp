@@ -11,6 +11,7 @@
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/generator/generate_dataset.h"
 
 namespace shapegauge {
@@ -124,7 +125,9 @@ Json to_json(const Comparison& comparison) {
 Comparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);
   if (!is_comparison(document)) {
-    throw InputError(fmt::format("{}: has a \"dataset\", not \"shapes\": it is a retrieval experiment", source));
+    throw InputError(
+        fmt::format("{}: has a \"dataset\", not \"shapes\": it is {}", source,
+                    is_segmentation(document) ? "an experiment of segmentation" : "a retrieval experiment"));
   }
   try {
     return checked_comparison(document, folder);

@@ -85,7 +85,9 @@ FieldComputation cone_sdf_field(const ParameterValues& values, const SamplePlan&
   if (cgal && samples.site != SampleSite::faces) {
     throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for other sites)");
   }
+  // CGAL's post-processing scales to [0, 1].
   return {.versions = {{"cone_sdf", cone_sdf_version}},
+          .dimension = options.postprocess ? FieldDimension::none : FieldDimension::length,
           .compute = [options](const FieldSource& source, const Samples& sites, bool parallel) {
             ConeSdfOptions now = options;
             now.parallel = parallel;
@@ -177,6 +179,7 @@ Parameter eigenvalues_parameter() {
 FieldComputation spectral_field(const ParameterValues& values,
                                 std::function<Eigen::VectorXd(const Spectrum&, double area)> column) {
   return {.versions = {{"heat_kernel", heat_kernel_version}},
+          .dimension = FieldDimension::none,  // all are relative to the area, or to their neighbours in time
           .compute = [column = std::move(column), count = static_cast<int>(values.integer("eigenvalues"))](
                          FieldSource& source, const Samples& samples, bool /*parallel*/) {
             const Eigen::VectorXd at_vertices = column(source.spectrum(count), surface_area(source.shape()));
@@ -340,6 +343,18 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
   return warnings;
 }
 
+double unit_of(FieldDimension dimension, double length) {
+  switch (dimension) {
+    case FieldDimension::none:
+      return 1;
+    case FieldDimension::length:
+      return length;
+    case FieldDimension::area:
+      break;
+  }
+  return length * length;
+}
+
 SamplePlan sample_plan_of(const Json& settings) {
   const auto at = settings.find("at");
   if (at == settings.end()) return {};
@@ -394,6 +409,7 @@ Field make_field(const Json& settings) {
     computation = smoothed(std::move(computation), options_from(bilateral_table, *smoothing));
   }
   field.versions = std::move(computation.versions);
+  field.dimension = computation.dimension;
   field.compute = with_outcomes(std::move(computation.compute));
   field.settings = to_json(values);
   field.settings["type"] = name;

@@ -83,10 +83,18 @@ struct FieldValues {
 /// arena; the values may not depend on it.
 using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bool parallel)>;
 
+/// Physical dimension of a field's values: what a change of the shape's scale does to them. Its number is the power of
+/// the scale that they change by.
+enum class FieldDimension { none = 0, length = 1, area = 2 };
+
+/// `length` to the power of the dimension: what a value of 1 becomes where the unit of length changes by that factor.
+double unit_of(FieldDimension dimension, double length);
+
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.
 struct Field {
   nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
   nlohmann::json versions;  ///< of the algorithms that the values depend on besides the samples, by name
+  FieldDimension dimension = FieldDimension::length;
   SamplePlan samples;
   FieldFunction compute;
 };
@@ -103,7 +111,8 @@ struct FieldReport {
 /// How a field of given settings is computed, and the versions of the algorithms behind it: a version is raised with
 /// every change of a value, so that caches give none of the old ones.
 struct FieldComputation {
-  nlohmann::json versions;  ///< {"name": number, ...}
+  nlohmann::json versions;                            ///< {"name": number, ...}
+  FieldDimension dimension = FieldDimension::length;  ///< of the values; comparisons of shapes undo the scale by it
   FieldFunction compute;
 };
 

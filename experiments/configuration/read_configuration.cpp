@@ -17,6 +17,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 
 namespace shapegauge {
@@ -313,6 +314,9 @@ Configuration configuration_from_json(const Json& document, const std::string& s
   check_against_schema(document, source);
   if (is_comparison(document)) {
     throw InputError(fmt::format("{}: compares \"shapes\": it is not a retrieval experiment", source));
+  }
+  if (is_segmentation(document)) {
+    throw InputError(fmt::format("{}: has a \"segmentation\": it is not a retrieval experiment", source));
   }
   try {
     return checked_configuration(document, folder);

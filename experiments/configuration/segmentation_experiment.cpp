@@ -192,6 +192,9 @@ Json to_json(const SegmentationExperiment& experiment) {
 
 SegmentationExperiment segmentation_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);
+  if (!is_segmentation(document)) {
+    throw InputError(fmt::format("{}: has no \"segmentation\": it is not an experiment of segmentation", source));
+  }
   try {
     return checked_experiment(document, folder);
   } catch (const ConfigurationError& error) {

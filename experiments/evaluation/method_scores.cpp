@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -68,33 +67,6 @@ void check_protocols(std::span<const MethodScores> methods) {
                                  quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method),
                                  method.protocol));
   }
-}
-
-// The last `count` parts of a path, or all of it.
-std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
-  const std::vector<std::filesystem::path> parts(path.begin(), path.end());
-  std::filesystem::path end;
-  for (auto part = parts.end() - std::min(count, std::ssize(parts)); part != parts.end(); ++part) end /= *part;
-  return end.string();
-}
-
-// The shortest ends of paths that tell them apart, without extensions if these do not matter. Paths that are equal stay
-// so.
-std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {
-  const std::size_t different = std::set(paths.begin(), paths.end()).size();
-  std::ptrdiff_t longest = 1;
-  for (const std::filesystem::path& path : paths) longest = std::max(longest, std::distance(path.begin(), path.end()));
-  std::vector<std::string> ends;
-  for (std::ptrdiff_t count = 1; count <= longest; ++count) {
-    for (const bool with_extension : {false, true}) {
-      ends.clear();
-      for (std::filesystem::path path : paths) {
-        ends.push_back(end_of(with_extension ? path : path.replace_extension(), count));
-      }
-      if (std::set(ends.begin(), ends.end()).size() == different) return ends;
-    }
-  }
-  return ends;
 }
 
 // What tells files apart: a file, or of a run's per_query.csv its folder.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <compare>
+#include <cstddef>
+#include <set>
 
 #include "shapegauge/core/io/shape_file.h"
 
@@ -38,6 +40,14 @@ std::strong_ordering compare_by_value(std::string_view a, std::string_view b) {
   return a.size() <=> b.size();
 }
 
+// The last `count` parts of a path, or all of it.
+std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
+  const std::vector<std::filesystem::path> parts(path.begin(), path.end());
+  std::filesystem::path end;
+  for (auto part = parts.end() - std::min(count, std::ssize(parts)); part != parts.end(); ++part) end /= *part;
+  return end.string();
+}
+
 }  // namespace
 
 bool natural_less(std::string_view a, std::string_view b) {
@@ -57,6 +67,23 @@ std::string canonical_model_id(std::string_view id) {
   id = without_shape_extension(id);
   if (id.starts_with('T') && is_whole_number(id.substr(1))) id.remove_prefix(1);
   return std::string(id);
+}
+
+std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths) {
+  const std::size_t different = std::set(paths.begin(), paths.end()).size();
+  std::ptrdiff_t longest = 1;
+  for (const std::filesystem::path& path : paths) longest = std::max(longest, std::distance(path.begin(), path.end()));
+  std::vector<std::string> ends;
+  for (std::ptrdiff_t count = 1; count <= longest; ++count) {
+    for (const bool with_extension : {false, true}) {
+      ends.clear();
+      for (std::filesystem::path path : paths) {
+        ends.push_back(end_of(with_extension ? path : path.replace_extension(), count));
+      }
+      if (std::set(ends.begin(), ends.end()).size() == different) return ends;
+    }
+  }
+  return ends;
 }
 
 }  // namespace shapegauge

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace shapegauge {
 
@@ -14,5 +16,9 @@ bool natural_less(std::string_view a, std::string_view b);
 /// (without_shape_extension()) and a `T` before a whole number are dropped, so that `12`, `T12` and `T12.off` are all
 /// "12". Other ids stay as they are.
 std::string canonical_model_id(std::string_view id);
+
+/// The shortest ends of paths that tell them apart, without their extensions where these do not matter: "x" and "y" of
+/// a/x.off and b/y.off, "x.off" and "x.obj" of a/x.off and b/x.obj. Paths that are equal stay so.
+std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace shapegauge

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/runner/run_warnings.h"
 
 namespace shapegauge {
 
@@ -94,7 +95,7 @@ Report report_of(const ExperimentResults& results) {
                        .field = configuration.signatures[configuration.report.pictured_signature].name};
   }
   report.views = {.fields = results.viewed, .shapes = results.views};
-  report.warnings = field_warnings(results.fields);
+  report.warnings = run_warnings(results);
   for (const FailedModel& failure : results.failures) report.failures.emplace_back(failure.model.id, failure.message);
   return report;
 }

@@ -32,6 +32,21 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   return all;
 }
 
+/// By method and protocol: how many queries have ties that matter, and FT in percent by the order of the tied.
+OrderedJson ties_json(std::span<const NamedEvaluation> evaluations) {
+  OrderedJson rows = OrderedJson::array();
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    rows.push_back({{"method", named.method},
+                    {"protocol", name_of(evaluation.protocol)},
+                    {"queries", evaluation.queries.size()},
+                    {"queries_with_ties", evaluation.queries_with_ties},
+                    {"FT_pessimistic", 100 * evaluation.first_tier_bounds.pessimistic},
+                    {"FT_optimistic", 100 * evaluation.first_tier_bounds.optimistic}});
+  }
+  return rows;
+}
+
 std::string summary_json(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   OrderedJson rows = OrderedJson::array();
   for (const auto& [method, evaluation, intervals] : evaluations) {
@@ -49,11 +64,9 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
       rows.push_back(std::move(row));
     }
   }
-  return OrderedJson{{"name", results.configuration.name},
-                     {"unit", "percent"},
-                     {"ties", name_of(results.configuration.ties)},
-                     {"confidence", IntervalOptions().confidence},
-                     {"rows", std::move(rows)}}
+  return OrderedJson{{"name", results.configuration.name},          {"unit", "percent"},
+                     {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
+                     {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}}
              .dump(2) +
          "\n";
 }

@@ -169,10 +169,7 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
 FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
                                      const LearntFeatures& learnt) {
   const auto start = std::chrono::steady_clock::now();
-  Eigen::VectorXf features = choice.descriptor.describe(input, learnt, choice.values);
-  if (features.size() == 0 || !features.allFinite()) {
-    throw InputError(fmt::format("the features of the descriptor {} are not finite numbers", choice.descriptor.name));
-  }
+  Eigen::VectorXf features = compute_features(choice.descriptor, input, learnt, choice.values);
   const auto end = std::chrono::steady_clock::now();
   return {.features = std::move(features), .seconds = std::chrono::duration<double>(end - start).count()};
 }

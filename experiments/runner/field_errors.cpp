@@ -86,12 +86,15 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
           .percentile_90 = weighted_quantile(angles, counted, 0.9)};
 }
 
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit) {
+PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
+                           double unit) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     if (std::isfinite(values[i]) && samples.weights[i] > 0) kept.push_back(i);
   }
-  return {.points = samples.points(kept, Eigen::all) * unit, .values = values(kept) * unit};
+  return {.points = samples.points(kept, Eigen::all) * unit,
+          .values = values(kept) * unit_of(dimension, unit),
+          .dimension = dimension};
 }
 
 ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal) {
@@ -101,10 +104,11 @@ ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& referen
   const Eigen::VectorXd errors = (placed.values - expected).cwiseAbs();
   // Without an error there is none relative to a value of 0 either.
   const Eigen::VectorXd relative =
-      errors.binaryExpr(expected, [](double error, double value) { return error == 0 ? 0 : error / value; });
+      errors.binaryExpr(expected, [](double error, double value) { return error == 0 ? 0 : error / std::abs(value); });
   const Eigen::VectorXd once = Eigen::VectorXd::Ones(errors.size());
-  return {.median = weighted_quantile(errors, once, 0.5) / reference_diagonal,
-          .percentile_90 = weighted_quantile(errors, once, 0.9) / reference_diagonal,
+  const double unit = unit_of(reference.dimension, reference_diagonal);
+  return {.median = weighted_quantile(errors, once, 0.5) / unit,
+          .percentile_90 = weighted_quantile(errors, once, 0.9) / unit,
           .relative_median = weighted_quantile(relative, once, 0.5),
           .relative_percentile_90 = weighted_quantile(relative, once, 0.9)};
 }

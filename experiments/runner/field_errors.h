@@ -6,6 +6,7 @@
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
+#include "shapegauge/experiments/configuration/fields.h"
 
 namespace shapegauge {
 
@@ -45,23 +46,26 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
 struct PlacedValues {
   Points points;
   Eigen::VectorXd values;  ///< all of them finite
+  FieldDimension dimension = FieldDimension::length;
 };
 
-/// The values at samples that have one and that stand for some area. Lengths, of the samples and of the values,
-/// multiplied by the unit, are those of the result.
-PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, double unit);
+/// The values at samples that have one and that stand for some area, in units of the shape's file: lengths are
+/// multiplied by `unit`, and values by its power that their dimension asks for.
+PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
+                           double unit);
 
 /// How far a field is from that of the reference: quantiles of |value - reference's value at its sample nearest by|,
 /// each sample counting once.
 struct ValueErrors {
-  double median = 0;                  ///< as a fraction of the reference's diagonal
-  double percentile_90 = 0;           ///< as such a fraction
-  double relative_median = 0;         ///< of the errors, each divided by the reference's value
+  double median = 0;                  ///< of lengths as a fraction of the reference's diagonal, of areas of its square;
+                                      ///< of values without a dimension as it is
+  double percentile_90 = 0;           ///< likewise
+  double relative_median = 0;         ///< of the errors, each divided by the magnitude of the reference's value
   double relative_percentile_90 = 0;  ///< of those
 };
 
-/// The errors of the values with respect to the reference's, which are in the same units and place. NaN where either
-/// has no values. Runs in the calling TBB arena.
+/// The errors of the values with respect to the reference's, which are in the same units and place and of the same
+/// dimension. NaN where either has no values. Runs in the calling TBB arena.
 ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal);
 
 }  // namespace shapegauge

@@ -73,7 +73,9 @@ void compute_while_passing(const NamedDistance& distance, const SignatureBlock& 
 }
 
 std::string packed(const QueryScores& scores) {
-  return std::move(Packer().add(scores.measures).add(scores.precisions).add(scores.relevant).add(scores.tied)).bytes();
+  Packer packer;
+  packer.add(scores.measures).add(scores.precisions).add(scores.relevant).add(scores.tied).add(scores.first_tiers);
+  return std::move(packer).bytes();
 }
 
 /// The scores of all ranks, one after the other.
@@ -81,17 +83,21 @@ QueryScores together(const std::vector<std::string>& parts) {
   std::vector<QueryScores> all(parts.size());
   Eigen::Index queries = 0;
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    Unpacker(parts[i]).take(all[i].measures).take(all[i].precisions).take(all[i].relevant).take(all[i].tied);
+    Unpacker unpacker(parts[i]);
+    unpacker.take(all[i].measures).take(all[i].precisions).take(all[i].relevant).take(all[i].tied);
+    unpacker.take(all[i].first_tiers);
     queries += all[i].measures.rows();
   }
   if (all.size() == 1) return std::move(all.front());
   QueryScores scores;
   scores.measures.resize(queries, all.front().measures.cols());
   scores.precisions.resize(queries, all.front().precisions.cols());
+  scores.first_tiers.resize(queries, Eigen::NoChange);
   Eigen::Index first = 0;
   for (const QueryScores& part : all) {
     scores.measures.middleRows(first, part.measures.rows()) = part.measures;
     scores.precisions.middleRows(first, part.measures.rows()) = part.precisions;
+    scores.first_tiers.middleRows(first, part.measures.rows()) = part.first_tiers;
     scores.relevant.insert(scores.relevant.end(), part.relevant.begin(), part.relevant.end());
     scores.tied.insert(scores.tied.end(), part.tied.begin(), part.tied.end());
     first += part.measures.rows();

@@ -81,7 +81,8 @@ MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std
     if (control.interrupted()) throw Interrupted();
     FieldMeasurement& measurement = measured.measurement.fields.emplace_back(measure_field(samples, computed));
     if (reference == nullptr) return;
-    const PlacedValues placed = placed_values(samples, computed.values, std::sqrt(prepared.area));
+    const PlacedValues placed =
+        placed_values(samples, computed.values, plan[field].field.dimension, std::sqrt(prepared.area));
     if (is_reference) reference->values.push_back(placed);
     measurement.errors = value_errors(placed, reference->values[field], reference->diagonal);
     if (reference->normals && computed.normals.rows() > 0) {

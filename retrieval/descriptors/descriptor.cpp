@@ -53,6 +53,15 @@ DescriptorSettings default_settings(const Descriptor& of, std::size_t fields) {
           .axes = std::vector<ParameterValues>(fields, ParameterValues(of.axis_parameters))};
 }
 
+Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
+                                 const DescriptorSettings& settings) {
+  Eigen::VectorXf features = by.describe(input, learnt, settings);
+  if (features.size() == 0 || !features.allFinite()) {
+    throw InputError(fmt::format("the features of the descriptor {} are not finite numbers", by.name));
+  }
+  return features;
+}
+
 const Descriptor& descriptor(std::string_view name) {
   const auto known = descriptors();
   const auto found = std::ranges::find(known, name, &Descriptor::name);

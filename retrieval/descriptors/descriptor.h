@@ -67,6 +67,11 @@ bool learns(const Descriptor& one, const DescriptorSettings& settings);
 /// The settings' defaults, for so many fields.
 DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0);
 
+/// Computes the features of one shape, from what was learnt before where the descriptor learns. Throws InputError for
+/// features that are none or not all finite numbers, and what `describe` throws. Call this rather than `describe`.
+Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
+                                 const DescriptorSettings& settings);
+
 /// The descriptor of that name. Throws InputError, naming those there are.
 const Descriptor& descriptor(std::string_view name);
 

@@ -69,13 +69,15 @@ void check_axis(const JointAxis& axis) {
   }
 }
 
-/// The axis with the range of the shape where that is asked for; one of a single value gets it as its lower end.
+/// Sets the range of an axis to that of some values; a single value becomes its lower end.
+void set_range(JointAxis& axis, const Interval& of_values) {
+  axis.low = of_values.low;
+  axis.high = of_values.low < of_values.high ? of_values.high : of_values.low + 1;
+}
+
+/// The axis with the range of the shape where that is asked for.
 JointAxis resolved(JointAxis axis, const ScalarField& field) {
-  if (axis.per_shape) {
-    const Interval range = joint_range(field, axis.divide_by_mean);
-    axis.low = range.low;
-    axis.high = range.low < range.high ? range.high : range.low + 1;
-  }
+  if (axis.per_shape) set_range(axis, joint_range(field, axis.divide_by_mean));
   check_axis(axis);
   return axis;
 }
@@ -217,8 +219,8 @@ Descriptor joint_histogram_descriptor() {
                   if (ranges.rows() != std::ssize(axes)) {
                     throw InputError(fmt::format("the descriptor {} needs the ranges that it learns first", name));
                   }
-                  axes[k].low = ranges(static_cast<Eigen::Index>(k), 0);
-                  axes[k].high = ranges(static_cast<Eigen::Index>(k), 1);
+                  const auto row = static_cast<Eigen::Index>(k);
+                  set_range(axes[k], {.low = ranges(row, 0), .high = ranges(row, 1)});
                 }
                 return joint_histogram(input.fields, axes, options_from(options_table, settings.values));
               },

@@ -20,7 +20,8 @@ struct JointAxis {
   bool divide_by_mean = false;  ///< the values are first divided by their mean by weight, which no scale then changes
   double low = 0;               ///< the range's ends, after that division; values beyond them count in the outer bins
   double high = 1;
-  bool per_shape = false;      ///< each shape's own least and greatest value instead
+  bool per_shape = false;      ///< each shape's own least and greatest value instead; of a constant field its value and
+                               ///< 1 more, so that all of it is in the first bin
   bool over_data_set = false;  ///< those of the data set instead; only descriptor() knows them
 };
 

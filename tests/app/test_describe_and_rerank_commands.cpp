@@ -59,6 +59,24 @@ TEST_F(DescribeCommand, LearnsFromAllShapesAndNamesThemInCsv) {
   for (Eigen::Index i = 0; i < 3; ++i) EXPECT_NEAR(table.numbers.row(i).sum(), 1, 1e-5);
 }
 
+TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
+  std::filesystem::create_directory(at("a"));
+  std::filesystem::create_directory(at("b"));
+  write_off(at("a/x.off"), test::small_shape("box", 0));
+  write_off(at("b/x.off"), test::small_shape("box", 1));
+  const auto ids = [&](const std::string& inputs) {
+    const Outcome outcome =
+        run_executable(fmt::format("describe {} --descriptor d2 -o '{}'", inputs, at("x.csv").string()));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    return read_number_table(at("x.csv")).row_ids;
+  };
+  const std::string a = fmt::format("'{}'", at("a/x.off").string());
+  const std::string b = fmt::format("'{}'", at("b/x.off").string());
+  EXPECT_THAT(ids(a + " " + b), testing::ElementsAre("a/x", "b/x"));
+  EXPECT_THAT(ids(a), testing::ElementsAre("x"));
+  expect_error_lines({{fmt::format("describe {} {} --descriptor d2 -o x.csv", a, a), "twice"}});
+}
+
 TEST_F(DescribeCommand, AShapeThatFailsHasNoRow) {
   test::write_text(at("box.off"), "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   const std::string output = at("x.npy").string();

@@ -1,7 +1,9 @@
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
+#include <vector>
 
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
@@ -117,6 +119,59 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
   EXPECT_EQ(run_executable(perturb + "-1").status, 2);
   EXPECT_EQ(run_executable(perturb + "0").status, 0);
   EXPECT_EQ(run_executable("dataset generate " + quoted("made") + " --seed -1").status, 2);
+}
+
+TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
+  test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties are a warning
+  test::write_text(at("l.txt"), "a\na\nb\n");
+  const auto status_with = [&](const std::string& arguments, const std::string& streams) {
+    const std::string command = fmt::format("SHAPEGAUGE_CACHE= {} {} {}", SHAPEGAUGE_EXECUTABLE, arguments, streams);
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  };
+  struct Call {
+    std::string arguments;
+    int status;
+    bool prints;  ///< on standard output
+  };
+  const std::vector<Call> calls = {
+      {"evaluate " + quoted("d.csv") + " --labels " + quoted("l.txt"), 0, true},
+      {"normals " + quoted("data/T0.off") + " -o " + quoted("x.npy"), 0, false},
+      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " -o " + quoted("sdfs/"), 1, false},
+      {"dataset info " + quoted("data"), 0, true},
+      {"run " + quoted("absent.json"), 2, false},
+      {"runn", 2, false},
+      {"--help", 0, true}};
+  for (const Call& call : calls) {
+    for (const char* errors : {"2> /dev/full", "2>&-"}) {
+      EXPECT_EQ(status_with(call.arguments, std::string("> /dev/null ") + errors), call.status) << call.arguments;
+    }
+    const int status = call.prints ? 2 : call.status;
+    EXPECT_EQ(status_with(call.arguments, "> /dev/full 2> /dev/full"), status) << call.arguments;
+    EXPECT_EQ(status_with(call.arguments, "<&- >&- 2>&-"), status) << call.arguments;
+  }
+}
+
+TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
+  // With all streams closed, the first files that a program opens get their numbers, and messages go into them.
+  const std::string run = "run " + quoted("small.json") + " --set signatures.0.histogram.bins=1 --output ";
+  ASSERT_EQ(run_executable(run + quoted("out")).status, 0);
+  for (const char* streams : {">&- 2>&-", "<&- >&- 2>&-", "> /dev/full 2>&-"}) {
+    const std::string command =
+        fmt::format("SHAPEGAUGE_CACHE= {} {} {} {}", SHAPEGAUGE_EXECUTABLE, run, quoted("again"), streams);
+    EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2) << streams;
+    EXPECT_EQ(test_command_line::results_in(at("again")), test_command_line::results_in(at("out"))) << streams;
+  }
+}
+
+TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
+  // The warnings of ties come after the reader is gone.
+  const std::string command = fmt::format(
+      "bash -c \"SHAPEGAUGE_CACHE= {} run {} --set signatures.0.histogram.bins=1 --output {} 2>&1 > "
+      "/dev/null | true; exit \\${{PIPESTATUS[0]}}\"",
+      SHAPEGAUGE_EXECUTABLE, quoted("small.json"), quoted("out"));
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_TRUE(std::filesystem::exists(at("out/manifest.json")));
 }
 
 TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {

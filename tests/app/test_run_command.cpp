@@ -46,6 +46,14 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
+TEST_F(SmallRun, TiesAreAWarning) {
+  const Outcome outcome = run_executable("run " + quoted("small.json") + " --output " + quoted("out") +
+                                         " --set signatures.0.histogram.bins=1 --set "
+                                         "signatures.0.histogram.smoothing_bins=0");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("shapegauge: warning: method \"fixed\": 9 of 9 queries"));
+}
+
 TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);

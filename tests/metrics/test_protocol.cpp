@@ -128,6 +128,20 @@ RC_GTEST_PROP(Ties, IndexAndExpectedLieBetweenTheBounds, ()) {
   }
 }
 
+RC_GTEST_PROP(Ties, FirstTierBoundsAreThoseOfTheOrders, ()) {
+  const EvaluationCase data = *cases_with_ties();
+  const auto first_tier = [&](Ties ties) {
+    return evaluate(data.distances, data.labels,
+                    {.protocol = data.protocol, .ties = ties, .measures = {measure_of("FT")}})
+        .micro[0];
+  };
+  for (const Ties ties : {Ties::index, Ties::expected}) {
+    const FirstTierBounds bounds = evaluate_case(data, ties).first_tier_bounds;
+    RC_ASSERT(bounds.pessimistic == first_tier(Ties::pessimistic));
+    RC_ASSERT(bounds.optimistic == first_tier(Ties::optimistic));
+  }
+}
+
 // All distances equal: the order says nothing, and a list of N - 1 ranks with R hits anywhere has the mean
 // R / (N - 1) at rank 1.
 TEST(Ties, AllDistancesEqual) {

@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/boundary_smoothing.h"
+#include "tests/segmentation/hand_made_surface.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -48,6 +49,52 @@ TEST(BoundarySmoothing, ShortensAWavyBorder) {
     if (std::abs(surface.graph.samples.points(i, 0)) < amplitude + 0.04 * surface.unit) continue;
     EXPECT_EQ(smooth[static_cast<std::size_t>(i)], wavy[static_cast<std::size_t>(i)]);
   }
+}
+
+/// Five nodes in a row, 0.01 units apart, whose borders are of these lengths: two that are too large to change, and
+/// three of 0.2 square units.
+ThickSurface row(const std::vector<double>& lengths) {
+  const double unit = 10;
+  std::vector<double> border_lengths;
+  for (const double length : lengths) border_lengths.push_back(unit * length);
+  return test::hand_made_surface(
+      test::hand_made_graph({200, 200, 20, 20, 20}, test::chain(border_lengths, 0.01 * unit)), unit);
+}
+
+TEST(BoundarySmoothing, ABorderMovesWhereThatSavesMoreThanTheAreaCosts) {
+  // Node 2 costs 0.2 * 0.01 / 0.03 = 0.0667 where it goes over, and saves 0.9 of border.
+  const ThickSurface surface = row({1, 1, 0.1, 1});
+  const Labels labels = {0, 0, 1, 1, 1};
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.07}), labels);
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.08}), (Labels{0, 0, 0, 1, 1}));
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.025, .strength = 0.08}), labels) << "0.08 against 0.072";
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
+}
+
+TEST(BoundarySmoothing, TwoStepsCostTwoWays) {
+  // Nodes 2 and 3 cost 0.2 * (0.01 + 0.02) / 0.03 = 0.2 together, and save 0.9 of border.
+  const ThickSurface surface = row({1, 1, 1, 0.1});
+  const Labels labels = {0, 0, 1, 1, 1};
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.21}), labels);
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.03, .strength = 0.23}), (Labels{0, 0, 0, 0, 1}));
+}
+
+TEST(BoundarySmoothing, ABorderCostsHalfWhereTheSurfaceIsConcaveEnough) {
+  // The link between nodes 2 and 3 turns by 0.1 over 0.01: a curvature of 10.
+  ThickSurface surface = row({1, 1, 1, 1});
+  surface.smooth_normals.row(2) << std::sin(0.05), 0, std::cos(0.05);
+  surface.smooth_normals.row(3) << -std::sin(0.05), 0, std::cos(0.05);
+  surface.smooth_normals.topRows(2).rowwise() = surface.smooth_normals.row(2);
+  surface.smooth_normals.row(4) = surface.smooth_normals.row(3);
+  const Labels labels = {0, 0, 1, 1, 1};
+  const auto smoothed = [&](double strength, double concavity) {
+    return smoothed_boundaries(surface, labels, {.width = 0.03, .strength = strength, .concavity = concavity});
+  };
+  EXPECT_EQ(smoothed(0.13, 10), labels) << "0.065 saved";
+  EXPECT_EQ(smoothed(0.14, 10), (Labels{0, 0, 0, 1, 1})) << "0.07 saved";
+  EXPECT_EQ(smoothed(0.14, 30), labels) << "a quarter saved";
+  surface.smooth_normals.col(0) *= -1;  // a ridge
+  EXPECT_EQ(smoothed(0.14, 10), labels);
 }
 
 TEST(BoundarySmoothing, OfNoWidthMovesNothing) {

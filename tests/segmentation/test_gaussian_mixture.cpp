@@ -53,6 +53,29 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
   EXPECT_NEAR(std::exp(log_densities(mixture, Eigen::MatrixXd::Constant(1, 1, 5))(0, 0)), expected, 1e-15);
 }
 
+TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
+  Eigen::MatrixXd points(4, 2);
+  points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate tells nothing
+  const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 1, .regularisation = 0.2});
+  EXPECT_DOUBLE_EQ(mixture.weights[0], 1);
+  EXPECT_DOUBLE_EQ(mixture.means(0, 0), 3);
+  EXPECT_DOUBLE_EQ(mixture.variances(0, 0), 1.2 * 2.5);
+  EXPECT_DOUBLE_EQ(mixture.variances(0, 1), 1);
+  EXPECT_NEAR(mixture.log_likelihood, log_densities(mixture, points).sum(), 1e-12);
+}
+
+TEST(GaussianMixture, ProbabilitiesAreByWeightAndDensity) {
+  GaussianMixture mixture;
+  mixture.weights = Eigen::Vector2d(0.75, 0.25);
+  mixture.means = Eigen::Vector2d(0, 2);
+  mixture.variances = Eigen::Vector2d(1, 4);
+  const double first = 0.75 * std::exp(-0.5);
+  const double second = 0.25 * std::exp(-0.125) / 2;
+  const Eigen::MatrixXd probabilities = component_probabilities(mixture, Eigen::MatrixXd::Constant(1, 1, 1));
+  EXPECT_NEAR(probabilities(0, 0), first / (first + second), 1e-12);
+  EXPECT_NEAR(probabilities(0, 1), second / (first + second), 1e-12);
+}
+
 TEST(GaussianMixture, ProbabilitiesOfAPointSumToOneHoweverFar) {
   const Eigen::MatrixXd points = clouds(three_centres, 20);
   const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 3});

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <map>
+#include <numbers>
 #include <set>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "tests/segmentation/dumbbell.h"
+#include "tests/segmentation/hand_made_surface.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -60,6 +63,39 @@ TEST(PaperSegmentation, OfASphereIsOnePart) {
   const std::vector<ScalarField> fields = {{Eigen::VectorXd::Constant(graph.size(), 2), graph.samples.weights}};
   const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {});
   EXPECT_EQ(std::set(parts.begin(), parts.end()).size(), 1U);
+}
+
+/// Whether six nodes in a row, each a patch, fall into two clusters of three where the border in the middle is of this
+/// length and concavity, the others of length 1, and cuts are worth so much.
+bool falls_apart(double smoothness, double length, double concavity) {
+  std::vector<test::HandMadeLink> links = test::chain({1, 1, length, 1, 1});
+  links[2].concavity = concavity;
+  const SurfaceGraph graph = test::hand_made_graph(std::vector<double>(6, 1), links);
+  Eigen::VectorXd values(6);
+  values << 1, 1, 1, 2, 2, 2;
+  const std::vector<ScalarField> fields = {{values, graph.samples.weights}};
+  const std::vector<std::int32_t> parts = paper_segmentation(
+      graph, fields, {.patches = {.count = 6}, .mixture = {.components = 2}, .smoothness = smoothness});
+  const std::size_t count = std::set(parts.begin(), parts.end()).size();
+  EXPECT_LE(count, 2U);
+  return count == 2;
+}
+
+TEST(PaperSegmentation, ACutCostsByLengthAndTurn) {
+  // In the wrong cluster three patches cost -log(1e-6) each; the cut costs -log(turn / pi) times its length over the
+  // mean length of borders: 1, and at last 0.9.
+  const double clusters = 3 * std::log(1e6);
+  const auto expect_limit = [&](double turn, double concavity) {
+    const double limit = clusters / std::log(std::numbers::pi / turn);
+    EXPECT_TRUE(falls_apart(0.99 * limit, 1, concavity)) << concavity;
+    EXPECT_FALSE(falls_apart(1.01 * limit, 1, concavity)) << concavity;
+  };
+  expect_limit(1e-3, 0);
+  expect_limit(0.5, 0.5);
+  expect_limit(0.05, -0.5);
+  const double limit = clusters / (std::log(std::numbers::pi / 1e-3) * 0.5 / 0.9);
+  EXPECT_TRUE(falls_apart(0.99 * limit, 0.5, 0));
+  EXPECT_FALSE(falls_apart(1.01 * limit, 0.5, 0));
 }
 
 TEST(PaperSegmentation, RefusesOptionsOutOfRange) {

@@ -38,6 +38,26 @@ TEST(PartModel, LearnsShares) {
   EXPECT_NEAR(train_part_model(same, {.epochs = 100}).probability(same[0].features), 0.3, 0.05);
 }
 
+TEST(PartModel, IsALogisticFunctionOfItsHiddenUnits) {
+  PartModel model;
+  model.mean.setConstant(1);
+  model.deviation.setConstant(2);
+  model.hidden.setZero(2, region_features);
+  model.hidden(0, 3) = 0.5;
+  model.hidden(1, 7) = -1;
+  model.hidden_bias = Eigen::Vector2d(0.1, 0.2);
+  model.output = Eigen::Vector2d(2, 3);
+  model.output_bias = -0.4;
+  RegionFeatures features = RegionFeatures::Constant(1);
+  features[3] = 4;    // 1.5 deviations
+  features[7] = 100;  // counts as 4
+  const double expected = 2 * std::tanh(0.5 * 1.5 + 0.1) + 3 * std::tanh(-4 + 0.2) - 0.4;
+  EXPECT_NEAR(model.probability(features), 1 / (1 + std::exp(-expected)), 1e-15);
+  features[7] = -100;
+  const double other = 2 * std::tanh(0.5 * 1.5 + 0.1) + 3 * std::tanh(4 + 0.2) - 0.4;
+  EXPECT_NEAR(model.probability(features), 1 / (1 + std::exp(-other)), 1e-15);
+}
+
 TEST(PartModel, TrainingIsRepeatable) {
   const PartModel first = train_part_model(examples(500, 1), {});
   const PartModel second = train_part_model(examples(500, 1), {});

@@ -77,6 +77,17 @@ TEST(PartSegmentation, HasAsManyPartsAsWanted) {
   }
 }
 
+TEST(PartSegmentation, ThreePatchesAPartAreTheFewest) {
+  const Shape shape = test::dumbbell(4);
+  const auto parts = [&](int patches) {
+    return part_segmentation(shape, {.parts = 5, .patches = patches, .samples = 200});
+  };
+  const Labels fewest = parts(1);
+  EXPECT_EQ(fewest, parts(15));
+  EXPECT_NE(fewest, parts(14 + 2));
+  EXPECT_EQ(count_of(fewest), 5U);
+}
+
 TEST(PartSegmentation, NumbersPartsInTheOrderOfTheirTriangles) {
   const Labels parts = part_segmentation(test::dumbbell(4), {.parts = 5});
   EXPECT_EQ(parts, renumbered(parts));

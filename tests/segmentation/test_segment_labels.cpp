@@ -7,6 +7,7 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
+#include "tests/segmentation/hand_made_surface.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -45,6 +46,62 @@ TEST(SegmentLabels, SmallPartsGoToTheLongestBorder) {
   const Labels one = without_small_parts(graph, labels, 1.1);
   EXPECT_EQ(std::set(one.begin(), one.end()).size(), 1U);
   EXPECT_EQ(without_small_parts(graph, labels, 0), renumbered(labels));
+}
+
+TEST(SegmentLabels, APartThatTookAnotherHasTheBordersOfBoth) {
+  // 0 goes to 1. Both touch 2, along 4 together, which is more than 3: between 2 and 3, or between 1 and 3.
+  for (const double length : {3.0, 5.0}) {
+    const SurfaceGraph graph = test::hand_made_graph({1, 20, 2, 77}, {{0, 1, 9}, {0, 2, 2}, {1, 2, 2}, {2, 3, length}});
+    const Labels expected = length < 4 ? Labels{0, 0, 0, 1} : Labels{0, 0, 1, 1};
+    EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2, 3}, 0.1), expected) << length;
+  }
+  for (const double length : {3.0, 5.0}) {
+    const SurfaceGraph graph = test::hand_made_graph({1, 3, 50, 46}, {{0, 1, 9}, {0, 2, 2}, {1, 2, 2}, {1, 3, length}});
+    const Labels expected = length < 4 ? Labels{0, 0, 0, 1} : Labels{0, 0, 1, 0};
+    EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2, 3}, 0.1), expected) << length;
+  }
+}
+
+TEST(SegmentLabels, SmallPartsThatAreLargeEnoughTogetherStay) {
+  const std::vector<test::HandMadeLink> row = test::chain({2, 1, 1});
+  EXPECT_EQ(without_small_parts(test::hand_made_graph({4, 6, 40, 50}, row), Labels{0, 1, 2, 3}, 0.1),
+            (Labels{0, 0, 1, 2}));
+  EXPECT_EQ(without_small_parts(test::hand_made_graph({4, 5, 41, 50}, row), Labels{0, 1, 2, 3}, 0.1),
+            (Labels{0, 0, 0, 1}))
+      << "a share of 0.09, and the way leads on";
+}
+
+TEST(SegmentLabels, TheSmallestPartGoesFirst) {
+  // 1 alone would go to 2; it takes 0 first, and with that is large enough.
+  const SurfaceGraph graph = test::hand_made_graph({3, 8, 89}, test::chain({1, 5}));
+  EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2}, 0.1), (Labels{0, 0, 1}));
+}
+
+TEST(SegmentLabels, ASmallPartWithoutNeighboursStays) {
+  const SurfaceGraph graph = test::hand_made_graph({1, 50, 49}, {{1, 2, 1}});
+  EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 1}, 0.1), (Labels{0, 1, 1}));
+}
+
+TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
+  const std::vector<Colour> colours =
+      label_colours(test::hand_made_graph({1, 5, 3}, test::chain({1, 1})), Labels{0, 1, 2});
+  EXPECT_EQ(colours[1], (Colour{68, 119, 170}));
+  EXPECT_EQ(colours[2], (Colour{238, 102, 119}));
+  EXPECT_EQ(colours[0], (Colour{34, 136, 51}));
+}
+
+TEST(SegmentLabels, ColoursAreUsedAgainWhereTheyDoNotTouch) {
+  // Fourteen parts by falling area. Two have to take a colour again: 12 touches 0, whose turn it would be, 13 does not
+  // touch 1.
+  std::vector<double> areas;
+  Labels labels;
+  for (int i = 0; i < 14; ++i) {
+    areas.push_back(20 - i);
+    labels.push_back(i);
+  }
+  const std::vector<Colour> colours = label_colours(test::hand_made_graph(areas, {{0, 12, 1}}), labels);
+  EXPECT_EQ(colours[12], colours[1]);
+  EXPECT_EQ(colours[13], colours[1]);
 }
 
 TEST(SegmentLabels, NeighboursHaveDifferentColours) {

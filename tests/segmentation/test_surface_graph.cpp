@@ -131,7 +131,26 @@ TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
   strip.vertices << 0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 1, 0, 4, 0, 0;
   strip.triangles.resize(2, 3);
   strip.triangles << 0, 2, 1, 2, 4, 3;
-  EXPECT_THAT(link_counts(surface_graph(strip), 2), testing::ElementsAre(1, 1));
+  const SurfaceGraph graph = surface_graph(strip);
+  EXPECT_THAT(link_counts(graph, 2), testing::ElementsAre(1, 1));
+  // At (2, 0, 0), from centroid to centroid, and as wide as half of the longer edges there.
+  EXPECT_DOUBLE_EQ(graph.links[0].distance, 2 * std::hypot(1, 1 / 3.0));
+  EXPECT_DOUBLE_EQ(graph.links[0].length, 1);
+  EXPECT_EQ(graph.links[0].concavity, 0);
+}
+
+TEST(SurfaceGraph, PointsOfACloudAreLinkedByDistanceAndWidth) {
+  const Shape cloud{.vertices = test::sphere(2, 3).vertices, .triangles = {}};
+  const SurfaceGraph graph = surface_graph(cloud);
+  const Samples& samples = graph.samples;
+  for (std::int32_t i = 0; i < graph.size(); ++i) {
+    EXPECT_GE(graph.links_of(i).size(), 8U);
+    for (const SurfaceLink& link : graph.links_of(i)) {
+      EXPECT_NEAR(link.distance, (samples.points.row(i) - samples.points.row(link.to)).norm(), 1e-12);
+      EXPECT_DOUBLE_EQ(link.length, (std::sqrt(samples.weights[i]) + std::sqrt(samples.weights[link.to])) / 2);
+      EXPECT_NEAR(std::abs(link.concavity), link.distance / 2, 0.06) << "the angle seen from the middle";
+    }
+  }
 }
 
 TEST(SurfaceGraph, RefusesAnEmptyShape) { EXPECT_THROW(surface_graph(Shape{}), InputError); }

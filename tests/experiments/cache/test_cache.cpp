@@ -2,11 +2,13 @@
 #include <bit>
 #include <cmath>
 #include <csignal>
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <limits>
 #include <sys/resource.h>
 #include <thread>
 
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "tests/support/test_files.h"
@@ -194,6 +196,13 @@ TEST_F(CacheTest, SeveralRunsShareAFolder) {
   threads.clear();
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(cache_contents(folder()).total().entries, 8U);
+}
+
+TEST(EntryKinds, AreAllInTheManual) {
+  const std::string manual = read_file_bytes(SHAPEGAUGE_CACHE_GUIDE);
+  for (const std::string_view kind : entry_kind_names) {
+    EXPECT_THAT(manual, testing::HasSubstr(fmt::format("\n| `{}` | ", kind)));
+  }
 }
 
 }  // namespace

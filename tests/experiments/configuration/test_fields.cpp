@@ -188,6 +188,37 @@ TEST(MakeField, SettingsThatATypeDoesNotTakeAreErrors) {
   EXPECT_THAT(message({{"type", "cone_sdf"}, {"opening_angle_degrees", 180}}), HasSubstr("is 180"));
 }
 
+TEST(MakeField, AFieldKnowsItsDimension) {
+  const auto dimension = [](nlohmann::json settings) { return make_field(settings).dimension; };
+  EXPECT_EQ(dimension({{"type", "offset_sdf"}, {"offset", 0.05}}), FieldDimension::length);
+  EXPECT_EQ(dimension({{"type", "cone_sdf"}}), FieldDimension::length);
+  EXPECT_EQ(dimension({{"type", "cone_sdf"}, {"engine", "cgal"}, {"postprocess", true}}), FieldDimension::none);
+  EXPECT_EQ(dimension({{"type", "centricity"}, {"bilateral", {{"iterations", 1}}}}), FieldDimension::length);
+  for (const char* type : {"heat_kernel", "scale_invariant_heat_kernel", "wave_kernel"}) {
+    EXPECT_EQ(dimension({{"type", type}}), FieldDimension::none) << type;
+  }
+}
+
+/// Values of a field on a shape of any size, without preparation.
+Eigen::VectorXd values_on(const Shape& shape, const nlohmann::json& settings) {
+  const Field field = make_field(settings);
+  FieldSource source(shape);
+  return field.compute(source, take_samples(shape, field.samples), false).values;
+}
+
+TEST(MakeField, ValuesFollowTheScaleByTheirDimension) {
+  const Shape shape = test::box({1, 2, 3}, 4);
+  const Shape larger = test::transformed(shape, 3, Eigen::Matrix3d::Identity(), {0, 0, 0});
+  for (const FieldType& type : field_types()) {
+    if (type.name.starts_with("test_")) continue;
+    nlohmann::json settings{{"type", type.name}, {"at", "vertices"}};
+    if (type.name == "offset_sdf") settings["offset"] = 0.05;
+    if (type.name.ends_with("_kernel")) settings["eigenvalues"] = 20;
+    const double factor = unit_of(make_field(settings).dimension, 3);
+    EXPECT_TRUE(values_on(larger, settings).isApprox(factor * values_on(shape, settings), 1e-3)) << type.name;
+  }
+}
+
 TEST(RegisterField, AddsATypeThatConfigurationsCanName) {
   const std::size_t known = field_types().size();
   register_field({.name = "test_height",

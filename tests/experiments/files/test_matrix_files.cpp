@@ -49,6 +49,25 @@ TEST(CsvMatrix, TakesIdsFromTheHeaderRowAndTheFirstColumn) {
 
 TEST(CsvMatrix, IdsMayBeNumbers) { EXPECT_THAT(read_csv("id,7,5\n7,0,1\n5,1,0\n").ids, ElementsAre("7", "5")); }
 
+TEST(CsvMatrix, TheCornerOfNumericIdsMayBeEmpty) {
+  const LabelledDistances matrix = read_csv(",7,5\n7,0,1\n5,2,0\n");
+  EXPECT_THAT(matrix.ids, ElementsAre("7", "5"));
+  EXPECT_EQ(matrix.distances, (Eigen::Matrix2d{{0, 1}, {2, 0}}));
+}
+
+TEST(NumberTable, TheCornerOfNumericIdsMayBeEmpty) {
+  const test::TemporaryFolder folder;
+  for (const char* corner : {"", "id"}) {
+    test::write_text(folder.path() / "x.csv", std::string(corner) + ",1,2,3\n7,0,1,4\n5,2,0,6\n");
+    const LabelledTable table = read_number_table(folder.path() / "x.csv");
+    EXPECT_THAT(table.row_ids, ElementsAre("7", "5")) << corner;
+    EXPECT_THAT(table.column_ids, ElementsAre("1", "2", "3")) << corner;
+    EXPECT_EQ(table.numbers, (Eigen::Matrix<double, 2, 3>{{0, 1, 4}, {2, 0, 6}})) << corner;
+  }
+  test::write_text(folder.path() / "x.csv", "4,1,2\n7,0,1\n");
+  EXPECT_EQ(read_number_table(folder.path() / "x.csv").numbers.rows(), 2) << "no corner, no ids";
+}
+
 TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
   const LabelledDistances result = read_csv("0,1.5\n-2.25,inf\n");
   EXPECT_EQ(result.distances, example());

@@ -18,6 +18,14 @@ std::vector<std::string> sorted(std::vector<std::string> names) {
   return names;
 }
 
+TEST(DistinguishingEnds, AreAsShortAsTheyMayBe) {
+  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/y.off"}), ElementsAre("x", "y"));
+  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.obj"}), ElementsAre("x.off", "x.obj"));
+  EXPECT_THAT(distinguishing_ends({"a/x.off", "b/x.off"}), ElementsAre("a/x", "b/x"));
+  EXPECT_THAT(distinguishing_ends({"a/c/x.off", "b/c/x.off", "y.off"}), ElementsAre("a/c/x", "b/c/x", "y"));
+  EXPECT_THAT(distinguishing_ends({"a/x.off", "a/x.off"}), ElementsAre("x", "x"));
+}
+
 TEST(NaturalOrder, NumbersCountByTheirValue) {
   EXPECT_THAT(sorted({"T10", "T2", "T1", "T100", "T0"}), ElementsAre("T0", "T1", "T2", "T10", "T100"));
   EXPECT_THAT(sorted({"a10b2", "a10b10", "a9b99"}), ElementsAre("a9b99", "a10b2", "a10b10"));

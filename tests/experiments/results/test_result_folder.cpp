@@ -143,6 +143,34 @@ TEST_F(StagedResultsTest, TakeThePlaceOfEarlierOnes) {
   EXPECT_EQ(folder_.size(), 4U) << "nothing else: notes, manifest, summary, distances";
 }
 
+TEST_F(StagedResultsTest, AManifestThatListsOtherFilesRemovesNone) {
+  const test::TemporaryFolder elsewhere;
+  const fs::path neighbour = folder_.path().parent_path() / (folder_.path().filename().string() + "-neighbour.csv");
+  const std::string outside = (elsewhere.path() / "summary.csv").string();
+  write_text(neighbour, "not ours");
+  write_text(outside, "not ours");
+  write_text(at("data.npy"), "mine");
+  write_text(at("parts/a.npy"), "mine");
+  write_text(at("manifest.json"), nlohmann::json{{"files",
+                                                  {"notes.txt", "../" + neighbour.filename().string(), outside,
+                                                   "distances/../data.npy", "distances/../parts/a.npy", "data.npy",
+                                                   "./summary.csv", "parts/a.npy", "distances", "", "summary.csv"}}}
+                                      .dump());
+  {
+    StagedResults staged(folder_.path());
+    write_text(staged.folder() / "manifest.json", "{}");
+    staged.publish({});
+  }
+  EXPECT_FALSE(fs::exists(at("summary.csv"))) << "what a run writes is removed";
+  EXPECT_EQ(text_of(at("notes.txt")), "mine");
+  EXPECT_EQ(text_of(at("data.npy")), "mine");
+  EXPECT_EQ(text_of(at("parts/a.npy")), "mine");
+  EXPECT_EQ(text_of(at("distances/a.npy")), "old");
+  EXPECT_EQ(text_of(neighbour), "not ours");
+  EXPECT_EQ(text_of(outside), "not ours");
+  fs::remove(neighbour);
+}
+
 TEST_F(StagedResultsTest, LeaveTheEarlierOnesWhereTheyAreNotPublished) {
   {
     const StagedResults staged(folder_.path());

@@ -110,6 +110,27 @@ TEST(ValueErrors, AreThoseFromTheNearestSample) {
   EXPECT_DOUBLE_EQ(errors.relative_percentile_90, 0.5);
 }
 
+TEST(ValueErrors, AreSharesOfTheDiagonalToThePowerOfTheDimension) {
+  const auto median = [](FieldDimension dimension) {
+    PlacedValues reference = line();
+    reference.dimension = dimension;
+    PlacedValues moved = reference;
+    moved.values.array() += 2;
+    return value_errors(moved, reference, 10).median;
+  };
+  EXPECT_DOUBLE_EQ(median(FieldDimension::none), 2);
+  EXPECT_DOUBLE_EQ(median(FieldDimension::length), 0.2);
+  EXPECT_DOUBLE_EQ(median(FieldDimension::area), 0.02);
+}
+
+TEST(ValueErrors, RelativeToNegativeValuesArePositive) {
+  PlacedValues reference = line();
+  reference.values *= -1;
+  PlacedValues moved = reference;
+  moved.values *= 1.5;
+  EXPECT_DOUBLE_EQ(value_errors(moved, reference, 9).relative_median, 0.5);
+}
+
 TEST(ValueErrors, OfAValueOfZeroAreInfiniteOrNone) {
   PlacedValues reference = line();
   reference.values.setZero();
@@ -124,10 +145,25 @@ TEST(PlacedValues, AreThoseThatAreThereInTheirOwnUnits) {
   samples.weights[2] = 0;
   Eigen::VectorXd values = line().values;
   values[4] = std::nan("");
-  const PlacedValues placed = placed_values(samples, values, 2);
+  const PlacedValues placed = placed_values(samples, values, FieldDimension::length, 2);
   ASSERT_EQ(placed.values.size(), 8);
   EXPECT_EQ(placed.values[2], 8);
   EXPECT_EQ(placed.points(2, 0), 6);
+}
+
+TEST(PlacedValues, AreScaledByTheirDimension) {
+  Samples samples;
+  samples.points = line().points;
+  samples.weights = Eigen::VectorXd::Ones(10);
+  const auto values = [&](FieldDimension dimension) {
+    const PlacedValues placed = placed_values(samples, line().values, dimension, 3);
+    EXPECT_EQ(placed.points(2, 0), 6) << "places are lengths whatever the values are";
+    EXPECT_EQ(placed.dimension, dimension);
+    return placed.values;
+  };
+  EXPECT_EQ(values(FieldDimension::none), line().values);
+  EXPECT_EQ(values(FieldDimension::length), 3 * line().values);
+  EXPECT_EQ(values(FieldDimension::area), 9 * line().values);
 }
 
 }  // namespace

@@ -46,6 +46,8 @@ void expect_same(const Evaluation& one, const Evaluation& other) {
   EXPECT_EQ(one.micro_curve.precision, other.micro_curve.precision);
   EXPECT_EQ(one.queries, other.queries);
   EXPECT_EQ(one.queries_with_ties, other.queries_with_ties);
+  EXPECT_EQ(one.first_tier_bounds.pessimistic, other.first_tier_bounds.pessimistic);
+  EXPECT_EQ(one.first_tier_bounds.optimistic, other.first_tier_bounds.optimistic);
 }
 
 class JudgedDistances : public testing::TestWithParam<int> {};

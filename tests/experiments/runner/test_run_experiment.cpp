@@ -12,6 +12,7 @@
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/runner/run_warnings.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -230,6 +231,32 @@ TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
   one.erase("execution");
   three.erase("execution");
   EXPECT_EQ(one, three);
+}
+
+TEST_F(RunExperiment, TiesAreCountedAndReported) {
+  // A histogram of one bin is the same of all nine models: no answer has an order.
+  const Json one_bin{{"name", "one bin"},
+                     {"field", {{"type", "cone_sdf"}}},
+                     {"histogram", {{"bins", 1}, {"smoothing_bins", 0}, {"range", "dataset"}}}};
+  Json document = test::small_configuration(data());
+  document["signatures"].push_back(one_bin);
+  const ExperimentResults results =
+      run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"), {.threads = 1});
+  EXPECT_THAT(run_warnings(results),
+              ElementsAre(AllOf(HasSubstr("\"one bin\": 9 of 9 queries"), HasSubstr("0.0 to 100.0 (psb)"),
+                                HasSubstr("33.3 to 100.0 (paper)"))));
+  write_results(folder("out"), results);
+  const Json tied = Json::parse(text_of(folder("out") / "summary.json")).at("tied");
+  ASSERT_EQ(tied.size(), 10U) << "five methods under two protocols";
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(tied[i]["queries_with_ties"], 0) << tied[i];
+  EXPECT_EQ(tied[8], (Json{{"method", "one bin"},
+                           {"protocol", "psb"},
+                           {"queries", 9},
+                           {"queries_with_ties", 9},
+                           {"FT_pessimistic", 0.0},
+                           {"FT_optimistic", 100.0}}));
+  EXPECT_EQ(tied[9]["queries_with_ties"], 9);
+  EXPECT_THAT(text_of(folder("out") / "report.html"), HasSubstr("9 of 9 queries"));
 }
 
 TEST_F(RunExperiment, ABadModelStopsTheRunAndIsNamed) {

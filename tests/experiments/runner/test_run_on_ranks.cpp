@@ -72,6 +72,19 @@ TEST_F(RunOnRanks, TheFilesAreTheSameBytes) {
   }
 }
 
+TEST_F(RunOnRanks, TiesAreTheSameBytes) {
+  Json document = test::small_configuration(at("data"));
+  document["signatures"][1]["histogram"] = {{"bins", 1}, {"smoothing_bins", 0}, {"range", "per-shape"}};
+  const Configuration tied = configuration_from_json(document, "test.json", at(""));
+  run_on(1, "alone", tied);
+  const auto expected = files_in(at("alone"));
+  EXPECT_EQ(Json::parse(expected.at("summary.json"))["tied"][2]["queries_with_ties"], 9);
+  for (const int size : {2, 5}) {
+    run_on(size, std::to_string(size), tied);
+    EXPECT_EQ(files_in(at(std::to_string(size))), expected) << size;
+  }
+}
+
 TEST_F(RunOnRanks, TheFilesAreThoseOfMatricesInMemory) {
   write_results(at("memory"), run_experiment(configuration(), at("generated"), {.threads = 1}));
   Cache none;

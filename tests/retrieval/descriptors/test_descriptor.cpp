@@ -46,6 +46,21 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
   }
 }
 
+TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
+  const Shape shape = test::sphere(1, 1);
+  Descriptor broken = descriptor("d2");
+  const auto features = [&] { return compute_features(broken, {shape, {}}, {}, default_settings(broken)); };
+  EXPECT_TRUE(features().allFinite());
+  broken.describe = [](const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) {
+    return Eigen::VectorXf(Eigen::Vector2f(1, std::numeric_limits<float>::infinity()));
+  };
+  EXPECT_THROW(features(), InputError);
+  broken.describe = [](const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) {
+    return Eigen::VectorXf();
+  };
+  EXPECT_THROW(features(), InputError);
+}
+
 TEST(Descriptors, SettingsChangeWhatTheySay) {
   const Shape shape = test::sphere(1, 2);
   const Descriptor& one = descriptor("d2");

@@ -124,6 +124,21 @@ TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
   EXPECT_EQ(joint.describe(inputs[0], learnt, settings), joint_histogram(small, expected));
 }
 
+TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
+  std::vector<ScalarField> fields = all_pairs(random_values(50, 1), random_values(40, 2));
+  fields[0].values.setConstant(0.7);
+  const Shape none;
+  const std::vector<DescriptorInput> inputs = {{none, fields}, {none, fields}};
+  const Descriptor& joint = descriptor("joint_histogram");
+  const auto histogram_with = [&](const char* range) {
+    DescriptorSettings settings = default_settings(joint, 2);
+    settings.axes[0].set(range, true);
+    const LearntFeatures learnt = learns(joint, settings) ? joint.learn(inputs, settings) : LearntFeatures();
+    return compute_features(joint, inputs[0], learnt, settings);
+  };
+  EXPECT_EQ(histogram_with("over_data_set"), histogram_with("per_shape"));
+}
+
 TEST(JointHistogram, RefusesWhatIsNone) {
   const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
   const std::vector<JointAxis> axes(2);

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/segmentation_experiment.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+using Json = nlohmann::json;
+
+/// The experiments among the configurations that come with the program.
+std::vector<Json> all_experiments() {
+  std::set<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) files.insert(entry.path());
+  std::vector<Json> experiments;
+  for (const fs::path& file : files) {
+    if (file.filename() != "experiment.schema.json") experiments.push_back(read_json(file));
+  }
+  return experiments;
+}
+
+void read(const Json& document) {
+  if (is_comparison(document)) {
+    comparison_from_json(document, "x.json", "/configs");
+  } else if (is_segmentation(document)) {
+    segmentation_from_json(document, "x.json", "/configs");
+  } else {
+    configuration_from_json(document, "x.json", "/configs");
+  }
+}
+
+/// The error of reading a document; "" for none. Fails for an exception that is not for users.
+std::string error_of(const Json& document) {
+  try {
+    read(document);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what() << " is what reading gives of " << document.dump();
+    return error.what();
+  }
+}
+
+/// All places in a document, as JSON pointers.
+void add_places(const Json& value, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
+  if (!place.empty()) places.push_back(place);
+  if (value.is_object()) {
+    for (const auto& [key, child] : value.items()) add_places(child, place / key, places);
+  }
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) add_places(value[i], place / i, places);
+}
+
+/// The place as messages have it, "signatures.0.field".
+std::string dotted(const Json::json_pointer& place) {
+  std::string text = place.to_string().substr(1);
+  std::ranges::replace(text, '/', '.');
+  return text;
+}
+
+/// The first place of each kind in all experiments: without indices, with the kind of what is there.
+std::vector<std::pair<Json, Json::json_pointer>> places_of_every_kind() {
+  std::vector<std::pair<Json, Json::json_pointer>> result;
+  std::set<std::string> seen;
+  for (const Json& experiment : all_experiments()) {
+    const std::string kind = is_comparison(experiment) ? "shapes" : is_segmentation(experiment) ? "parts" : "retrieval";
+    std::vector<Json::json_pointer> places;
+    add_places(experiment, {}, places);
+    for (const Json::json_pointer& place : places) {
+      const std::string name = std::regex_replace(place.to_string(), std::regex("/[0-9]+"), "/N");
+      const Json& parent = experiment[place.parent_pointer()];
+      const std::string type = parent.is_object() ? parent.value("type", "") : "";
+      if (seen.insert(kind + name + experiment[place].type_name() + type).second)
+        result.emplace_back(experiment, place);
+    }
+  }
+  return result;
+}
+
+class WrongValues : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* folder : {"SHAPEGAUGE_DATA", "SHREC11_ROOT"}) setenv(folder, "/data", 0);
+  }
+};
+
+TEST_F(WrongValues, ConfigurationsAreReadAsTheyCome) {
+  for (const Json& experiment : all_experiments()) EXPECT_EQ(error_of(experiment), "");
+}
+
+TEST_F(WrongValues, AreErrorsOfTheUserWithTheirPlace) {
+  const std::vector<Json> values = {
+      nullptr,   true, -1.5, 1e300, std::numeric_limits<std::uint64_t>::max(), "x", Json::array({1, "x", nullptr}),
+      {{"x", 1}}};
+  std::size_t errors = 0;
+  for (const auto& [experiment, place] : places_of_every_kind()) {
+    for (const Json& value : values) {
+      Json changed = experiment;
+      changed[place] = value;
+      const std::string error = error_of(changed);
+      if (error.empty()) continue;
+      ++errors;
+      EXPECT_THAT(error, Not(HasSubstr("json.exception"))) << place << " " << value;
+      EXPECT_THAT(error, HasSubstr("x.json: ")) << place << " " << value;
+      const bool is_of_no_type = value.is_null() || value.is_array() || value.is_object();
+      if (is_of_no_type && !experiment[place].is_structured()) {
+        EXPECT_THAT(error, HasSubstr(dotted(place))) << place << " " << value;
+      }
+    }
+  }
+  EXPECT_GT(errors, 500U);
+}
+
+TEST_F(WrongValues, AKeyThatIsAbsentIsNoExceptionOfAnotherKind) {
+  for (const auto& [experiment, place] : places_of_every_kind()) {
+    Json changed = experiment;
+    Json& parent = changed[place.parent_pointer()];
+    if (parent.is_object()) {
+      parent.erase(place.back());
+    } else {
+      parent.erase(std::stoul(place.back()));
+    }
+    EXPECT_THAT(error_of(changed), Not(HasSubstr("json.exception"))) << place;
+  }
+}
+
+TEST_F(WrongValues, AnExperimentOfAnotherKindIsAnErrorOfTheUser) {
+  for (const Json& experiment : all_experiments()) {
+    const auto refuses = [&](auto&& reading) {
+      try {
+        reading();
+      } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("x.json: "));
+        return true;
+      }
+      return false;
+    };
+    const bool shapes = is_comparison(experiment);
+    const bool parts = is_segmentation(experiment);
+    EXPECT_EQ(refuses([&] { configuration_from_json(experiment, "x.json", "/configs"); }), shapes || parts);
+    EXPECT_EQ(refuses([&] { comparison_from_json(experiment, "x.json", "/configs"); }), !shapes);
+    EXPECT_EQ(refuses([&] { segmentation_from_json(experiment, "x.json", "/configs"); }), !parts);
+  }
+}
+
+TEST_F(WrongValues, WhatIsNoObjectIsAnErrorOfTheUser) {
+  for (const Json& document : {Json(), Json(3), Json("x"), Json::array(), Json::object()}) {
+    EXPECT_NE(error_of(document), "") << document;
+  }
+}
+
+}  // namespace
+
+}  // namespace shapegauge
