@@ -41,7 +41,7 @@ Units query_units(const Eigen::MatrixXd& per_query, std::span<const int> classes
 Units class_units(const Eigen::MatrixXd& per_query, std::span<const int> classes, Average average) {
   const std::map<int, double> sizes = sizes_of(classes);
   std::map<int, Eigen::Index> unit_of_class;
-  for (const auto& [label, size] : sizes) unit_of_class.emplace(label, static_cast<Eigen::Index>(unit_of_class.size()));
+  for (const int label : classes) unit_of_class.emplace(label, static_cast<Eigen::Index>(unit_of_class.size()));
   const auto count = static_cast<Eigen::Index>(sizes.size());
   Units units{Eigen::MatrixXd::Zero(count, per_query.cols()), Eigen::VectorXd(count)};
   for (Eigen::Index row = 0; row < per_query.rows(); ++row) {

@@ -43,8 +43,9 @@ struct Units {
   Eigen::VectorXd weights;  ///< weight of each unit in the average; they sum to 1
 };
 
-/// The units of a table queries x methods. classes[i] is the class of query i. Throws std::invalid_argument where there
-/// are no queries or not as many classes.
+/// The units of a table queries x methods. classes[i] is the class of query i; classes are in the order in which the
+/// queries have them, so that what is drawn does not depend on how they are numbered. Throws std::invalid_argument
+/// where there are no queries or not as many classes.
 Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average);
 
 /// The average of each method: the weighted mean of its units.

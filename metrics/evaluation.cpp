@@ -123,8 +123,9 @@ std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evalua
 }
 
 void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen::Index>>& groups,
-                 const Eigen::MatrixXd& precisions_by_class, Evaluation& evaluation) {
+                 Evaluation& evaluation) {
   evaluation.micro_curve = average_curve(results.precisions, results.relevant, evaluation.curve);
+  Eigen::MatrixXd of_classes(std::ssize(groups), results.precisions.cols());
   std::vector<std::size_t> relevant_of_class;  // a level counts for a class where it does for any of its queries
   for (const std::vector<Eigen::Index>& group : groups) {
     std::vector<std::size_t> relevant;
@@ -133,8 +134,11 @@ void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen
     relevant_of_class.push_back(*std::ranges::max_element(relevant));
     const Eigen::MatrixXd precisions = results.precisions(group, Eigen::all);
     evaluation.class_curves.push_back(average_curve(precisions, relevant, evaluation.curve));
+    const std::vector<double>& curve = evaluation.class_curves.back().precision;
+    of_classes.row(std::ssize(evaluation.class_curves) - 1) =
+        Eigen::Map<const Eigen::RowVectorXd>(curve.data(), std::ssize(curve));
   }
-  evaluation.macro_curve = average_curve(precisions_by_class, relevant_of_class, evaluation.curve);
+  evaluation.macro_curve = average_curve(of_classes, relevant_of_class, evaluation.curve);
 }
 
 }  // namespace
@@ -200,7 +204,7 @@ Evaluation RowJudge::evaluation_of(const QueryScores& all) const {
   evaluation.queries_with_ties = std::count(all.tied.begin(), all.tied.end(), 1);
   const Eigen::VectorXd bounds = mean_of_rows(all.first_tiers);
   evaluation.first_tier_bounds = {.pessimistic = bounds[0], .optimistic = bounds[1]};
-  draw_curves(all, groups, mean_by_group(all.precisions, groups), evaluation);
+  draw_curves(all, groups, evaluation);
   return evaluation;
 }
 

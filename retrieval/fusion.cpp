@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -34,29 +35,59 @@ void check(std::span<const DistanceMatrix> matrices, std::span<const double> wei
                                   std::to_string(size) + " models and a matrix of " + std::to_string(matrix.rows()) +
                                   " x " + std::to_string(matrix.cols()));
     }
-    if (size > 0 && !(matrix.minCoeff<Eigen::PropagateNaN>() >= 0 && std::isfinite(matrix.maxCoeff()))) {
-      throw std::invalid_argument("fused distances must be finite and not negative");
+    if (size > 0 && !(matrix.minCoeff<Eigen::PropagateNaN>() >= 0)) {
+      throw std::invalid_argument("fused distances must be numbers that are not negative");
     }
   }
 }
 
-/// Median (of an even number, the greater of the middle two) or mean of the distances between different models.
-double scale_of(const DistanceMatrix& matrix, DistanceScale scale) {
-  const Eigen::Index size = matrix.rows();
-  if (scale == DistanceScale::none || size < 2) return 1;
-  if (scale == DistanceScale::mean) {
-    return (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
-  }
+/// The finite distances between different models.
+std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   std::vector<double> distances;
-  distances.reserve(static_cast<std::size_t>(size * (size - 1)));
-  for (Eigen::Index i = 0; i < size; ++i) {
-    for (Eigen::Index j = 0; j < size; ++j) {
-      if (i != j) distances.push_back(matrix(i, j));
+  distances.reserve(static_cast<std::size_t>(matrix.size()));
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
+      if (i != j && std::isfinite(matrix(i, j))) distances.push_back(matrix(i, j));
     }
   }
+  return distances;
+}
+
+double mean_of_different(const DistanceMatrix& matrix) {
+  const Eigen::Index size = matrix.rows();
+  const double mean = (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
+  if (std::isfinite(mean)) return mean;
+  const std::vector<double> distances = finite_distances(matrix);
+  const auto count = static_cast<double>(distances.size());
+  const double careful = std::accumulate(distances.begin(), distances.end(), 0.0,
+                                         [&](double sum, double distance) { return sum + distance / count; });
+  return std::min(careful, std::numeric_limits<double>::max());
+}
+
+/// Median (of an even number, the greater of the middle two) or mean of the finite distances between different models;
+/// 1 where there are none.
+double scale_of(const DistanceMatrix& matrix, DistanceScale scale) {
+  if (scale == DistanceScale::none || matrix.rows() < 2) return 1;
+  std::vector<double> distances = finite_distances(matrix);
+  if (distances.empty()) return 1;
+  if (scale == DistanceScale::mean) return mean_of_different(matrix);
   const auto middle = distances.begin() + std::ssize(distances) / 2;
   std::ranges::nth_element(distances, middle);
   return *middle;
+}
+
+/// Makes what is not finite in a sum of distances infinite where one of those added is, else the largest number.
+void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const double> weights, DistanceMatrix& sum) {
+  for (Eigen::Index i = 0; i < sum.rows(); ++i) {
+    for (Eigen::Index j = 0; j < sum.cols(); ++j) {
+      if (std::isfinite(sum(i, j))) continue;
+      bool infinite = false;
+      for (std::size_t k = 0; k < matrices.size(); ++k) {
+        infinite = infinite || (weights[k] > 0 && std::isinf(matrices[k](i, j)));
+      }
+      sum(i, j) = infinite ? std::numeric_limits<double>::infinity() : std::numeric_limits<double>::max();
+    }
+  }
 }
 
 double score_of(Eigen::Index rank, Eigen::Index models, RankScore score) {
@@ -65,7 +96,7 @@ double score_of(Eigen::Index rank, Eigen::Index models, RankScore score) {
                                         : static_cast<double>(models - rank);
 }
 
-/// Adds the scores of a row's ranks, from 1 on.
+/// Adds the scores of a row's ranks, from 1 on, of the models at a finite distance.
 void add_scores(const DistanceMatrix& matrix, Eigen::Index row, double weight, RankScore score, DistanceMatrix& sums) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(matrix.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -73,6 +104,7 @@ void add_scores(const DistanceMatrix& matrix, Eigen::Index row, double weight, R
   std::ranges::stable_sort(order, {}, [&](Eigen::Index column) { return matrix(row, column); });
   Eigen::Index rank = 0;
   for (const Eigen::Index column : order) {
+    if (std::isinf(matrix(row, column))) break;  // so are all behind it
     sums(row, column) += weight * score_of(++rank, matrix.cols(), score);
   }
 }
@@ -92,6 +124,7 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
     }
     sum += weights[k] / unit * matrices[k];
   }
+  if (!sum.allFinite()) settle_infinite(matrices, weights, sum);
   return sum;
 }
 
@@ -104,7 +137,9 @@ DistanceMatrix fusion_of_ranks(std::span<const DistanceMatrix> matrices, std::sp
     for (std::size_t k = 0; k < matrices.size(); ++k) add_scores(matrices[k], row, weights[k], score, sums);
   });
   const double best = std::accumulate(weights.begin(), weights.end(), 0.0) * score_of(1, models, score);
-  DistanceMatrix fused = 1 - (sums + sums.transpose()).array() / (2 * best);
+  const DistanceMatrix both = sums + sums.transpose();
+  DistanceMatrix fused = 1 - both.array() / (2 * best);
+  fused = (both.array() > 0).select(fused, std::numeric_limits<double>::infinity());
   fused.diagonal().setZero();
   return fused.cwiseMax(0);
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -76,14 +77,69 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   }
 }
 
-/// The factor of the original distances: the share over the mean distance to the nearest, where that is not 0.
-double tie_factor(const NearestModels& nearest, double tie) {
-  const double mean = nearest.distances.size() > 0 ? nearest.distances.mean() : 0;
-  return mean > 0 ? tie / mean : 0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A power of two by which distances are multiplied where their sums or quotients might over- or underflow, else 1.
+double safe_factor(double largest) {
+  if (largest > 0x1p960) return 0x1p-64;
+  return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;
+}
+
+/// The mean of distances, of the finite ones where not all are; 0 without any.
+template <typename Distances>
+double mean_distance(const Distances& distances) {
+  const double plain = distances.size() > 0 ? distances.mean() : 0;
+  if (std::isfinite(plain)) return plain;
+  const double count = static_cast<double>(distances.array().isFinite().count());
+  double mean = 0;
+  for (const double distance : distances.reshaped()) mean += std::isfinite(distance) ? distance / count : 0;
+  return std::min(mean, std::numeric_limits<double>::max());
+}
+
+/// The nearest of multiplied distances.
+NearestModels multiplied(NearestModels nearest, double factor) {
+  if (factor == 1) return nearest;
+  nearest.distances *= factor;
+  nearest.largest *= factor;
+  return nearest;
+}
+
+/// The original distances in the new ones.
+struct OriginalShare {
+  double factor = 1;   ///< safe_factor()
+  double share = 0;    ///< of distances that are multiplied by the factor
+  double largest = 0;  ///< what the largest finite distance adds
+
+  /// `wanted` of the distances over `unit`, which is multiplied by the factor already; 0 where the unit is.
+  OriginalShare(double wanted, double unit, double safe, double largest_distance)
+      : factor(safe),
+        share(unit > 0 ? wanted / unit : 0),
+        largest(std::min(share * (safe * largest_distance), std::numeric_limits<double>::max())) {}
+
+  template <typename New, typename Old>
+  [[nodiscard]] DistanceMatrix added_to(const New& new_distances, const Old& distances) const {
+    if (factor == 1) return new_distances + share * distances;
+    return new_distances + share * (factor * distances);
+  }
+};
+
+/// Sets the new distances in place of infinite ones, to joined(row, column), and limits what has overflown.
+template <typename Joined>
+void settle_infinite(const DistanceMatrix& distances, const Joined& joined, DistanceMatrix& result) {
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      double& distance = result(i, j);
+      if (std::isinf(distances(i, j))) {
+        distance = joined(i, j);
+      } else {
+        distance = std::min(distance, std::numeric_limits<double>::max());
+      }
+    }
+  }
 }
 
 DistanceMatrix symmetric(const DistanceMatrix& distances) {
-  DistanceMatrix result = (distances + distances.transpose()) / 2;
+  DistanceMatrix result = distances / 2 + distances.transpose() / 2;
   result.diagonal().setZero();
   return result;
 }
@@ -143,6 +199,7 @@ NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) 
   if (k < 1) throw std::invalid_argument("at least one nearest neighbour must be asked for, not " + std::to_string(k));
   const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
   NearestModels nearest{{models, count}, {models, count}};
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(models);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
       throw std::invalid_argument("distances between models must be numbers that are not negative");
@@ -155,13 +212,84 @@ NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) 
                                 [&](std::int32_t j) { return std::pair(block(i, j), j); });
       for (Eigen::Index n = 0; n < count; ++n) {
         const std::int32_t j = order[static_cast<std::size_t>(n)];
-        nearest.indices(first + i, n) = j;
+        nearest.indices(first + i, n) = std::isfinite(block(i, j)) ? j : -1;
         nearest.distances(first + i, n) = block(i, j);
+      }
+      for (const std::int32_t j : order) {
+        if (std::isfinite(block(i, j))) largest[first + i] = std::max(largest[first + i], block(i, j));
       }
     });
   });
+  if (models > 0) nearest.largest = largest.maxCoeff();
   return nearest;
 }
+
+namespace {
+
+/// exp(-distance^2 / (scale_a scale_b)), by logarithms where a product over- or underflows.
+double affinity_of(double distance, double scale_a, double scale_b) {
+  if (!(distance > 0)) return 1;
+  const double square = distance * distance;
+  const double product = scale_a * scale_b;
+  if (std::isnormal(square) && std::isnormal(product)) return std::exp(-square / product);
+  return std::exp(-std::exp(2 * std::log(distance) - std::log(scale_a) - std::log(scale_b)));
+}
+
+/// By model the number of its part of the graph, between whose models a walk can go.
+std::vector<Eigen::Index> parts_of(const Graph& graph) {
+  std::vector<Eigen::Index> leaders(static_cast<std::size_t>(graph.rows()));
+  std::iota(leaders.begin(), leaders.end(), Eigen::Index{0});
+  const auto find = [&](Eigen::Index model) {
+    const auto leader_of = [&](Eigen::Index i) -> Eigen::Index& { return leaders[static_cast<std::size_t>(i)]; };
+    while (leader_of(model) != model) model = leader_of(model) = leader_of(leader_of(model));
+    return model;
+  };
+  for (Eigen::Index row = 0; row < graph.rows(); ++row) {
+    for (Graph::InnerIterator entry(graph, row); entry; ++entry) {
+      if (entry.value() > 0) leaders[static_cast<std::size_t>(find(row))] = find(entry.col());
+    }
+  }
+  std::vector<Eigen::Index> parts(leaders.size());
+  for (Eigen::Index model = 0; model < graph.rows(); ++model) parts[static_cast<std::size_t>(model)] = find(model);
+  return parts;
+}
+
+/// A set of models under diffusion, but for the walks themselves.
+struct Diffusion {
+  DiffusionOptions options;
+  Graph graph;
+  std::vector<Eigen::Index> parts;
+  OriginalShare original;
+
+  Diffusion(const NearestModels& nearest, const DiffusionOptions& given)
+      : options(given),
+        graph(diffusion_graph(nearest, given)),
+        parts(parts_of(graph)),
+        original(original_of(nearest)) {}
+
+  /// New distances, from the affinities and distances of rows from `first` on.
+  [[nodiscard]] DistanceMatrix distances_of(const DistanceMatrix& affinities, const DistanceMatrix& distances,
+                                            Eigen::Index first) const {
+    const auto walked = 1 - (1 - options.damping) * affinities.array();
+    DistanceMatrix result = original.added_to(walked, distances.array());
+    const auto part = [&](Eigen::Index model) { return parts[static_cast<std::size_t>(model)]; };
+    settle_infinite(
+        distances,
+        [&](Eigen::Index i, Eigen::Index j) {
+          return part(first + i) == part(j) ? walked(i, j) + original.largest : infinity;
+        },
+        result);
+    return result;
+  }
+
+ private:
+  [[nodiscard]] OriginalShare original_of(const NearestModels& nearest) const {
+    const double factor = safe_factor(nearest.largest);
+    return {options.tie, mean_distance(multiplied(nearest, factor).distances), factor, nearest.largest};
+  }
+};
+
+}  // namespace
 
 Graph diffusion_graph(const NearestModels& nearest, const DiffusionOptions& options) {
   check(options);
@@ -169,13 +297,16 @@ Graph diffusion_graph(const NearestModels& nearest, const DiffusionOptions& opti
   const Eigen::Index count = std::min<Eigen::Index>(options.neighbours, nearest.indices.cols());
   Graph graph(models, models);
   if (count == 0) return graph;
-  const Eigen::VectorXd scales = nearest.distances.leftCols(count).rowwise().mean();
+  Eigen::VectorXd scales = nearest.distances.leftCols(count).rowwise().mean();
+  for (Eigen::Index i = 0; i < models; ++i) {
+    if (!std::isfinite(scales[i])) scales[i] = mean_distance(nearest.distances.row(i).head(count));
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < models; ++i) {
     for (Eigen::Index n = 0; n < count; ++n) {
       const std::int32_t j = nearest.indices(i, n);
-      const double distance = nearest.distances(i, n);
-      const double affinity = distance > 0 ? std::exp(-distance * distance / (scales[i] * scales[j])) : 1;
+      if (j < 0) break;
+      const double affinity = affinity_of(nearest.distances(i, n), scales[i], scales[j]);
       const auto row = static_cast<int>(i);
       entries.emplace_back(row, j, affinity / 2);
       entries.emplace_back(j, row, affinity / 2);
@@ -206,12 +337,10 @@ DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit) {
   check(options);
-  const NearestModels nearest = nearest_models(models, options.neighbours, rows);
-  const double tie = tie_factor(nearest, options.tie);
-  const Graph graph = diffusion_graph(nearest, options);
+  const Diffusion diffusion(nearest_models(models, options.neighbours, rows), options);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
-    const DistanceMatrix affinities = diffused_affinities(graph, first, block.rows(), options);
-    DistanceMatrix result = 1 - (1 - options.damping) * affinities.array() + tie * block.array();
+    const DistanceMatrix affinities = diffused_affinities(diffusion.graph, first, block.rows(), options);
+    DistanceMatrix result = diffusion.distances_of(affinities, block, first);
     for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, first + i) = 0;
     visit(first, result);
   });
@@ -220,13 +349,11 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
   check(options);
   const Eigen::Index models = distances.rows();
-  const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
-  const Graph graph = diffusion_graph(nearest, options);
-  const Eigen::MatrixXd system = Eigen::MatrixXd::Identity(models, models) - options.damping * Eigen::MatrixXd(graph);
+  const Diffusion diffusion(nearest_models(models, options.neighbours, rows_of(distances)), options);
+  const Eigen::MatrixXd system =
+      Eigen::MatrixXd::Identity(models, models) - options.damping * Eigen::MatrixXd(diffusion.graph);
   const Eigen::MatrixXd affinities = system.llt().solve(Eigen::MatrixXd::Identity(models, models));
-  const DistanceMatrix result =
-      1 - (1 - options.damping) * affinities.array() + tie_factor(nearest, options.tie) * distances.array();
-  return symmetric(result);
+  return symmetric(diffusion.distances_of(affinities, distances, 0));
 }
 
 namespace {
@@ -241,7 +368,7 @@ bool is_near(const NearestModels& nearest, std::int32_t model, std::int32_t othe
 std::vector<std::int32_t> reciprocal_neighbours(const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   std::vector<std::int32_t> mutual = {model};
   for (const std::int32_t other : nearest.indices.row(model).head(std::min(k, nearest.indices.cols()))) {
-    if (is_near(nearest, other, model, k)) mutual.push_back(other);
+    if (other >= 0 && is_near(nearest, other, model, k)) mutual.push_back(other);
   }
   std::ranges::sort(mutual);
   return mutual;
@@ -265,10 +392,11 @@ std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std:
 /// A model's neighbours with Gaussian weights that sum to 1.
 SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   SparseRow row;
-  const double unit = nearest.distances.row(model).mean();
+  const double unit = mean_distance(nearest.distances.row(model));
   double total = 0;
   for (const std::int32_t other : expanded_neighbours(nearest, model, k)) {
-    const double weight = unit > 0 ? std::exp(-distances(model, other) / unit) : 1;
+    const double distance = other == model ? 0 : distances(model, other);
+    const double weight = unit > 0 || std::isinf(distance) ? std::exp(-distance / unit) : 1;
     row.emplace_back(other, weight);
     total += weight;
   }
@@ -276,11 +404,14 @@ SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest,
   return row;
 }
 
-/// The mean of the rows of the model and its nearest neighbours, `count` rows in all.
+/// The mean of the rows of the model and its nearest neighbours, of `most` rows or as many as there are.
 SparseRow mean_row(const std::vector<SparseRow>& rows, const NearestModels& nearest, std::int32_t model,
-                   Eigen::Index count) {
+                   Eigen::Index most) {
   SparseRow sum = rows[static_cast<std::size_t>(model)];
-  for (const std::int32_t other : nearest.indices.row(model).head(std::min(count - 1, nearest.indices.cols()))) {
+  std::size_t count = 1;
+  for (const std::int32_t other : nearest.indices.row(model).head(std::min(most - 1, nearest.indices.cols()))) {
+    if (other < 0) break;
+    ++count;
     const SparseRow& row = rows[static_cast<std::size_t>(other)];
     sum.insert(sum.end(), row.begin(), row.end());
   }
@@ -307,15 +438,18 @@ Eigen::RowVectorXd jaccard_distances(const SparseRow& row, const std::vector<Spa
 
 }  // namespace
 
-DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options) {
+DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions& options) {
   check_options("k_reciprocal", reciprocal_table, options);
   if (options.expansion_neighbours > options.neighbours) {
     throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
                      "; it must be at most neighbours, which is " + std::to_string(options.neighbours));
   }
-  const Eigen::Index models = distances.rows();
-  const NearestModels nearest = nearest_models(models, options.neighbours, rows_of(distances));
-  if (models < 2) return distances;
+  const Eigen::Index models = given.rows();
+  const NearestModels found = nearest_models(models, options.neighbours, rows_of(given));
+  if (models < 2) return symmetric(given);
+  const double factor = safe_factor(found.largest);
+  const NearestModels nearest = multiplied(found, factor);
+  const DistanceMatrix distances = factor * given;
   const auto size = static_cast<std::size_t>(models);
   std::vector<SparseRow> codes(size);
   std::vector<SparseRow> means(size);
@@ -334,28 +468,49 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOpt
       sums[static_cast<Eigen::Index>(i)] += weight;
     }
   }
-  const double largest = distances.maxCoeff();
-  const double unit = largest > 0 ? options.original / largest : 0;
+  const double share = nearest.largest > 0 ? options.original / nearest.largest : 0;
   DistanceMatrix result(models, models);
   of_all([&](std::size_t i, std::int32_t model) {
-    result.row(model) = (1 - options.original) * jaccard_distances(means[i], by_column, sums, sums[model]) +
-                        unit * distances.row(model);
+    const Eigen::RowVectorXd jaccard = jaccard_distances(means[i], by_column, sums, sums[model]);
+    result.row(model) = (1 - options.original) * jaccard + share * distances.row(model);
+    for (Eigen::Index j = 0; j < models; ++j) {
+      if (!std::isinf(distances(model, j))) continue;
+      result(model, j) = jaccard[j] < 1 ? (1 - options.original) * jaccard[j] + options.original : infinity;
+    }
   });
   return symmetric(result);
 }
 
+namespace {
+
+/// Whether a column is infinite in the row and in those of its nearest neighbours.
+bool is_far_from_all(const DistanceMatrix& distances, const NearestModels& nearest, Eigen::Index row,
+                     Eigen::Index column) {
+  const auto is_far = [&](Eigen::Index i) { return i != column && std::isinf(distances(i, column)); };
+  return is_far(row) &&
+         std::ranges::all_of(nearest.indices.row(row), [&](std::int32_t other) { return other < 0 || is_far(other); });
+}
+
+}  // namespace
+
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options) {
   check_options("query_expansion", expansion_table, options);
   const NearestModels nearest = nearest_models(distances.rows(), options.neighbours, rows_of(distances));
-  DistanceMatrix result = distances;
+  const double factor = safe_factor(nearest.largest);
+  DistanceMatrix finite = distances.array().isInf().select(nearest.largest, distances) * factor;
+  finite.diagonal().setZero();
+  DistanceMatrix result = finite;
   tbb::parallel_for(Eigen::Index{0}, distances.rows(), [&](Eigen::Index i) {
     double total = 1;
-    for (Eigen::Index n = 0; n < nearest.indices.cols(); ++n) {
+    for (Eigen::Index n = 0; n < nearest.indices.cols() && nearest.indices(i, n) >= 0; ++n) {
       const double weight = 1 / static_cast<double>(n + 2);
-      result.row(i) += weight * distances.row(nearest.indices(i, n));
+      result.row(i) += weight * finite.row(nearest.indices(i, n));
       total += weight;
     }
-    result.row(i) /= total;
+    result.row(i) /= total * factor;
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      if (is_far_from_all(distances, nearest, i, j)) result(i, j) = infinity;
+    }
   });
   return symmetric(result);
 }

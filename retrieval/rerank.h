@@ -13,17 +13,19 @@
 /// Re-ranking: distances between the models of a set, improved by what the distances say of the whole set. None of it
 /// knows classes. Every function gives the same bytes on any number of threads, and permuting the models permutes the
 /// result (up to rounding, and to equal distances, of which the lesser index counts as nearer).
+///
+/// Models at an infinite distance are no neighbours. An infinite distance stays infinite unless neighbours join the two
+/// models: it then counts as the largest finite distance of the matrix. So a model without neighbours keeps infinite
+/// distances to all others, and the others get the distances that they have without it. Finite distances give finite
+/// ones, however large they are. The diagonal plays no part.
 namespace shapegauge {
-
-/// To be raised with every change here that changes a value: what a cache holds of earlier versions is then computed
-/// anew.
-inline constexpr int rerank_version = 1;
 
 /// The k nearest others of each of n models.
 struct NearestModels {
-  /// n x k, nearest first; of equal distances the lesser index first.
+  /// n x k, nearest first; of equal distances the lesser index first. -1 where a model has fewer at a finite distance.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
-  DistanceMatrix distances;  ///< n x k
+  DistanceMatrix distances;  ///< n x k; infinite where the index is -1
+  double largest = 0;        ///< finite distance between any two models
 };
 
 /// Rows of a distance matrix, `count` from `first` on, so that the whole need never be in memory; distance_rows() of
@@ -54,8 +56,9 @@ DistanceMatrix diffused_affinities(const Eigen::SparseMatrix<double, Eigen::RowM
                                    Eigen::Index count, const DiffusionOptions& options = {});
 
 /// Diffusion of a set of models: calls visit(first, rows) with the new distances, 1 - (1 - damping) F, plus `tie` times
-/// the distance over the mean distance to the k nearest, some rows at a time from the first on. The original rows are
-/// asked for twice. Throws as nearest_models() and diffusion_graph().
+/// the distance over the mean distance to the k nearest, some rows at a time from the first on. Neighbours join all
+/// models between which a walk can go. The original rows are asked for twice. Throws as nearest_models() and
+/// diffusion_graph().
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 
@@ -71,8 +74,8 @@ struct ReciprocalOptions {
 };
 
 /// k-reciprocal re-ranking (Zhong, Zheng, Cao, Li 2017): the Jaccard distance of models' sets of neighbours that are
-/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Throws InputError for
-/// options out of range, and as diffused().
+/// each other's neighbours, taken up with Gaussian weights, each averaged over its nearest. Neighbours join models
+/// whose sets have a model in common. Throws InputError for options out of range, and as diffused().
 DistanceMatrix k_reciprocal(const DistanceMatrix& distances, const ReciprocalOptions& options = {});
 
 /// Settings of query_expansion().
@@ -81,8 +84,8 @@ struct ExpansionOptions {
 };
 
 /// Average query expansion (Chum et al. 2007), on distances: each row becomes the mean of its own and its nearest
-/// neighbours' rows, the r-th with weight 1 / (1 + r); then made symmetric. Throws InputError for options out of range,
-/// and as diffused().
+/// neighbours' rows, the r-th with weight 1 / (1 + r); then made symmetric. Neighbours join a model to those at a
+/// finite distance from one of them. Throws InputError for options out of range, and as diffused().
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options = {});
 
 /// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of

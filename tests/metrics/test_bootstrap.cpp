@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <tbb/global_control.h>
@@ -23,8 +24,8 @@ TEST(Units, GiveTheSameAverageWhateverTheBlocksAre) {
 
 TEST(Units, AreClassesOrQueries) {
   const Units of_classes = units_of(values, classes, Blocks::classes, Average::micro);
-  EXPECT_EQ(of_classes.values, (Eigen::MatrixXd(2, 1) << 10, 2).finished());
-  EXPECT_EQ(of_classes.weights, (Eigen::VectorXd(2) << 0.25, 0.75).finished());
+  EXPECT_EQ(of_classes.values, (Eigen::MatrixXd(2, 1) << 2, 10).finished());
+  EXPECT_EQ(of_classes.weights, (Eigen::VectorXd(2) << 0.75, 0.25).finished());
   EXPECT_EQ(units_of(values, classes, Blocks::queries, Average::macro).weights,
             (Eigen::VectorXd(4) << 1.0 / 6, 0.5, 1.0 / 6, 1.0 / 6).finished());
 }
@@ -49,6 +50,40 @@ TEST(Units, RefuseWhatDoesNotFit) {
 Units example() {
   const SimulatedMethods methods = simulated_methods(30, 5, 3);
   return units_of(methods.per_query, methods.classes, Blocks::classes, Average::micro);
+}
+
+TEST(Bootstrap, DoesNotDependOnTheNumbersOfTheClasses) {
+  const SimulatedMethods methods = simulated_methods(30, 5, 3);
+  std::vector<int> renumbered;
+  for (const int label : methods.classes) renumbered.push_back((7 * label + 11) % 30);
+  for (const Average average : {Average::micro, Average::macro}) {
+    const Units units = units_of(methods.per_query, methods.classes, Blocks::classes, average);
+    const Units others = units_of(methods.per_query, renumbered, Blocks::classes, average);
+    EXPECT_EQ(bootstrap_averages(units, {.resamples = 100}), bootstrap_averages(others, {.resamples = 100}));
+  }
+}
+
+/// The percentile interval of the averages 1 to 99, of which p percent are below p.
+ConfidenceInterval interval_of_percents(Eigen::Index units, double confidence) {
+  Eigen::MatrixXd resampled(99, 1);
+  for (Eigen::Index i = 0; i < 99; ++i) resampled(i, 0) = static_cast<double>(37 * (i + 1) % 99 + 1);  // in any order
+  return percentile_intervals(resampled, units, confidence).front();
+}
+
+double normal_percent_below(double z) { return 50 * std::erfc(-z / std::sqrt(2.0)); }
+
+TEST(Bootstrap, PercentilesAreWidenedAsWorkedByHand) {
+  // Of Student's t with 1 degree of freedom 75 % are below 1, with 2 degrees 90 % below 0.8 / sqrt(0.18).
+  const double two = normal_percent_below(-std::sqrt(2.0 / 1) * 1);
+  const double three = normal_percent_below(-std::sqrt(3.0 / 2) * 0.8 / std::sqrt(0.18));
+  EXPECT_NEAR(two, 7.865, 1e-3);
+  EXPECT_NEAR(three, 1.046, 1e-3);
+  EXPECT_NEAR(interval_of_percents(2, 0.5).low, two, 1e-9);
+  EXPECT_NEAR(interval_of_percents(2, 0.5).high, 100 - two, 1e-9);
+  EXPECT_NEAR(interval_of_percents(3, 0.8).low, three, 1e-9);
+  EXPECT_NEAR(interval_of_percents(3, 0.8).high, 100 - three, 1e-9);
+  EXPECT_EQ(interval_of_percents(2, 0.99).low, 1) << "beyond the least it is the least";
+  EXPECT_EQ(interval_of_percents(2, 0.99).high, 99);
 }
 
 TEST(Bootstrap, SameBytesForAnyNumberOfThreads) {

@@ -13,6 +13,7 @@
 #include <tbb/global_control.h>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/metrics/random_cases.h"
 
@@ -270,6 +271,89 @@ TEST(Evaluation, RefusesWhatDoesNotFit) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(3, 3), {0, 1, 2}, {}), HasSubstr("no class has 2"));
   EXPECT_THAT(error_of(naive::Matrix(0, 0), {}, {}), HasSubstr("no class has 2"));
   EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)), HasSubstr("at least 2, not 1"));
+}
+
+TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {
+  // Four targets at distances 1 to 4; the first has grade 1, the third grade 3. The query, as relevant as anything,
+  // gains 3 at rank 1; the others follow at ranks 2 and 4.
+  RetrievalTask task;
+  task.query_classes = {0};
+  task.target_classes = {0, 0, 0, 0};
+  task.own_column = {-1};
+  task.judged = {{0, 2}};
+  task.grades = {{1, 3}};
+  task.judged_irrelevant = {{1, 3}};
+  const DistanceTableRows distances{{1, 2, 3, 4}};
+  EvaluationOptions options{.protocol = Protocol::paper, .measures = measures_of(std::vector<std::string>{"nDCG"})};
+  const double ideal = 3 / std::log2(2) + 3 / std::log2(3) + 1 / std::log2(4);
+  const double found = 3 / std::log2(2) + 1 / std::log2(3) + 3 / std::log2(5);
+  EXPECT_NEAR(evaluate(distances, task, options).micro[0], found / ideal, 1e-15);
+  options.protocol = Protocol::psb;
+  EXPECT_NEAR(evaluate(distances, task, options).micro[0],
+              (1 / std::log2(2) + 3 / std::log2(4)) / (3 / std::log2(2) + 1 / std::log2(3)), 1e-15);
+}
+
+TEST(Evaluation, TheMacroCurveIsTheMeanOfTheClassesCurves) {
+  // Class 0: a query that is no target (20 relevant models, the first at rank 1), and one that is (19, the first at
+  // rank 2). At recall 0.05 the second has no precision yet. Class 1: a query whose first hit is at rank 4.
+  RetrievalTask task;
+  task.query_classes = {0, 0, 1};
+  task.target_classes.assign(40, 0);
+  task.own_column = {-1, 0, -1};
+  std::fill(task.target_classes.begin() + 20, task.target_classes.end(), 1);
+  DistanceTableRows distances(3, 40);
+  for (Eigen::Index column = 0; column < 40; ++column) {
+    const auto place = static_cast<double>(column);
+    distances.col(column) << place, place + (column == 20 ? -19.5 : 0), column < 3 ? place : 100 - place;
+  }
+  const Evaluation result = evaluate(distances, task, {.curve = CurveKind::psb});
+  ASSERT_EQ(result.micro_curve.recall.front(), 0.05);
+  EXPECT_DOUBLE_EQ(result.class_curves[0].precision[0], 1);
+  EXPECT_DOUBLE_EQ(result.class_curves[1].precision[0], 0.25);
+  EXPECT_DOUBLE_EQ(result.micro_curve.precision[0], (1 + 0.25) / 2);
+  EXPECT_DOUBLE_EQ(result.macro_curve.precision[0], (1 + 0.25) / 2);
+  for (std::size_t level = 0; level < 20; ++level) {
+    EXPECT_DOUBLE_EQ(result.macro_curve.precision[level],
+                     (result.class_curves[0].precision[level] + result.class_curves[1].precision[level]) / 2);
+  }
+}
+
+TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
+  // More queries than are read at a time, each with relevant, irrelevant and unjudged models of its own.
+  constexpr Eigen::Index queries = 300;
+  RandomNumbers random(5);
+  RetrievalTask task;
+  task.target_classes.assign(30, 0);
+  DistanceTableRows distances(queries, 30);
+  for (Eigen::Index row = 0; row < queries; ++row) {
+    task.query_classes.push_back(static_cast<int>(row));
+    task.own_column.push_back(-1);
+    auto& relevant = task.judged.emplace_back();
+    auto& irrelevant = task.judged_irrelevant.emplace_back();
+    for (Eigen::Index column = 0; column < 30; ++column) {
+      distances(row, column) = random.uniform(0, 1);
+      const std::uint64_t kind = column < 2 ? static_cast<std::uint64_t>(column) : random.below(3);
+      if (kind == 0) relevant.push_back(column);
+      if (kind == 1) irrelevant.push_back(column);
+    }
+    task.grades.emplace_back(relevant.size(), 1);
+  }
+  const EvaluationOptions options{.measures = measures_of(std::vector<std::string>{"bpref"})};
+  const Evaluation by_rows = evaluate(
+      [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows { return distances.middleRows(first, count); },
+      task, options);
+  EXPECT_EQ(by_rows.per_query, evaluate(distances, task, options).per_query);
+  for (Eigen::Index row = 0; row < queries; ++row) {  // by the definition
+    const auto i = static_cast<std::size_t>(row);
+    const auto bound = static_cast<double>(std::min(task.judged[i].size(), task.judged_irrelevant[i].size()));
+    double sum = 0;
+    for (const Eigen::Index hit : task.judged[i]) {
+      const auto before = std::ranges::count_if(
+          task.judged_irrelevant[i], [&](Eigen::Index miss) { return distances(row, miss) < distances(row, hit); });
+      sum += 1 - static_cast<double>(std::min<std::ptrdiff_t>(before, std::ssize(task.judged[i]))) / bound;
+    }
+    EXPECT_NEAR(by_rows.per_query(row, 0), sum / static_cast<double>(task.judged[i].size()), 1e-12) << row;
+  }
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
@@ -99,6 +100,54 @@ TEST(FusionOfRanks, AWeightOfZeroLeavesAMatrixOut) {
   const std::vector<double> weight = {1};
   EXPECT_EQ(fusion_of_ranks(both, first), fusion_of_ranks(one, weight));
   EXPECT_EQ(sum_of_distances(both, first), sum_of_distances(one, weight));
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
+  DistanceMatrix a = line_distances({0, 1, 3});
+  DistanceMatrix b = line_distances({0, 4, 6});
+  a(0, 2) = a(2, 0) = infinity;  // 1 and 2 are left: median 2, mean 1.5
+  const std::vector both = {a, b};
+  const std::vector<double> weights = {3, 2};
+  EXPECT_EQ(sum_of_distances(both, weights, DistanceScale::median)(0, 1), 3 * 0.5 + 2 * 1.0);
+  EXPECT_NEAR(sum_of_distances(both, weights, DistanceScale::mean)(0, 1), 3 / 1.5 + 2 * 1.0, 1e-15);
+  for (const DistanceScale scale : {DistanceScale::none, DistanceScale::median, DistanceScale::mean}) {
+    const DistanceMatrix sum = sum_of_distances(both, weights, scale);
+    EXPECT_EQ(sum(2, 0), infinity);
+    EXPECT_TRUE(std::isfinite(sum(1, 2)));
+    EXPECT_TRUE(std::isfinite(sum_of_distances(both, std::vector<double>{0, 1}, scale)(2, 0)));
+  }
+}
+
+TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
+  const DistanceMatrix a = random_distances(20, 1);
+  const DistanceMatrix b = random_distances(20, 2);
+  const std::vector plain = {a, b};
+  const std::vector<DistanceMatrix> huge = {a, 1e308 * b};
+  for (const DistanceScale scale : {DistanceScale::median, DistanceScale::mean}) {
+    EXPECT_LT((sum_of_distances(plain, equal, scale) - sum_of_distances(huge, equal, scale)).cwiseAbs().maxCoeff(),
+              1e-12);
+  }
+  const std::vector<DistanceMatrix> twice = {1.5e308 * a, 1.5e308 * a};
+  EXPECT_TRUE(sum_of_distances(twice, equal, DistanceScale::none).allFinite());
+}
+
+TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
+  DistanceMatrix a = line_distances({0, 1, 3, 4});
+  const DistanceMatrix b = a;
+  for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = infinity;
+  const std::vector<DistanceMatrix> alone = {a};
+  const std::vector both = {a, b};
+  for (const RankScore score : {RankScore::reciprocal, RankScore::borda}) {
+    const DistanceMatrix fused = fusion_of_ranks(alone, std::vector<double>{1}, score);
+    for (const Eigen::Index i : {0, 1, 2}) EXPECT_EQ(fused(3, i), infinity);
+    EXPECT_EQ(fused(0, 1), 0);
+    EXPECT_EQ(fused(3, 3), 0);
+    // Ranked by one of two: half of the score that both would give.
+    const double with_both = 1 - fusion_of_ranks(both, equal, score)(2, 3);
+    EXPECT_NEAR(2 * with_both, 1 - fusion_of_ranks(std::vector{b}, std::vector<double>{1}, score)(2, 3), 1e-12);
+  }
 }
 
 TEST(Fusion, RefusesWhatCannotBeAdded) {

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <set>
 #include <stdexcept>
+#include <string_view>
 #include <tbb/task_arena.h>
 #include <vector>
 
@@ -79,40 +81,167 @@ DistanceMatrix diffused_by_rows(const DistanceMatrix& matrix, const DiffusionOpt
   return result;
 }
 
-/// The definition, literally.
-DistanceMatrix diffusion_reference(const DistanceMatrix& distances, int k, double damping, double tie) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The k nearest others at a finite distance, or as many as there are.
+std::vector<Eigen::Index> nearest_of(const DistanceMatrix& distances, Eigen::Index model, std::size_t k) {
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index j = 0; j < distances.cols(); ++j) {
+    if (j != model && std::isfinite(distances(model, j))) order.push_back(j);
+  }
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index j) { return distances(model, j); });
+  order.resize(std::min(k, order.size()));
+  return order;
+}
+
+double largest_finite(const DistanceMatrix& distances) {
+  return distances.array().isFinite().select(distances, 0).maxCoeff();
+}
+
+DistanceMatrix mean_with_transposed(const DistanceMatrix& distances) {
+  DistanceMatrix result = (distances + distances.transpose()) / 2;
+  result.diagonal().setZero();
+  return result;
+}
+
+/// Diffusion by its definition, literally; not made symmetric.
+DistanceMatrix diffusion_reference(const DistanceMatrix& distances, std::size_t k, double damping, double tie) {
   const Eigen::Index n = distances.rows();
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(n, n);
-  std::vector<std::vector<Eigen::Index>> nearest;
   Eigen::VectorXd s = Eigen::VectorXd::Zero(n);
+  double sum = 0;
+  double count = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(n));
-    std::iota(order.begin(), order.end(), Eigen::Index{0});
-    order.erase(order.begin() + i);
-    std::ranges::stable_sort(order, {}, [&](Eigen::Index j) { return distances(i, j); });
-    order.resize(static_cast<std::size_t>(k));
-    for (const Eigen::Index j : order) s[i] += distances(i, j) / k;
-    nearest.push_back(order);
+    const std::vector<Eigen::Index> nearest = nearest_of(distances, i, k);
+    for (const Eigen::Index j : nearest) s[i] += distances(i, j) / static_cast<double>(nearest.size());
+    for (const Eigen::Index j : nearest) sum += distances(i, j);
+    count += static_cast<double>(nearest.size());
   }
   for (Eigen::Index i = 0; i < n; ++i) {
-    for (const Eigen::Index j : nearest[static_cast<std::size_t>(i)]) {
+    for (const Eigen::Index j : nearest_of(distances, i, k)) {
       w(i, j) = std::exp(-distances(i, j) * distances(i, j) / (s[i] * s[j]));
     }
   }
   const Eigen::MatrixXd a = (w + w.transpose()) / 2;
   const Eigen::VectorXd degrees = a.rowwise().sum();
-  DistanceMatrix result(n, n);
   Eigen::MatrixXd system = Eigen::MatrixXd::Identity(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) system(i, j) -= damping * a(i, j) / std::sqrt(degrees[i] * degrees[j]);
-  }
-  const Eigen::MatrixXd f = system.inverse();
+  Eigen::MatrixXd reach = Eigen::MatrixXd::Identity(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j) {
-      result(i, j) = i == j ? 0 : 1 - (1 - damping) * f(i, j) + tie * distances(i, j) / s.mean();
+      if (a(i, j) > 0) system(i, j) -= damping * a(i, j) / std::sqrt(degrees[i] * degrees[j]);
+    }
+  }
+  for (Eigen::Index step = 0; step < n; ++step) reach = (reach + reach * a).cwiseSign().eval();
+  const Eigen::MatrixXd f = system.inverse();
+  DistanceMatrix result(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      double original = distances(i, j);
+      if (std::isinf(original) && reach(i, j) > 0) original = largest_finite(distances);
+      result(i, j) = i == j ? 0 : 1 - (1 - damping) * f(i, j) + tie * original / (sum / count);
     }
   }
   return result;
+}
+
+using ModelSet = std::set<Eigen::Index>;
+
+/// The model and its neighbours among the k nearest that have it among theirs.
+ModelSet reciprocal_set(const DistanceMatrix& distances, Eigen::Index model, std::size_t k) {
+  ModelSet found = {model};
+  for (const Eigen::Index other : nearest_of(distances, model, k)) {
+    const std::vector<Eigen::Index> theirs = nearest_of(distances, other, k);
+    if (std::ranges::find(theirs, model) != theirs.end()) found.insert(other);
+  }
+  return found;
+}
+
+/// k-reciprocal re-ranking by its definition (Zhong et al. 2017, equations 2 to 12), literally, with dense vectors.
+DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size_t k1, std::size_t k2, double lambda) {
+  const Eigen::Index n = distances.rows();
+  Eigen::MatrixXd v = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const ModelSet mutual = reciprocal_set(distances, i, k1);
+    ModelSet expanded = mutual;
+    for (const Eigen::Index q : mutual) {
+      const ModelSet theirs = reciprocal_set(distances, q, k1 / 2);
+      const auto common = std::ranges::count_if(theirs, [&](Eigen::Index j) { return mutual.contains(j); });
+      if (static_cast<double>(common) > 2.0 / 3 * static_cast<double>(theirs.size())) {
+        expanded.insert(theirs.begin(), theirs.end());
+      }
+    }
+    double unit = 0;
+    const std::vector<Eigen::Index> nearest = nearest_of(distances, i, k1);
+    for (const Eigen::Index j : nearest) unit += distances(i, j) / static_cast<double>(nearest.size());
+    for (const Eigen::Index j : expanded) v(i, j) = j == i ? 1 : std::exp(-distances(i, j) / unit);
+    v.row(i) /= v.row(i).sum();
+  }
+  Eigen::MatrixXd means = v;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const std::vector<Eigen::Index> nearest = nearest_of(distances, i, k2 - 1);
+    for (const Eigen::Index j : nearest) means.row(i) += v.row(j);
+    means.row(i) /= static_cast<double>(nearest.size() + 1);
+  }
+  DistanceMatrix result(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const double shared = means.row(i).cwiseMin(means.row(j)).sum();
+      double original = distances(i, j) / largest_finite(distances);
+      if (std::isinf(original) && shared > 0) original = 1;
+      const double jaccard = 1 - shared / means.row(i).cwiseMax(means.row(j)).sum();
+      result(i, j) = std::isinf(original) ? infinity : (1 - lambda) * jaccard + lambda * original;
+    }
+  }
+  return mean_with_transposed(result);
+}
+
+/// Query expansion by its definition, literally.
+DistanceMatrix expansion_reference(const DistanceMatrix& distances, std::size_t k) {
+  DistanceMatrix result = distances;
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    std::vector<Eigen::Index> rows = nearest_of(distances, i, k);
+    rows.insert(rows.begin(), i);
+    for (Eigen::Index j = 0; j < distances.cols(); ++j) {
+      double sum = 0;
+      double weights = 0;
+      bool all_infinite = true;
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        const double weight = 1.0 / (1.0 + static_cast<double>(r));
+        const double distance = distances(rows[r], j);
+        sum += weight * (std::isinf(distance) ? largest_finite(distances) : distance);
+        weights += weight;
+        all_infinite = all_infinite && std::isinf(distance);
+      }
+      result(i, j) = all_infinite ? infinity : sum / weights;
+    }
+  }
+  return mean_with_transposed(result);
+}
+
+/// The distances with two thirds of the pairs infinite, all of those of the model 7 and those between two halves.
+DistanceMatrix with_gaps(DistanceMatrix distances) {
+  RandomNumbers random(11);
+  const Eigen::Index half = distances.rows() / 2;
+  for (Eigen::Index i = 0; i < distances.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) {
+      if (i == 7 || j == 7 || (i < half) != (j < half) || random.uniform(0, 1) < 0.3) {
+        distances(i, j) = distances(j, i) = infinity;
+      }
+    }
+  }
+  return distances;
+}
+
+/// Expects the same entries to be infinite and the others to be equal within the tolerance.
+void expect_near(const DistanceMatrix& found, const DistanceMatrix& expected, double tolerance) {
+  ASSERT_EQ(found.rows(), expected.rows());
+  for (Eigen::Index i = 0; i < found.rows(); ++i) {
+    for (Eigen::Index j = 0; j < found.cols(); ++j) {
+      if (found(i, j) == expected(i, j)) continue;
+      ASSERT_LE(std::abs(found(i, j) - expected(i, j)), tolerance) << i << " " << j << " " << found(i, j);
+      ASSERT_TRUE(std::isfinite(found(i, j))) << i << " " << j;
+    }
+  }
 }
 
 TEST(Diffusion, IsWhatTheDefinitionSays) {
@@ -120,6 +249,17 @@ TEST(Diffusion, IsWhatTheDefinitionSays) {
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DistanceMatrix found = diffused(distances, {.neighbours = 6, .damping = 0.9, .tie = 0.01});
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
+}
+
+TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
+  const DistanceMatrix distances = with_gaps(distances_of(arcs(20, 3, 1)));
+  const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
+  const DiffusionOptions options{.neighbours = 6, .damping = 0.9, .tie = 0.01};
+  expect_near(diffused(distances, options), mean_with_transposed(expected), 1e-9);
+  expect_near(diffused_by_rows(distances, options), expected, 2e-6);
+  const auto infinite = (expected.array() == infinity).count();
+  EXPECT_GT(infinite, 2 * 59);                                   // the model 7, and between the halves
+  EXPECT_LT(infinite, (distances.array() == infinity).count());  // walks join some
 }
 
 TEST(Diffusion, RowsFromTheSparseSystemAreThoseOfTheDenseOne) {
@@ -201,6 +341,58 @@ TEST_P(Reranking, FewModelsAndEqualOnesAreNoTrouble) {
   EXPECT_TRUE(GetParam().rerank(DistanceMatrix::Zero(30, 30)).allFinite());
 }
 
+/// The distances with a model in front that is at an infinite distance from all.
+DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
+  DistanceMatrix result = DistanceMatrix::Constant(distances.rows() + 1, distances.cols() + 1, infinity);
+  result(0, 0) = 0;
+  result.bottomRightCorner(distances.rows(), distances.cols()) = distances;
+  return result;
+}
+
+TEST_P(Reranking, AModelWithoutNeighboursStaysSoAndChangesNothingForTheOthers) {
+  const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
+  const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
+  expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
+  const DistanceMatrix nothing = DistanceMatrix::Constant(5, 5, infinity);
+  DistanceMatrix all_isolated = nothing;
+  all_isolated.diagonal().setZero();
+  EXPECT_EQ(GetParam().rerank(nothing), all_isolated);
+}
+
+TEST_P(Reranking, HugeAndTinyDistancesAreLikeOthers) {
+  const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
+  const DistanceMatrix expected = GetParam().rerank(distances);
+  const bool has_unit = std::string_view(GetParam().name) == "query_expansion";
+  for (const double factor : {1e300, 1.7e308 / distances.maxCoeff(), 1e-300, 1e-305}) {
+    const DistanceMatrix found = GetParam().rerank(distances * factor) / (has_unit ? factor : 1);
+    EXPECT_LT(largest_difference(found, expected), 2e-6) << factor;
+  }
+}
+
+TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
+  for (const double far : {1e154, 1e200, 1e308, std::numeric_limits<double>::max()}) {
+    DistanceMatrix distances = distances_of(arcs(10, 3, 5));
+    distances.row(4).setConstant(far);
+    distances.col(4).setConstant(far);
+    distances(4, 4) = 0;
+    const DistanceMatrix found = GetParam().rerank(distances);
+    EXPECT_TRUE(found.allFinite()) << far;
+    for (Eigen::Index i = 0; i < 30; ++i) {
+      if (i == 4) continue;
+      EXPECT_EQ(found(i, 4), found.row(i).maxCoeff()) << far;
+    }
+  }
+}
+
+TEST_P(Reranking, TheDiagonalPlaysNoPart) {
+  DistanceMatrix distances = distances_of(arcs(10, 3, 5));
+  const DistanceMatrix expected = GetParam().rerank(distances);
+  for (const double own : {infinity, 1e308, 0.5}) {
+    distances.diagonal().setConstant(own);
+    EXPECT_EQ(GetParam().rerank(distances), expected) << own;
+  }
+}
+
 TEST_P(Reranking, RefusesDistancesThatAreNone) {
   DistanceMatrix distances = distances_of(arcs(5, 2, 1));
   distances(2, 3) = std::numeric_limits<double>::quiet_NaN();
@@ -229,6 +421,29 @@ TEST(KReciprocal, NeighboursOfEachOtherAreNearerThanOthers) {
   const DistanceMatrix found = k_reciprocal(distances, {.neighbours = 3, .expansion_neighbours = 2, .original = 0});
   EXPECT_GT(found(3, 4), found(3, 0));
   EXPECT_NEAR(found(3, 4), 1, 1e-12);
+}
+
+TEST(KReciprocal, IsWhatTheDefinitionSays) {
+  for (const DistanceMatrix& plain : {distances_of(arcs(9, 3, 1)), distances_of(clusters(8, 4, 2))}) {
+    for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
+      for (const int k1 : {5, 8}) {
+        for (const int k2 : {1, 4}) {
+          const DistanceMatrix found =
+              k_reciprocal(distances, {.neighbours = k1, .expansion_neighbours = k2, .original = 0.3});
+          expect_near(
+              found, k_reciprocal_reference(distances, static_cast<std::size_t>(k1), static_cast<std::size_t>(k2), 0.3),
+              1e-12);
+        }
+      }
+    }
+  }
+}
+
+TEST(QueryExpansion, IsWhatTheDefinitionSays) {
+  const DistanceMatrix plain = distances_of(arcs(15, 3, 1));
+  for (const DistanceMatrix& distances : {plain, with_gaps(plain)}) {
+    expect_near(query_expansion(distances, {.neighbours = 4}), expansion_reference(distances, 4), 1e-12);
+  }
 }
 
 TEST(QueryExpansion, IsTheWeightedMeanOfRows) {

@@ -139,6 +139,21 @@ TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
   EXPECT_EQ(histogram_with("over_data_set"), histogram_with("per_shape"));
 }
 
+TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
+  // Values 1 to 3 with the mean 2, and 10 to 40 with the mean 20: divided by the mean 0.5 to 1.5 and 0.5 to 2.
+  const std::vector<ScalarField> first = all_pairs(Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(0.2, 0.4, 0.6));
+  const std::vector<ScalarField> second = all_pairs(Eigen::Vector3d(10, 10, 40), Eigen::Vector3d(0.2, 0.4, 0.6));
+  const Shape none;
+  const std::vector<DescriptorInput> inputs = {{none, first}, {none, second}};
+  const Descriptor& joint = descriptor("joint_histogram");
+  DescriptorSettings settings = default_settings(joint, 2);
+  settings.axes[0].set("over_data_set", true);
+  settings.axes[0].set("divide_by_mean", true);
+  settings.axes[1].set("over_data_set", true);
+  const LearntFeatures learnt = joint.learn(inputs, settings);
+  EXPECT_TRUE(learnt.isApprox(LearntFeatures{{0.5F, 2.0F}, {0.2F, 0.6F}}, 1e-6F)) << learnt;
+}
+
 TEST(JointHistogram, RefusesWhatIsNone) {
   const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
   const std::vector<JointAxis> axes(2);
