@@ -17,6 +17,7 @@
 
 #include "app/commands.h"
 #include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
@@ -48,7 +49,7 @@ void keep_memory() {
 int report(std::string message, int status) {
   std::ranges::replace(message, '\n', ' ');
   message.erase(message.find_last_not_of(' ') + 1);
-  fmt::print(stderr, "shapegauge: error: {}\n", message);
+  fmt::print(stderr, "shapegauge: error: {}\n", printable(message));
   return status;
 }
 

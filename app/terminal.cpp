@@ -6,6 +6,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
+
 namespace shapegauge {
 
 namespace {
@@ -23,10 +25,10 @@ void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
 Verbosity verbosity() { return current_verbosity; }
 
 void note(std::string_view text) {
-  if (current_verbosity != Verbosity::quiet) fmt::print(stderr, "shapegauge: {}\n", text);
+  if (current_verbosity != Verbosity::quiet) fmt::print(stderr, "shapegauge: {}\n", printable(text));
 }
 
-void warn(std::string_view text) { fmt::print(stderr, "shapegauge: warning: {}\n", text); }
+void warn(std::string_view text) { fmt::print(stderr, "shapegauge: warning: {}\n", printable(text)); }
 
 ProgressLine::ProgressLine() : shown_(shows_progress()) {}
 
@@ -47,7 +49,7 @@ void ProgressLine::show(std::string_view stage, std::size_t done, std::size_t to
   if (!new_stage && done != total && now - last_drawn_ < std::chrono::milliseconds(200)) return;
   last_drawn_ = now;
   const double seconds = std::chrono::duration<double>(now - stage_start_).count();
-  fmt::print(stderr, "{}{}", wipe, progress_text(stage, done, total, seconds));
+  fmt::print(stderr, "{}{}", wipe, printable(progress_text(stage, done, total, seconds)));
   std::fflush(stderr);
 }
 
@@ -66,7 +68,7 @@ BusyLine::BusyLine(std::string what) {
     std::unique_lock lock(mutex_);
     if (ended_.wait_for(lock, std::chrono::seconds(2), ended)) return;
     for (int seconds = 2; !end_; ++seconds) {
-      fmt::print(stderr, "{}{}  {}:{:02}", wipe, what, seconds / 60, seconds % 60);
+      fmt::print(stderr, "{}{}  {}:{:02}", wipe, printable(what), seconds / 60, seconds % 60);
       std::fflush(stderr);
       ended_.wait_for(lock, std::chrono::seconds(1), ended);
     }
