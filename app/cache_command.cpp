@@ -36,15 +36,16 @@ int show_cache(const CacheOption& option) {
     add(entry_kind_names.at(kind), contents.by_kind.at(kind));
   if (contents.unfinished.entries > 0) add("unfinished", contents.unfinished);
   add("all", contents.total());
-  print_output("Cache in {}\n\n{}\nAfter a run it holds at most {} (SHAPEGAUGE_CACHE_LIMIT).\n", folder.string(),
-               to_plain_text(table), megabytes(cache_limit()));
+  print_output("Cache in {}\n\n{}\nAfter a run it holds at most {} (SHAPEGAUGE_CACHE_LIMIT).\n",
+               printable(folder.string()), to_plain_text(table), megabytes(cache_limit()));
   return exit_success;
 }
 
 int clear(const CacheOption& option) {
   const fs::path folder = folder_of(option);
   const CacheContents::Amount removed = clear_cache(folder).total();
-  print_output("{} entries, {}, removed from {}\n", removed.entries, megabytes(removed.bytes), folder.string());
+  print_output("{} entries, {}, removed from {}\n", removed.entries, megabytes(removed.bytes),
+               printable(folder.string()));
   return exit_success;
 }
 

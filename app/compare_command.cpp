@@ -13,6 +13,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -54,7 +55,7 @@ std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareAr
 // The methods of one input; what a user should know of it is added to the warnings.
 std::vector<MethodScores> methods_of(const fs::path& path, const CompareArguments& arguments,
                                      std::vector<std::string>& warnings) {
-  if (fs::is_directory(path)) return methods_of_table(path / "per_query.csv", arguments);
+  if (is_folder(path)) return methods_of_table(path / "per_query.csv", arguments);
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
   if (!matrix) return methods_of_table(path, arguments);
   const EvaluatedFiles evaluated = evaluate_with_progress(path, arguments.evaluation);

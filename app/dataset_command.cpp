@@ -79,7 +79,7 @@ int validate(const LookArguments& arguments) {
   with_threads(arguments.threads, [&] { failures = validate_models(dataset, control); });
   progress.clear();
   for (const ModelFailure& failure : failures) {
-    print_output("{}: {}\n", dataset.models[failure.model].id, failure.message);
+    print_output("{}\n", printable(dataset.models[failure.model].id + ": " + failure.message));
   }
   print_output("{} of {} models can be used\n", dataset.models.size() - failures.size(), dataset.models.size());
   return failures.empty() ? exit_success : exit_with_failures;
@@ -96,7 +96,7 @@ int generate(const GenerateArguments& arguments) {
   });
   progress.clear();
   print_output("{} models of {} classes in {}\n", arguments.options.classes * arguments.options.models_per_class,
-               arguments.options.classes, arguments.folder.string());
+               arguments.options.classes, printable(arguments.folder.string()));
   return exit_success;
 }
 

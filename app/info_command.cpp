@@ -13,8 +13,10 @@
 #include "app/commands.h"
 #include "app/shape_files.h"
 #include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 
 namespace shapegauge {
@@ -100,6 +102,7 @@ OrderedJson geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
 OrderedJson info_of(const Shape& shape) {
   const ShapeDiagnostics found = diagnose(shape);
   OrderedJson json = diagnostics_json(found);
+  if (has_polygons(shape)) json["polygons"] = polygon_count(shape);
   json.update(geometry_json(shape, found));
   return json;
 }
@@ -137,7 +140,8 @@ int run(const InfoArguments& arguments) {
   for (std::size_t i = 0; i < infos.size(); ++i) {
     if (infos[i].is_null()) continue;
     if (arguments.format == "text") {
-      print_output("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", names[i]) : "", text_of(infos[i]));
+      print_output("{}{}", several ? fmt::format("{}{}\n", all.empty() ? "" : "\n", printable(names[i])) : "",
+                   text_of(infos[i]));
     }
     OrderedJson named{{"file", names[i]}};
     named.update(infos[i]);

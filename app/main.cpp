@@ -17,6 +17,7 @@
 #include "app/commands.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"

@@ -55,6 +55,7 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
     const ChosenOffset chosen = choose_offset(given_offset, shape);
     const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = chosen.offset});
     write(job.output, shape, samples, result.normals);
+    remark_on_polygons(shape, samples.site, remarks);
     remark_on(chosen, remarks);
     remark_on(shape, result, chosen.offset * bounding_box_diagonal(shape), remarks);
   } catch (const InputError& error) {

@@ -94,7 +94,7 @@ RequestedRun requested_run(const RunSource& source) {
 constexpr std::size_t most_by_name = 10;
 
 void print_lines(const std::vector<std::string>& names, std::string_view verdict) {
-  for (const std::string& name : names) print_output("{:<14}{}\n", verdict, name);
+  for (const std::string& name : names) print_output("{:<14}{}\n", verdict, printable(name));
 }
 
 /// Warns on standard error of inputs of a run that are not those recorded, at most ten by name.
@@ -250,8 +250,8 @@ void compare_configurations(const Configuration& configuration, Communicator& ra
 
 /// Prints what a run has to say at its end; returns the exit status.
 int report_run(const ExperimentResults& results, const RequestedRun& request, const fs::path& folder) {
-  print_output("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), folder.string());
-  if (results.configuration.report.wanted) print_output("Report: {}\n", (folder / report_name).string());
+  print_output("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), printable(folder.string()));
+  if (results.configuration.report.wanted) print_output("Report: {}\n", printable((folder / report_name).string()));
   std::vector<LeftOut> left_out;
   for (const FailedModel& failure : results.failures)
     left_out.push_back({"model " + failure.model.id, failure.message});
@@ -291,7 +291,7 @@ int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
   const ComparisonResults results = run_comparison(comparison, run_control(arguments, progress));
   write_comparison(folder, results);
   progress.clear();
-  print_output("{}\nResults in {}\n", summary_text(results), folder.string());
+  print_output("{}\nResults in {}\n", summary_text(results), printable(folder.string()));
   std::vector<LeftOut> left_out;
   for (const FailedShape& failure : results.failures) {
     left_out.push_back({fmt::format("shape \"{}\"", failure.name), failure.message});
@@ -315,8 +315,14 @@ int run_parts(const RunArguments& arguments, const RequestedRun& request) {
   write_segmentation(folder, results);
   if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
   progress.clear();
-  print_output("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache), folder.string(),
-               (folder / report_name).string());
+  print_output("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache),
+               printable(folder.string()), printable((folder / report_name).string()));
+  if (const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons); count > 0) {
+    note(
+        fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a row for "
+                    "each face of the file, the part with most of its area",
+                    count, results.shapes.size()));
+  }
   std::vector<LeftOut> left_out;
   for (const FailedSegmentation& failure : results.failures) {
     left_out.push_back({"shape " + failure.model.id, failure.message});

@@ -142,6 +142,7 @@ int run(const SdfArguments& arguments) {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
     const Computed computed = compute(arguments, given_offset, shape, job.input);
     write(job.output, shape, computed.samples, computed.field.values);
+    remark_on_polygons(shape, computed.samples.site, remarks);
     if (!arguments.timings.empty()) write_timings(arguments.timings, shape, job.read_seconds, computed);
     if (computed.chosen) remark_on(*computed.chosen, remarks);
     remark_on(computed.field.outcomes, remarks);

@@ -17,6 +17,7 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -44,7 +45,7 @@ using LabelWriter = void (*)(const fs::path&, const Shape&, const Labels&);
 
 SampleSite site_of(const Shape& shape) { return is_cloud(shape) ? SampleSite::vertices : SampleSite::faces; }
 
-void write_labels(const fs::path& path, const Shape& /*shape*/, const Labels& labels) { write_seg(path, labels); }
+void write_labels(const fs::path& path, const Shape& shape, const Labels& labels) { write_seg(path, shape, labels); }
 
 void write_coloured(const fs::path& path, const Shape& shape, const Labels& labels) {
   const Eigen::VectorXd numbers =
@@ -89,6 +90,9 @@ void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& 
     const Labels labels = arguments.method == "paper" ? paper_labels(shape, arguments, remarks)
                                                       : part_segmentation(shape, {.parts = arguments.parts});
     write(job.output, shape, labels);
+    if (const auto polygons = polygon_note(shape)) {
+      remarks.notes.push_back(*polygons + "; .seg has a row for each face of the file, the part with most of its area");
+    }
     remarks.notes.push_back(fmt::format("{} parts", *std::ranges::max_element(labels) + 1));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", job.input, error.what()));

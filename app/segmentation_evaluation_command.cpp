@@ -47,13 +47,12 @@ struct Scores {
 void score_model(Scores& scored, std::size_t i, const EvaluationArguments& arguments) {
   const SegmentedModel& model = scored.benchmark.models[i];
   const Shape mesh = read_shape(model.mesh);
-  const auto faces = static_cast<std::size_t>(mesh.triangles.rows());
   const SegmentationScorer scorer(mesh, {.by_area = arguments.weights == "area", .cuts = !arguments.no_cuts});
   std::vector<std::vector<std::int32_t>> people;
-  for (const fs::path& file : model.people) people.push_back(read_seg(file, faces));
+  for (const fs::path& file : model.people) people.push_back(read_seg(file, mesh));
   for (std::size_t m = 0; m < arguments.folders.size(); ++m) {
     const fs::path file = arguments.folders[m] / (model.id + ".seg");
-    scored.scores.errors[m][i] = scorer.errors_against(read_seg(file, faces), people);
+    scored.scores.errors[m][i] = scorer.errors_against(read_seg(file, mesh), people);
   }
   scored.scores.errors.back()[i] = scorer.errors_among(people);
 }

@@ -20,6 +20,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
@@ -27,6 +28,13 @@ namespace shapegauge {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The extensions of shapes without their dots.
+std::vector<std::string> input_formats() {
+  std::vector<std::string> formats;
+  for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
+  return formats;
+}
 
 /// Whether the outputs go into a folder.
 bool fills_folder(const ShapeFiles& files) {
@@ -45,14 +53,21 @@ void check_inputs(const ShapeFiles& files) {
   }
 }
 
+/// One name for each file; the name as it is where it leads nowhere.
+fs::path canonical_name(const fs::path& path) {
+  std::error_code failure;
+  const fs::path canonical = fs::weakly_canonical(path, failure);
+  return failure ? path : canonical;
+}
+
 /// Throws where two outputs are one file, or an output is an input.
 void check_outputs(const ShapeFiles& files, const std::vector<ShapeJob>& jobs) {
   std::map<fs::path, std::string> inputs;
-  for (const fs::path& input : files.inputs) inputs.emplace(fs::weakly_canonical(input), input.string());
+  for (const fs::path& input : files.inputs) inputs.emplace(canonical_name(input), input.string());
   std::map<fs::path, std::string> outputs;
   for (const ShapeJob& job : jobs) {
     if (is_standard_stream(job.output)) continue;
-    const fs::path output = fs::weakly_canonical(job.output);
+    const fs::path output = canonical_name(job.output);
     const auto [other, is_new] = outputs.emplace(output, job.input);
     if (!is_new) {
       throw InputError(
@@ -89,11 +104,14 @@ std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
 }
 
 Shape read_input(const fs::path& input, const std::string& format) {
-  const std::string extension = format.empty() ? "" : "." + format;
-  if (!is_standard_stream(input)) {
-    return extension.empty() ? read_shape(input) : read_shape(read_file_bytes(input), input.string() + extension);
-  }
-  return read_shape(read_standard_input(), "standard input" + extension);
+  const bool stream = is_standard_stream(input);
+  const std::string bytes = stream ? read_standard_input() : read_file_bytes(input);
+  const std::string name = stream ? "standard input" : input.string();
+  if (!format.empty()) return read_shape(bytes, name + "." + format);
+  if (is_recognised_shape(bytes, name)) return read_shape(bytes, name);
+  throw InputError(
+      fmt::format("{}: neither its name nor its first bytes tell its format; name it by --input-format ({})", name,
+                  fmt::join(input_formats(), ", ")));
 }
 
 /// Does one job; what goes to standard output is written to a file first, as the writers need a name.
@@ -117,8 +135,7 @@ void print(const Remarks& remarks, const std::string& prefix) {
 }  // namespace
 
 void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
-  std::vector<std::string> formats;
-  for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
+  const std::vector<std::string> formats = input_formats();
   command
       .add_option("input", files.inputs,
                   fmt::format("Meshes or point clouds: {}; -: standard input", fmt::join(formats, ", ")))
@@ -138,6 +155,12 @@ void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& 
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();
   command.add_flag("--replace", files.replace, "Let an output take the place of an input");
+}
+
+void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks) {
+  const std::optional<std::string> polygons = polygon_note(shape);
+  if (site != SampleSite::faces || !polygons) return;
+  remarks.notes.push_back(*polygons + ": values are by triangle, and the column polygon of a .csv says of which face");
 }
 
 fs::path output_name(const ShapeFiles& files) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace CLI {
@@ -41,6 +42,9 @@ struct Remarks {
   std::vector<std::string> notes;
   std::vector<std::string> warnings;
 };
+
+/// Adds a note where the samples of a mesh are its triangles, but the faces of its file are polygons.
+void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks);
 
 /// One of the shapes, and where its result goes.
 struct ShapeJob {

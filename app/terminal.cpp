@@ -8,6 +8,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
+
 namespace shapegauge {
 
 namespace {
@@ -43,15 +45,15 @@ void set_verbosity(Verbosity verbosity) { current_verbosity = verbosity; }
 Verbosity verbosity() { return current_verbosity; }
 
 void note(std::string_view text) {
-  if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", text));
+  if (current_verbosity != Verbosity::quiet) write_message(fmt::format("shapegauge: {}\n", printable(text)));
 }
 
-void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", text)); }
+void warn(std::string_view text) { write_message(fmt::format("shapegauge: warning: {}\n", printable(text))); }
 
 void print_error(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   text.erase(text.find_last_not_of(' ') + 1);
-  write_message(fmt::format("shapegauge: error: {}\n", text));
+  write_message(fmt::format("shapegauge: error: {}\n", printable(text)));
 }
 
 ProgressLine::ProgressLine() : shown_(shows_progress()) {}
@@ -73,7 +75,7 @@ void ProgressLine::show(std::string_view stage, std::size_t done, std::size_t to
   if (!new_stage && done != total && now - last_drawn_ < std::chrono::milliseconds(200)) return;
   last_drawn_ = now;
   const double seconds = std::chrono::duration<double>(now - stage_start_).count();
-  write_message(wipe + progress_text(stage, done, total, seconds));
+  write_message(wipe + printable(progress_text(stage, done, total, seconds)));
 }
 
 std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds) {
@@ -91,7 +93,7 @@ BusyLine::BusyLine(std::string what) {
     std::unique_lock lock(mutex_);
     if (ended_.wait_for(lock, std::chrono::seconds(2), ended)) return;
     for (int seconds = 2; !end_; ++seconds) {
-      write_message(fmt::format("{}{}  {}:{:02}", wipe, what, seconds / 60, seconds % 60));
+      write_message(fmt::format("{}{}  {}:{:02}", wipe, printable(what), seconds / 60, seconds % 60));
       ended_.wait_for(lock, std::chrono::seconds(1), ended);
     }
     write_message(wipe);

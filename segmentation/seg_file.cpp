@@ -8,11 +8,13 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/scanner.h"
+#include "shapegauge/core/shape/polygons.h"
 
 namespace shapegauge {
 
-std::vector<std::int32_t> read_seg(const std::filesystem::path& path, std::size_t faces) {
-  return parse_seg(read_file_bytes(path), path.string(), faces);
+std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shape& mesh) {
+  const auto faces = static_cast<std::size_t>(polygon_count(mesh));
+  return labels_of_triangles(mesh, parse_seg(read_file_bytes(path), path.string(), faces));
 }
 
 std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces) {
@@ -34,6 +36,10 @@ std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& 
                                  name, labels.size(), faces));
   }
   return labels;
+}
+
+void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels) {
+  write_seg(path, labels_of_polygons(shape, labels));
 }
 
 void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels) {

@@ -6,17 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/shape/shape.h"
+
 namespace shapegauge {
 
 /// Reads a segmentation in the Princeton Segmentation Benchmark's format: for each face, in the mesh's order, a line
-/// with the number of its segment, 0 or more. Throws InputError where the file cannot be read, has another number of
-/// lines than the mesh has `faces`, or holds what is no such number.
-std::vector<std::int32_t> read_seg(const std::filesystem::path& path, std::size_t faces);
+/// with the number of its segment, 0 or more. Faces are those of the mesh's file: where they are polygons, each of the
+/// triangles that they became has the number of its polygon. Returns the numbers of the triangles. Throws InputError
+/// where the file cannot be read, has another number of lines than the mesh has faces, or holds what is no such number.
+std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shape& mesh);
 
-/// The same for the text of such a file; `name` is what messages call it.
+/// The numbers of the faces in the text of such a file; `name` is what messages call it.
 std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces);
 
-/// Writes a segmentation in that format, whole or not at all. Throws InputError where the file cannot be written.
+/// Writes a segmentation, given by triangle or point, in that format, whole or not at all. A face that is a polygon has
+/// the number that most of its area has. Throws InputError where the file cannot be written.
+void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels);
+
+/// Writes the lines as they are, whole or not at all. Throws InputError where the file cannot be written.
 void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

@@ -39,7 +39,7 @@ struct SurfaceGraph {
 /// neighbours where one is among the 8 nearest of the other.
 ///
 /// Concavity takes the normals' side as the outside. Two triangles that are not oriented alike are compared as if they
-/// were. Throws InputError for an empty shape and where it is unusable (validity.h).
+/// were. Throws InputError for an empty shape and where it is unusable (require_usable()).
 SurfaceGraph surface_graph(const Shape& shape);
 
 }  // namespace shapegauge

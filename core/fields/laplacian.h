@@ -19,8 +19,8 @@ struct Laplacian {
 
 /// The Laplacian of a triangle mesh of any kind: along an edge, all of its triangles count, one (the natural, Neumann
 /// boundary), two or more, doubles counted once (distinct_triangles()). The cotangents of triangles that are nearly
-/// collinear are scaled down to 1e4. Throws InputError for an unusable shape (validity.h), a point cloud, and a mesh
-/// without area.
+/// collinear are scaled down to 1e4. Throws InputError for an unusable shape (require_usable()), a point cloud, and a
+/// mesh without area.
 Laplacian cotangent_laplacian(const Shape& mesh);
 
 /// The lower end of the Laplacian's spectrum.

@@ -1,5 +1,6 @@
 #include "shapegauge/core/io/obj.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdint>
@@ -12,6 +13,7 @@
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
+#include "shapegauge/core/io/triangulate_polygon.h"
 
 namespace shapegauge {
 
@@ -91,9 +93,13 @@ class ObjReader {
   }
 
   void read_face() {
+    if (faces_ == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more faces than can be read");
     ++faces_;
     soup_.begin_face();
-    while (!at_statement_end()) soup_.add_corner(read_corner());
+    while (!at_statement_end()) {
+      if (soup_.corners() == most_polygon_corners) scanner_.fail(message_too_many_corners(faces_));
+      soup_.add_corner(read_corner());
+    }
   }
 
   /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`; the vertex's index from 0.
@@ -124,6 +130,15 @@ class ObjReader {
   std::int64_t faces_ = 0;
   Corner largest_;
 };
+
+/// Whether the first statement is one of an OBJ file.
+bool begins_like_obj(std::string_view bytes) {
+  static constexpr std::array<std::string_view, 12> statements = {"v", "vn", "vt", "vp", "f",      "l",
+                                                                  "p", "o",  "g",  "s",  "mtllib", "usemtl"};
+  const std::string_view line = first_line_of_data(bytes);
+  const std::size_t end = line.find_first_of(" \t");
+  return end != std::string_view::npos && std::ranges::count(statements, line.substr(0, end)) > 0;
+}
 
 }  // namespace
 
@@ -157,6 +172,7 @@ ShapeFormat obj_format() {
   return {.name = "OBJ",
           .description = "Wavefront OBJ: vertices, faces, normals of clouds",
           .extensions = extensions,
+          .begins_like = begins_like_obj,
           .check_header = check_obj_header,
           .read = read_obj,
           .write = write_obj};

@@ -17,6 +17,7 @@
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
+#include "shapegauge/core/io/triangulate_polygon.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -202,6 +203,7 @@ class BinaryOffBody {
     std::int32_t corners = 0;
     if (!bytes_.read(corners)) fail_end(i, counts_.faces, "faces");
     if (corners < 0) text_.fail_whole(fmt::format("face {} cannot have {} vertices", i, corners));
+    if (static_cast<std::size_t>(corners) > most_polygon_corners) text_.fail_whole(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int32_t k = 0; k < corners; ++k) {
       std::int32_t vertex = 0;
@@ -299,6 +301,7 @@ class OffBody {
     if (corners < (layout_ == OffLayout::words ? 3 : 0)) {
       scanner_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
     }
+    if (corners > static_cast<std::int64_t>(most_polygon_corners)) scanner_.fail(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int64_t k = 0; k < corners; ++k) {
       std::int64_t vertex = 0;

@@ -12,9 +12,9 @@ struct ShapeFormat;
 /// The shape in the bytes of an OFF file, ASCII or binary (Geomview's manual, "OFF Files"), with what is met in the
 /// wild: keyword missing, or with the counts glued to it; comments and blank lines anywhere; a wrong or missing number
 /// of edges; COFF, NOFF, STOFF and combinations; extras after vertices and colours after faces, announced or not; any
-/// line ends; a byte order mark; records that do not keep to lines; data after the last face. Polygons become fans;
-/// faces of fewer than three vertices leave no triangle. Without faces it is a point cloud, whose normals are those
-/// that the keyword announces (NOFF).
+/// line ends; a byte order mark; records that do not keep to lines; data after the last face. Polygons become
+/// triangles; faces of fewer than three vertices leave no triangle. Without faces it is a point cloud, whose normals
+/// are those that the keyword announces (NOFF).
 ///
 /// `name` stands in front of messages. Throws InputError, with the line: truncated, index out of range, coordinate that
 /// is not finite, 4OFF and nOFF (other dimensions).

@@ -21,6 +21,7 @@
 #include "shapegauge/core/io/scanner.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/io/shape_format.h"
+#include "shapegauge/core/io/triangulate_polygon.h"
 
 namespace shapegauge {
 
@@ -260,6 +261,10 @@ void require_readable_faces(const PlyHeader& header, const TextScanner& scanner)
   }
   const PlyElement* const face = find_element(header, "face");
   if (face == nullptr || face->count == 0) return;
+  if (face->count > std::numeric_limits<std::int32_t>::max()) {
+    scanner.fail_whole(
+        fmt::format("{} faces: at most {} can be read", face->count, std::numeric_limits<std::int32_t>::max()));
+  }
   const auto corners = std::ranges::find_if(face->properties, holds_corners);
   if (corners == face->properties.end()) {
     scanner.fail_whole("its element \"face\" has no list \"vertex_indices\" or \"vertex_index\"");
@@ -347,6 +352,7 @@ class PlyBody {
     std::int64_t corners = 0;
     if (!source_.read_whole(corners, property.count_type)) return false;
     if (corners < 0) source_.fail(fmt::format("face {} cannot have {} vertices", i, corners));
+    if (corners > static_cast<std::int64_t>(most_polygon_corners)) source_.fail(message_too_many_corners(i));
     soup_.begin_face();
     for (std::int64_t k = 0; k < corners; ++k) {
       std::int64_t vertex = 0;

@@ -16,9 +16,9 @@ namespace shapegauge {
 struct ShapeFormat;
 
 /// The shape in the bytes of a PLY file, ASCII or binary of either byte order: x, y, z of the element `vertex` and
-/// `vertex_indices` (or `vertex_index`) of the element `face`; everything else is passed over. Polygons become fans;
-/// faces of fewer than three vertices leave no triangle. Without faces it is a point cloud, whose normals are nx, ny,
-/// nz of the vertices, where they have them.
+/// `vertex_indices` (or `vertex_index`) of the element `face`; everything else is passed over. Polygons become
+/// triangles; faces of fewer than three vertices leave no triangle. Without faces it is a point cloud, whose normals
+/// are nx, ny, nz of the vertices, where they have them.
 ///
 /// `name` stands in front of messages. Throws InputError, with the line or the element: truncated, index out of range,
 /// coordinate that is not finite, triangle strips.

@@ -49,12 +49,16 @@ const ShapeFormat* format_by_content(std::string_view bytes) {
   return found == format_registry().end() ? nullptr : &*found;
 }
 
+/// Null where neither the extension nor the bytes tell the format.
+const ShapeFormat* find_format(const fs::path& path, std::string_view bytes) {
+  const ShapeFormat* const by_extension = format_by_extension(lower_case(path.extension().string()));
+  return by_extension != nullptr ? by_extension : format_by_content(bytes);
+}
+
 const ShapeFormat& format_of(const fs::path& path, std::string_view bytes) {
-  const std::string extension = path.extension().string();
-  if (const ShapeFormat* const format = format_by_extension(lower_case(extension))) return *format;
-  if (const ShapeFormat* const format = format_by_content(bytes)) return *format;
-  throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(), extension,
-                               fmt::join(shape_extensions(), ", ")));
+  if (const ShapeFormat* const format = find_format(path, bytes)) return *format;
+  throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
+                               path.extension().string(), fmt::join(shape_extensions(), ", ")));
 }
 
 }  // namespace
@@ -67,14 +71,17 @@ Shape read_shape(const std::string& bytes, const fs::path& path) {
   return shape;
 }
 
+bool is_recognised_shape(const std::string& bytes, const fs::path& path) { return find_format(path, bytes) != nullptr; }
+
 void check_shape_header(const fs::path& path) {
   constexpr std::size_t usual_size_of_header = std::size_t{1} << 16U;
-  const std::string bytes = read_file_bytes(path, usual_size_of_header);
+  std::string bytes = read_file_bytes(path, usual_size_of_header);
+  if (!is_recognised_shape(bytes, path) && bytes.size() == usual_size_of_header) bytes = read_file_bytes(path);
   const ShapeFormat& format = format_of(path, bytes);
   try {
     format.check_header(bytes, path.string());
   } catch (const InputError&) {
-    if (bytes.size() < usual_size_of_header) throw;
+    if (bytes.size() != usual_size_of_header) throw;
     format.check_header(read_file_bytes(path), path.string());  // long comments, perhaps
   }
 }

@@ -12,17 +12,21 @@ namespace shapegauge {
 
 /// Raised with every change of the shape that a valid file is read as, which makes cached results of earlier versions
 /// stale.
-inline constexpr int shape_reading_version = 1;
+inline constexpr int shape_reading_version = 2;
 
 /// Reads a shape from a file of a format in shape_formats(), by the name's extension and, failing that, by the first
-/// bytes. Without faces it is a point cloud. Polygons become fans of triangles, in the file's order. Every vertex and
+/// bytes. Without faces it is a point cloud. Polygons become triangles, in the file's order (Shape::polygons): a fan
+/// about the first corner where that covers the polygon, else its constrained Delaunay triangulation. Every vertex and
 /// every face of the file is kept: duplicates, degenerate and non-manifold faces survive. STL vertices with equal
 /// coordinates are merged, as the format has no indices. Throws InputError: absent, unreadable or truncated file, index
-/// out of range, coordinate that is not finite.
+/// out of range, coordinate that is not finite, polygon of more than 100000 corners.
 Shape read_shape(const std::filesystem::path& path);
 
 /// The same for the bytes of a file that were read already; `path` tells the format and is what messages call it.
 Shape read_shape(const std::string& bytes, const std::filesystem::path& path);
+
+/// Whether the extension of the name or the bytes tell the format.
+bool is_recognised_shape(const std::string& bytes, const std::filesystem::path& path);
 
 /// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format in
 /// shape_formats(). Cheap enough to do for a whole data set before a long run.
@@ -43,8 +47,9 @@ struct ShapeFormat {
   /// Extensions that are read as this format too, but may belong to anything: a file that has one is not taken for a
   /// shape unless it is named as one.
   std::span<const std::string_view> ambiguous_extensions = {};
-  /// Whether a file with these first bytes names itself as of this format; null where nothing does.
-  bool (*begins_like)(std::string_view first_bytes) = nullptr;
+  /// Whether a file with these bytes, all of it or its beginning, is plainly of this format; null where no bytes say
+  /// so.
+  bool (*begins_like)(std::string_view bytes) = nullptr;
   /// Throws InputError where the bytes, the beginning of a file or all of it, do not begin like this format. `name`
   /// stands in front of messages.
   void (*check_header)(const std::string& bytes, const std::string& name);

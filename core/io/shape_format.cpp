@@ -1,12 +1,17 @@
 #include "shapegauge/core/io/shape_format.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fmt/format.h>
 #include <limits>
+#include <numeric>
+#include <ranges>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/triangulate_polygon.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -31,10 +36,59 @@ void SoupBuilder::add_normal(const std::array<double, 3>& normal) {
   normals_.push_back({direction[0], direction[1], direction[2]});
 }
 
-Shape SoupBuilder::shape() const {
+void SoupBuilder::number_polygons() {
+  polygons_.resize(triangles_.size());
+  std::iota(polygons_.begin(), polygons_.end(), 0);
+}
+
+std::vector<std::array<std::int32_t, 3>> SoupBuilder::polygon_triangles(std::size_t begin, std::size_t end) const {
+  std::vector<std::array<std::int32_t, 3>> triangles(triangles_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                                     triangles_.begin() + static_cast<std::ptrdiff_t>(end));
+  if (triangles.size() < 2) return triangles;
+  std::vector<std::int32_t> corners = {triangles[0][0], triangles[0][1]};
+  for (const std::array<std::int32_t, 3>& triangle : triangles) corners.push_back(triangle[2]);
+  std::vector<Eigen::Vector3d> positions;
+  for (const std::int32_t corner : corners) positions.emplace_back(vertices_[static_cast<std::size_t>(corner)].data());
+  std::vector<PolygonTriangle> others = triangles_in_place_of_fan(positions);
+  if (others.empty() || others.size() > triangles.size()) return triangles;
+  for (std::int32_t& corner : others | std::views::join) corner = corners[static_cast<std::size_t>(corner)];
+  return others;
+}
+
+void SoupBuilder::replace_fans() {
+  std::size_t kept = 0;
+  for (std::size_t begin = 0, end = 0; begin < triangles_.size(); begin = end) {
+    const std::int32_t polygon = polygons_[begin];
+    while (end < triangles_.size() && polygons_[end] == polygon) ++end;
+    for (const std::array<std::int32_t, 3>& triangle : polygon_triangles(begin, end)) {
+      triangles_[kept] = triangle;
+      polygons_[kept++] = polygon;
+    }
+  }
+  triangles_.resize(kept);
+  polygons_.resize(kept);
+}
+
+Shape SoupBuilder::shape() {
+  if (polygons_.empty() && !triangles_.empty() && triangles_.size() != static_cast<std::size_t>(faces_)) {
+    number_polygons();
+  }
+  if (!polygons_.empty()) replace_fans();
   Shape shape{matrix_of<Points>(vertices_), matrix_of<Triangles>(triangles_)};
+  shape.polygons = {.of_triangle = polygons_, .count = faces_};
   if (is_cloud(shape) && normals_.size() == vertices_.size()) shape.normals = matrix_of<Points>(normals_);
   return shape;
+}
+
+std::string_view first_line_of_data(std::string_view text) {
+  text = without_byte_order_mark(text);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = trim(text.substr(0, end));
+    if (!line.empty() && line.front() != '#') return line;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return {};
 }
 
 std::string message_truncated(std::int64_t got, std::int64_t expected, std::string_view what) {
@@ -51,6 +105,10 @@ std::string message_not_finite(std::int64_t vertex, std::string_view what) {
 
 std::string message_no_triangles(std::int64_t faces) {
   return fmt::format("none of its {} faces has three vertices", faces);
+}
+
+std::string message_too_many_corners(std::int64_t face) {
+  return fmt::format("face {} has more than {} vertices; triangulate it", face, most_polygon_corners);
 }
 
 void require_writable(const std::filesystem::path& path, const Shape& shape) {

@@ -16,9 +16,10 @@
 /// What the readers and writers of shape files share. Not for users of the library.
 namespace shapegauge {
 
-/// A shape as it grows vertex by vertex and corner by corner. Polygons become fans of triangles about their first
-/// corner, in order; a face with fewer than three corners has no surface and leaves no triangle. Normals stay only with
-/// a point cloud, and only where every vertex has one.
+/// A shape as it grows vertex by vertex and corner by corner. Polygons become triangles, in order: a fan about the
+/// first corner where that covers the polygon, otherwise another triangulation (triangulate_polygon.h). A face with
+/// fewer than three corners has no surface and leaves no triangle. Normals stay only with a point cloud, and only where
+/// every vertex has one.
 class SoupBuilder {
  public:
   void reserve(std::size_t vertices, std::size_t triangles) {
@@ -32,12 +33,15 @@ class SoupBuilder {
   /// where they found none.
   void add_normal(const std::array<double, 3>& normal);
 
-  void begin_face() { corners_ = 0; }
+  void begin_face() {
+    corners_ = 0;
+    ++faces_;
+  }
 
-  /// Adds a corner to the face begun last. The caller has checked the index.
+  /// Adds a corner to the face begun last. The caller has checked the index, though its vertex may follow.
   void add_corner(std::int32_t vertex) {
     if (++corners_ == 1) first_ = vertex;
-    if (corners_ >= 3) triangles_.push_back({first_, previous_, vertex});
+    if (corners_ >= 3) add_triangle({first_, previous_, vertex});
     previous_ = vertex;
   }
 
@@ -46,17 +50,36 @@ class SoupBuilder {
   /// Corners of the face begun last.
   [[nodiscard]] std::size_t corners() const { return corners_; }
 
-  /// The shape so far.
-  [[nodiscard]] Shape shape() const;
+  /// The shape so far, whose corners have their vertices now.
+  [[nodiscard]] Shape shape();
 
  private:
+  void add_triangle(const std::array<std::int32_t, 3>& triangle) {
+    if (polygons_.empty() && static_cast<std::size_t>(faces_) != triangles_.size() + 1) number_polygons();
+    if (!polygons_.empty()) polygons_.push_back(faces_ - 1);
+    triangles_.push_back(triangle);
+  }
+
+  void number_polygons();
+
+  /// Triangulates the polygons anew that their fans do not cover.
+  void replace_fans();
+
+  /// The triangles of the polygon whose fan they are now; never more of them.
+  [[nodiscard]] std::vector<std::array<std::int32_t, 3>> polygon_triangles(std::size_t begin, std::size_t end) const;
+
   std::vector<std::array<double, 3>> vertices_;
   std::vector<std::array<double, 3>> normals_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
+  std::vector<std::int32_t> polygons_;  ///< of the triangles; empty where triangle i is face i
+  std::int32_t faces_ = 0;
   std::size_t corners_ = 0;
   std::int32_t first_ = 0;
   std::int32_t previous_ = 0;
 };
+
+/// The first line that is neither blank nor a comment that `#` begins, without blanks around it.
+std::string_view first_line_of_data(std::string_view text);
 
 /// What is wrong with a file, in the same words for every format: the part of the message behind file and line.
 /// @{
@@ -64,6 +87,7 @@ std::string message_truncated(std::int64_t got, std::int64_t expected, std::stri
 std::string message_no_such_vertex(std::int64_t face, std::int64_t vertex, std::int64_t vertices);
 std::string message_not_finite(std::int64_t vertex, std::string_view what = "coordinate");
 std::string message_no_triangles(std::int64_t faces);
+std::string message_too_many_corners(std::int64_t face);
 /// @}
 
 /// Throws InputError where a file of this shape at `path` could not be read again: a coordinate that is not finite, a

@@ -49,14 +49,14 @@ class MergingBuilder {
     soup_.add_corner(vertex->second);
   }
 
-  [[nodiscard]] const SoupBuilder& soup() const { return soup_; }
+  [[nodiscard]] Shape shape() { return soup_.shape(); }
 
  private:
   SoupBuilder soup_;
   std::unordered_map<Position, std::int32_t, PositionHash> numbers_;
 };
 
-std::uint32_t number_of_facets(const std::string& bytes) {
+std::uint32_t number_of_facets(std::string_view bytes) {
   ByteScanner scanner(bytes, std::endian::little);
   std::uint32_t facets = 0;
   scanner.skip(header_size);
@@ -93,7 +93,7 @@ Shape read_binary(const std::string& bytes, const TextScanner& text) {
     }
     scanner.skip(2);  // the attribute
   }
-  return builder.soup().shape();
+  return builder.shape();
 }
 
 /// Reads the facets of an ASCII file: a sequence of keywords, which need not keep to lines.
@@ -116,7 +116,7 @@ class AsciiReader {
         scanner_.fail(fmt::format("expected \"facet\" or \"endsolid\", found \"{}\"", word));
       }
     }
-    return builder_.soup().shape();
+    return builder_.shape();
   }
 
  private:
@@ -170,11 +170,17 @@ void append_floats(std::string& bytes, const Eigen::RowVector3f& vector) {
   for (const float component : vector) append_little_endian(bytes, component);
 }
 
+/// Whether the file has exactly the size that a binary one of its number of facets has.
+bool has_size_of_binary(std::string_view bytes) {
+  return bytes.size() >= header_size + 4 &&
+         bytes.size() == header_size + 4 + facet_size * std::size_t{number_of_facets(bytes)};
+}
+
 }  // namespace
 
 Shape read_stl(const std::string& bytes, const std::string& name) {
   const TextScanner scanner(bytes, name);
-  const bool exact = bytes.size() == header_size + 4 + facet_size * std::size_t{number_of_facets(bytes)};
+  const bool exact = has_size_of_binary(bytes);
   return is_ascii(bytes) && !exact ? AsciiReader(scanner).read() : read_binary(bytes, scanner);
 }
 
@@ -210,7 +216,7 @@ ShapeFormat stl_format() {
   return {.name = "STL",
           .description = "Stereolithography, ASCII or binary, without indices; written as binary, in single precision",
           .extensions = extensions,
-          .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid"); },
+          .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid") || has_size_of_binary(bytes); },
           .check_header = check_stl_header,
           .read = read_stl,
           .write = write_stl};

@@ -160,6 +160,19 @@ class XyzReader {
   std::optional<std::size_t> not_finite_;  ///< the place in the text of the first that is not finite
 };
 
+/// Whether the first line is a point. Three whole numbers may be the counts of an OFF file as well.
+bool begins_like_xyz(std::string_view bytes) {
+  const std::string line = in_words(std::string(first_line_of_data(bytes)));
+  const std::string name;
+  TextScanner scanner(line, name);
+  int numbers = 0;
+  for (std::string_view word = scanner.read_word(); !word.empty(); word = scanner.read_word()) {
+    if (!parse_number(word)) return false;
+    ++numbers;
+  }
+  return numbers > 3 || (numbers == 3 && line.find_first_of(".eE-") != std::string::npos);
+}
+
 }  // namespace
 
 Shape read_xyz(const std::string& bytes, const std::string& name) {
@@ -179,6 +192,7 @@ ShapeFormat xyz_format() {
           .description = "Lines of numbers: point clouds, with normals or without",
           .extensions = extensions,
           .ambiguous_extensions = ambiguous_extensions,
+          .begins_like = begins_like_xyz,
           .check_header = check_xyz_header,
           .read = read_xyz};
 }

@@ -276,6 +276,7 @@ Shape without_elements(Shape shape, const std::vector<bool>& removed) {
     if (shape.normals.rows() > 0) remove_rows(shape.normals, removed);
   } else {
     remove_rows(shape.triangles, removed);
+    shape.polygons = {};
   }
   return shape;
 }

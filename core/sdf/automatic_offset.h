@@ -25,7 +25,7 @@ struct AutomaticOffset {
 /// The offset r for a shape of which nothing is known (the paper leaves its choice open, "Limitations"): the least that
 /// closes its gaps, with a tenth to spare (but for openings that even `most` leaves open), and levels its noise.
 /// Without triangles, noise cannot be told from spacing and does not count. Throws InputError where the shape is
-/// unusable (validity.h) or has no extent, or the bounds are out of order.
+/// unusable (require_usable()) or has no extent, or the bounds are out of order.
 AutomaticOffset automatic_offset(const Shape& shape, const AutomaticOffsetOptions& options = {});
 
 }  // namespace shapegauge

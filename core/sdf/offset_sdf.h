@@ -55,7 +55,7 @@ struct OffsetSdfResult {
 /// other. Keeps no reference to the shape. Safe to ask from many threads.
 class OffsetSdfSolver {
  public:
-  /// The shape may be a point cloud. Throws InputError where it is unusable (validity.h) or has no extent.
+  /// The shape may be a point cloud. Throws InputError where it is unusable (require_usable()) or has no extent.
   explicit OffsetSdfSolver(const Shape& shape);
 
   /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1; docs/definitions.md#offset-sdf). Throws

@@ -14,6 +14,13 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// m x 3 vertex indices, a row a triangle.
 using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
+/// The polygons of a file that the triangles of a mesh are parts of (polygons.h). The triangles of a polygon follow
+/// each other, in the order of the polygons.
+struct Polygons {
+  std::vector<std::int32_t> of_triangle = {};  ///< empty where triangle i is polygon i
+  std::int32_t count = 0;                      ///< of the file; not used where `of_triangle` is empty
+};
+
 /// A shape: a triangle soup or, where there are no triangles, a point cloud.
 ///
 /// Nothing is assumed of the triangles: they may be non-manifold, degenerate, or inconsistently oriented. Unreferenced
@@ -21,7 +28,8 @@ using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor
 struct Shape {
   Points vertices;
   Triangles triangles;
-  Points normals = {};  ///< unit normals of a point cloud's points, where the file gives them; otherwise empty
+  Points normals = {};     ///< unit normals of a point cloud's points, where the file gives them; otherwise empty
+  Polygons polygons = {};  ///< as the mesh was read; what changes the list of triangles drops them
 };
 
 /// The axis-aligned bounding box of the vertices that a triangle uses, or of all points of a cloud. Empty for an empty

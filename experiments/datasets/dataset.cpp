@@ -1,9 +1,12 @@
 #include "shapegauge/experiments/datasets/dataset.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <string>
 #include <string_view>
+#include <system_error>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/files/model_ids.h"
 
@@ -18,9 +21,12 @@ bool is_hidden(const fs::path& path) { return path.filename().string().starts_wi
 template <typename Predicate>
 std::vector<fs::path> entries(const fs::path& folder, Predicate wanted) {
   std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (wanted(entry)) found.push_back(entry.path());
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
+    if (!is_hidden(entry->path()) && wanted(entry->path())) found.push_back(entry->path());
   }
+  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
   std::ranges::sort(found, natural_less, [](const fs::path& path) { return path.filename().string(); });
   return found;
 }
@@ -32,14 +38,22 @@ bool is_model_file(const fs::path& path) {
   return !is_hidden(path) && without_shape_extension(name) != name;
 }
 
-std::vector<fs::path> model_files(const fs::path& folder) {
-  return entries(
-      folder, [](const fs::directory_entry& entry) { return entry.is_regular_file() && is_model_file(entry.path()); });
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
 }
 
+bool leads_nowhere(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_symlink(path, ignored) && !fs::exists(path, ignored);
+}
+
+std::vector<fs::path> model_files(const fs::path& folder) { return entries(folder, is_model_file); }
+
 std::vector<fs::path> subfolders(const fs::path& folder) {
-  return entries(folder,
-                 [](const fs::directory_entry& entry) { return entry.is_directory() && !is_hidden(entry.path()); });
+  return entries(folder, [](const fs::path& path) {
+    return is_folder(path) || (leads_nowhere(path) && path.extension().empty());
+  });
 }
 
 }  // namespace shapegauge

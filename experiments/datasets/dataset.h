@@ -31,10 +31,18 @@ struct Dataset {
 /// anything, and is not counted.
 bool is_model_file(const std::filesystem::path& path);
 
-/// The shape files right in the folder, in natural order of their names.
+/// Whether the path is a folder, or a link to one. False where that cannot be found out.
+bool is_folder(const std::filesystem::path& path);
+
+/// Whether the path is a symbolic link to nothing, or one that goes round in a circle.
+bool leads_nowhere(const std::filesystem::path& path);
+
+/// What has the name of a shape file right in the folder, in natural order of the names. It need not be a file that can
+/// be read, or a file at all: check_models says so. Throws InputError where the folder cannot be read.
 std::vector<std::filesystem::path> model_files(const std::filesystem::path& folder);
 
-/// The folders right in the folder that are not hidden, in natural order of their names.
+/// The folders right in the folder that are not hidden, in natural order of their names; with them links without an
+/// extension that lead nowhere, since they may have led to a folder. Throws InputError where the folder cannot be read.
 std::vector<std::filesystem::path> subfolders(const std::filesystem::path& folder);
 
 }  // namespace shapegauge

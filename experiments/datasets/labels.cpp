@@ -12,6 +12,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/classification.h"
 #include "shapegauge/experiments/files/compressed_files.h"
@@ -73,19 +74,6 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .listed = false,
           .without_ids = false,
           .source = path.string()};
-}
-
-// The separator of a table: the first of tab, semicolon and comma that its first line has; a line end where it has
-// none.
-char separator_of(std::string_view text) {
-  for (const std::string_view line : split_lines(text)) {
-    if (trim(line).empty()) continue;
-    for (const char separator : {'\t', ';', ','}) {
-      if (line.find(separator) != std::string_view::npos) return separator;
-    }
-    break;
-  }
-  return '\n';
 }
 
 // Where a table has what.
@@ -162,8 +150,19 @@ ModelLabels labels_in_order(const std::vector<std::string>& names, const std::st
   return labels;
 }
 
+ModelLabels string_labels(const std::vector<std::string>& names, const std::string& source) {
+  const auto empty = std::ranges::find(names, std::string());
+  if (empty != names.end()) {
+    throw InputError(
+        fmt::format("{}: entry {} (counted from 0) is empty: every model has a class", source, empty - names.begin()));
+  }
+  return labels_in_order(names, source);
+}
+
 ModelLabels read_label_array(const fs::path& path) {
-  const DistanceMatrix numbers = parse_npy_table(read_plain_bytes(path), path.string());
+  const std::string bytes = read_plain_bytes(path);
+  if (const auto names = parse_npy_strings(bytes, path.string())) return string_labels(*names, path.string());
+  const DistanceMatrix numbers = parse_npy_table(bytes, path.string());
   if (numbers.rows() != 1 && numbers.cols() != 1) {
     throw InputError(fmt::format("{}: labels are an array of one dimension, not {} x {}", path.string(), numbers.rows(),
                                  numbers.cols()));
@@ -183,8 +182,9 @@ ModelLabels read_label_array(const fs::path& path) {
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
   const std::string text = read_plain_bytes(path);
-  const char separator = separator_of(text);
-  if (separator != '\n') return parse_label_table(parse_csv(text, path.string(), separator), path.string());
+  if (const std::optional<char> separator = first_separator(text)) {
+    return parse_label_table(parse_csv(text, path.string(), *separator), path.string());
+  }
   std::vector<std::string> names;
   for (const std::string_view line : split_lines(text)) {
     if (!trim(line).empty()) names.emplace_back(trim(line));
@@ -243,7 +243,7 @@ ModelLabels told_apart(ModelLabels labels, std::string_view role) {
 }  // namespace
 
 ModelLabels read_labels(const fs::path& path, std::size_t level) {
-  if (fs::is_directory(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);
+  if (is_folder(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);
   if (lower_case(path.extension().string()) == ".cla") {
     return all_are_both(at_level(read_classification(path), level, path.string()), path);
   }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <set>
+#include <system_error>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -23,8 +24,9 @@ namespace shapegauge {
 Dataset find_csv_dataset(const DatasetLocation& location);
 
 /// The layout "folders": a folder for each class, in it the models, or folders train and test with the models. The id
-/// of a model is its path below the root without the extension. Throws InputError: no class folders, a class without
-/// models, two files of one id, a split that no class has.
+/// of a model is its path below the root without the extension. A folder that cannot be read is a model of its class,
+/// which check_models then names. Throws InputError: no class folders, a class without models, two files of one id, a
+/// split that no class has.
 Dataset find_folders_dataset(const DatasetLocation& location);
 
 /// The layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file that says which of them are used
@@ -95,17 +97,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void append(std::vector<fs::path>& files, const fs::path& folder) {
-  const std::vector<fs::path> more = model_files(folder);
-  files.insert(files.end(), more.begin(), more.end());
+bool is_readable(const fs::path& folder) {
+  std::error_code failure;
+  const fs::directory_iterator entries(folder, failure);
+  return !failure;
+}
+
+/// The models in the folder; where it cannot be read, the folder itself in place of a model.
+std::vector<fs::path> models_or_itself(const fs::path& folder) {
+  return is_readable(folder) ? model_files(folder) : std::vector{folder};
 }
 
 /// The files of a class: those of the split, and with "all" also those right in the class's folder.
 std::vector<fs::path> class_files(const fs::path& folder, const std::string& split) {
   std::vector<fs::path> files;
-  if (split == "all") append(files, folder);
+  if (split == "all" || !is_readable(folder)) files = models_or_itself(folder);
   for (const char* part : {"test", "train"}) {
-    if ((split == "all" || split == part) && fs::is_directory(folder / part)) append(files, folder / part);
+    const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
+    if (!there || (split != "all" && split != part)) continue;
+    const std::vector<fs::path> more = models_or_itself(folder / part);
+    files.insert(files.end(), more.begin(), more.end());
   }
   return files;
 }
@@ -125,7 +136,9 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
     for (const fs::path& file : files) {
-      const std::string id = fs::path(file).replace_extension().lexically_relative(location.root).generic_string();
+      // A folder that stands for the models in it may have a name with a dot.
+      const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
+      const std::string id = named.lexically_relative(location.root).generic_string();
       if (!ids.insert(id).second) {
         throw InputError(fmt::format("{}: another file is the model {} already; keep one", file.string(), id));
       }

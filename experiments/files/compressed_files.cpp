@@ -1,5 +1,6 @@
 #include "shapegauge/experiments/files/compressed_files.h"
 
+#include <algorithm>
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
@@ -25,14 +26,16 @@ using Archive = std::unique_ptr<archive, FreeArchive>;
   throw InputError(fmt::format("{}: {}: {}", source, what, reason != nullptr ? reason : "the file is damaged"));
 }
 
-// What the entry that the archive stands at holds.
-std::string entry_bytes(archive* opened, const std::string& source, std::string_view what) {
+// What the entry that the archive stands at holds. `packed`: size of the archive.
+std::string entry_bytes(archive* opened, std::size_t packed, const std::string& source, std::string_view what) {
+  const std::size_t most = most_unpacked_bytes(packed);
   std::string bytes;
   std::string part(1 << 16, '\0');
   while (true) {
     const la_ssize_t count = archive_read_data(opened, part.data(), part.size());
     if (count < 0) fail(opened, source, what);
     if (count == 0) return bytes;
+    if (bytes.size() + static_cast<std::size_t>(count) > most) fail_unpacking(source, packed);
     bytes.append(part, 0, static_cast<std::size_t>(count));
   }
 }
@@ -42,6 +45,19 @@ std::string entry_bytes(archive* opened, const std::string& source, std::string_
 std::string format_extension(const std::filesystem::path& path) {
   const std::string extension = lower_case(path.extension().string());
   return extension == ".gz" ? lower_case(path.stem().extension().string()) : extension;
+}
+
+std::size_t most_unpacked_bytes(std::size_t packed) {
+  constexpr std::size_t always = std::size_t{256} << 20;
+  constexpr std::size_t never = std::size_t{16} << 30;
+  constexpr std::size_t ratio = 50;
+  return packed > never / ratio ? never : std::max(always, ratio * packed);
+}
+
+void fail_unpacking(const std::string& source, std::size_t packed) {
+  throw InputError(fmt::format(
+      "{}: its {} bytes unpack to more than {} MiB, which is no table of numbers; unpack it yourself if it is", source,
+      packed, most_unpacked_bytes(packed) >> 20U));
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {
@@ -57,7 +73,7 @@ std::string read_plain_bytes(const std::filesystem::path& path) {
       archive_filter_code(opened.get(), 0) != ARCHIVE_FILTER_GZIP) {
     fail(opened.get(), path.string(), what);
   }
-  return entry_bytes(opened.get(), path.string(), what);
+  return entry_bytes(opened.get(), bytes.size(), path.string(), what);
 }
 
 std::string array_in_npz(std::string_view bytes, const std::string& source) {
@@ -75,7 +91,7 @@ std::string array_in_npz(std::string_view bytes, const std::string& source) {
     const char* const name = archive_entry_pathname(entry);
     if (name == nullptr || !std::string_view(name).ends_with(".npy")) continue;
     names.emplace_back(name, std::string_view(name).size() - 4);
-    if (names.size() == 1) array = entry_bytes(opened.get(), source, what);
+    if (names.size() == 1) array = entry_bytes(opened.get(), bytes.size(), source, what);
   }
   if (status != ARCHIVE_EOF) fail(opened.get(), source, what);
   if (names.size() == 1) return array;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,12 +10,20 @@ namespace shapegauge {
 /// The extension that tells a file's format, in lower case: that of the name, without `.gz`.
 std::string format_extension(const std::filesystem::path& path);
 
+/// Largest number of bytes that so many bytes of a file may unpack to: 256 MiB, or 50 times as many where that is more,
+/// but never more than 16 GiB. Tables of numbers shrink to a half or a tenth; a file that claims more is not one.
+std::size_t most_unpacked_bytes(std::size_t packed);
+
+/// Throws InputError that says so, for a file of so many bytes.
+[[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
+
 /// The bytes of a file; where its name ends in `.gz`, what is compressed in it. Throws InputError as read_file_bytes,
-/// and where it is no gzip file or a damaged one.
+/// where it is no gzip file or a damaged one, and where it unpacks to more than most_unpacked_bytes().
 std::string read_plain_bytes(const std::filesystem::path& path);
 
 /// The `.npy` file of the only array of a NumPy `.npz` archive, given its bytes. Throws InputError where it is no such
-/// archive, is damaged, or has another number of arrays than one, which are then named.
+/// archive, is damaged, unpacks to more than most_unpacked_bytes(), or has another number of arrays than one, which are
+/// then named.
 std::string array_in_npz(std::string_view bytes, const std::string& source);
 
 }  // namespace shapegauge

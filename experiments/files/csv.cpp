@@ -100,6 +100,50 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, 
   return CsvParser(text, source, separator).rows();
 }
 
+namespace {
+
+std::string_view first_line(std::string_view text) {
+  text = without_byte_order_mark(text);
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  // A line that begins with a tab has an empty cell in front.
+  const std::size_t line_begin = text.substr(0, begin).rfind('\n') + 1;
+  return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Without what stands in quotation marks and without decimal commas.
+std::string separators_only(std::string_view line) {
+  std::string rest;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    const bool between_digits = i > 0 && i + 1 < line.size() && is_digit(line[i - 1]) && is_digit(line[i + 1]);
+    if (!quoted && !(line[i] == ',' && between_digits)) rest += line[i];
+  }
+  return rest;
+}
+
+}  // namespace
+
+std::optional<char> first_separator(std::string_view text) {
+  const std::string_view line = first_line(text);
+  for (const char separator : {'\t', ';', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return std::nullopt;
+}
+
+char number_separator(std::string_view text) {
+  std::string_view line = first_line(text);
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  const std::string separators = separators_only(line);
+  for (const char separator : {',', '\t', ';'}) {
+    if (separators.find(separator) != std::string::npos) return separator;
+  }
+  return ',';
+}
+
 std::string csv_cell(std::string_view text) {
   const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos && text == trim(text);
   if (plain) return std::string(text);

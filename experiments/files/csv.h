@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,14 @@ struct CsvRow {
 /// doubled, quotation marks; blanks around a cell do not count. Rows with nothing but blanks are passed over. Throws
 /// InputError "<source>:<line>: ..." where quotation marks are not closed or something follows them.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator = ',');
+
+/// The first of tab, semicolon and comma that the first line of the text that is not blank has; nothing where it has
+/// none.
+std::optional<char> first_separator(std::string_view text);
+
+/// The separator of a table of numbers, with names in quotation marks or without: a comma, unless its first line has
+/// tabs or semicolons and no commas but those in quotation marks and, as a decimal comma, between digits.
+char number_separator(std::string_view text);
 
 /// The text as a cell that parse_csv reads back: in quotation marks where it needs them.
 std::string csv_cell(std::string_view text);

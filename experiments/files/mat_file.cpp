@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/files/compressed_files.h"
 
 namespace shapegauge {
 
@@ -73,14 +74,21 @@ DistanceMatrix read_mat(const std::filesystem::path& path) {
   const std::unique_ptr<mat_t, CloseFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
   if (file == nullptr) throw InputError(fmt::format("{}: this is no .mat file, or a damaged one", path.string()));
   std::vector<std::string> names;
+  double bytes = 0;
   while (const Variable variable{Mat_VarReadNextInfo(file.get())}) {
-    if (is_matrix(*variable)) names.emplace_back(variable->name);
+    if (!is_matrix(*variable)) continue;
+    names.emplace_back(variable->name);
+    bytes = static_cast<double>(variable->dims[0]) * static_cast<double>(variable->dims[1]) *
+            static_cast<double>(Mat_SizeOfClass(variable->class_type));
   }
   if (names.size() != 1) {
     throw InputError(
         fmt::format("{}: expected one matrix of real numbers, but the file has {}{}", path.string(),
                     names.empty() ? "none" : "several: ", printable(fmt::format("{}", fmt::join(names, ", ")), 60)));
   }
+  // Numbers may be compressed, and the claimed size may be any.
+  const std::size_t packed = std::filesystem::file_size(path);
+  if (bytes > static_cast<double>(most_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
   const Variable variable{Mat_VarRead(file.get(), names.front().c_str())};
   if (variable == nullptr || variable->data == nullptr) {
     throw InputError(fmt::format("{}: the matrix {} cannot be read; the file is cut off or damaged", path.string(),

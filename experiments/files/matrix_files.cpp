@@ -38,8 +38,10 @@ class NumberRows {
   void add_number(std::string_view word, std::size_t line) {
     const auto number = parse_number(word);
     if (!number) {
-      throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row)", *source_, line,
-                                   quoted_word(word), numbers_.size() - row_begin_ + 1));
+      const bool decimal_comma = word.find(',') != std::string_view::npos;
+      throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row){}", *source_, line,
+                                   quoted_word(word), numbers_.size() - row_begin_ + 1,
+                                   decimal_comma ? "; write decimal points, not commas" : ""));
     }
     numbers_.push_back(*number);
   }
@@ -116,7 +118,7 @@ void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::s
 }  // namespace
 
 LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source) {
-  const std::vector<CsvRow> table = parse_csv(text, source);
+  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
   LabelledDistances result;
   const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
   if (has_ids) result.ids = read_ids(table.front(), source);
@@ -152,7 +154,7 @@ bool has_header(const std::vector<CsvRow>& table) {
 }  // namespace
 
 LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
-  const std::vector<CsvRow> table = parse_csv(text, source);
+  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
   const bool header = has_header(table);
   const std::size_t first_row = header ? 1 : 0;
   const bool row_ids = (header && names_ids(table.front().cells.front())) ||
@@ -219,18 +221,38 @@ DistanceMatrix read_psb_matrix(const std::filesystem::path& path) {
   return parse_psb_matrix(read_plain_bytes(path), path.string());
 }
 
+namespace {
+
+// The separator of numbers: a semicolon or comma where the line has one, a blank otherwise.
+char separator_of_line(std::string_view line) {
+  for (const char separator : {';', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return ' ';
+}
+
+void add_numbers(NumberRows& rows, std::string_view line, char separator, std::size_t number) {
+  const std::string_view ends = separator == ' ' ? std::string_view(" \t") : std::string_view(&separator, 1);
+  while (true) {
+    const std::size_t end = line.find_first_of(ends);
+    rows.add_number(trim(line.substr(0, end)), number);
+    if (end == std::string_view::npos) return;
+    line = separator == ' ' ? trim(line.substr(end)) : line.substr(end + 1);
+  }
+}
+
+}  // namespace
+
 DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
   NumberRows rows(source, shape);
+  std::optional<char> separator;
   std::size_t number = 0;
   for (std::string_view line : split_lines(text)) {
     ++number;
     line = trim(line);
     if (line.empty() || line.starts_with('#')) continue;
-    while (!line.empty()) {
-      const std::string_view word = line.substr(0, line.find_first_of(" \t"));
-      rows.add_number(word, number);
-      line = trim(line.substr(word.size()));
-    }
+    if (!separator) separator = separator_of_line(line);
+    add_numbers(rows, line, *separator, number);
     rows.end_row(number);
   }
   return rows.matrix();

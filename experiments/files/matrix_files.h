@@ -27,20 +27,20 @@ struct LabelledTable {
 /// What a reader takes: the square matrix of a distance, or any table of numbers.
 enum class TableShape { square, any };
 
-/// Reads a square matrix of comma-separated numbers. With ids: a header row (a first cell that is not a number, then
-/// the ids of the columns) and an id in front of each row, the same ids in the same order. Where the very first cell is
-/// a number the file has no ids. Cells may be quoted. Throws InputError: absent or unreadable file, something that is
-/// not a number, a row of another length, not as many rows as columns, an id that is empty or occurs twice, ids of rows
-/// and columns that differ.
+/// Reads a square matrix of numbers separated by commas, semicolons or tabs (number_separator()). With ids: a header
+/// row (a first cell that is not a number, then the ids of the columns) and an id in front of each row, the same ids in
+/// the same order. Where the very first cell is a number the file has no ids. Cells may be quoted. Throws InputError:
+/// absent or unreadable file, something that is not a number, a row of another length, not as many rows as columns, an
+/// id that is empty or occurs twice, ids of rows and columns that differ.
 LabelledDistances read_csv_matrix(const std::filesystem::path& path);
 
 /// The same for the text of a file; `source` stands in front of messages.
 LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source);
 
-/// Reads any table of comma-separated numbers with rows of equal length, with or without ids. The first row is a header
-/// where its first cell is no number, unless all its other cells are numbers and that cell is neither empty nor "id".
-/// The first column holds the ids of the rows where the header begins with an empty cell or "id", or where the first
-/// cell of the first row of numbers is no number. Throws InputError as read_csv_matrix.
+/// Reads any table of numbers, separated as above, with rows of equal length, with or without ids. The first row is a
+/// header where its first cell is no number, unless all its other cells are numbers and that cell is neither empty nor
+/// "id". The first column holds the ids of the rows where the header begins with an empty cell or "id", or where the
+/// first cell of the first row of numbers is no number. Throws InputError as read_csv_matrix.
 LabelledTable parse_csv_table(std::string_view text, const std::string& source);
 
 /// Reads the Princeton Shape Benchmark's `.matrix`: N x N float32, little-endian, row by row, no header. N follows from
@@ -51,7 +51,8 @@ DistanceMatrix read_psb_matrix(const std::filesystem::path& path);
 /// The same for the bytes of a file; `source` stands in front of messages.
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source);
 
-/// Reads a square matrix of numbers between blanks, one row a line, as numpy.savetxt writes it. Empty lines and lines
+/// Reads a square matrix of numbers between blanks, one row a line, as numpy.savetxt writes it; where its first row has
+/// semicolons or, failing that, commas, those separate the numbers. Empty lines and lines
 /// that begin with `#` are passed over; `inf` is a number. Throws InputError: absent or unreadable file, something that
 /// is not a number, a row of another length, not as many rows as columns.
 DistanceMatrix read_text_matrix(const std::filesystem::path& path);

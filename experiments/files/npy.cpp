@@ -242,6 +242,12 @@ NumberFormat number_format_of(const NpyHeader& header, const std::string& source
                         : type.starts_with('=') ? std::endian::native
                                                 : std::endian::little);
   }
+  if (type.ends_with('O')) {
+    throw InputError(
+        fmt::format("{}: the array holds Python objects, which are not read; save numbers as float64, and labels as "
+                    "numpy.array(labels, dtype=str)",
+                    source));
+  }
   throw InputError(
       fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
 }
@@ -257,6 +263,73 @@ void check_shape(const NpyHeader& header, bool square, const std::string& source
     throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
                                  shape_as_text(header)));
   }
+}
+
+std::uint64_t columns_of(const NpyHeader& header) { return header.shape.size() == 1 ? 1 : header.shape[1]; }
+
+void check_data_size(const NpyHeader& header, std::size_t item, std::size_t file_size, const std::string& source) {
+  const std::size_t data_bytes = file_size - header.data_begin;
+  const std::uint64_t rows = header.shape[0];
+  const std::uint64_t columns = columns_of(header);
+  // Compared by division: the claimed size may be so large that the product does not fit into a number.
+  if (rows <= data_bytes / item / columns && rows * columns * item == data_bytes) return;
+  throw InputError(
+      fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
+                  "type {} has; the file is cut off or damaged",
+                  source, data_bytes, shape_as_text(header), printable(header.type, 40)));
+}
+
+/// How the strings of an array lie in its file.
+struct StringFormat {
+  bool unicode = false;  ///< a character has four bytes, not one
+  std::endian order = std::endian::little;
+  std::size_t length = 0;  ///< in characters; shorter ones are followed by zeros
+};
+
+/// Nothing for a type that is not of strings.
+std::optional<StringFormat> string_format_of(std::string_view type) {
+  if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) return std::nullopt;
+  if (type[1] != 'U' && type[1] != 'S') return std::nullopt;
+  StringFormat format{
+      .unicode = type[1] == 'U',
+      .order = type[0] == '>' ? std::endian::big : (type[0] == '=' ? std::endian::native : std::endian::little)};
+  const char* const end = type.data() + type.size();
+  const auto [stop, error] = std::from_chars(type.data() + 2, end, format.length);
+  constexpr std::size_t longest = 1 << 20;
+  if (error != std::errc() || stop != end || format.length == 0 || format.length > longest) return std::nullopt;
+  return format;
+}
+
+void append_utf8(std::string& text, std::uint32_t character) {
+  const auto append = [&](std::uint32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (character < 0x80) return append(character);
+  if (character < 0x800) {
+    append(0xC0U | (character >> 6U));
+  } else {
+    if (character < 0x10000) {
+      append(0xE0U | (character >> 12U));
+    } else {
+      append(0xF0U | (character >> 18U));
+      append(0x80U | ((character >> 12U) & 0x3FU));
+    }
+    append(0x80U | ((character >> 6U) & 0x3FU));
+  }
+  append(0x80U | (character & 0x3FU));
+}
+
+/// One string of `format.length` characters, without the zeros behind it; nothing where it holds no characters.
+std::optional<std::string> decoded_string(std::string_view bytes, const StringFormat& format) {
+  if (!format.unicode) return std::string(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
+  std::u32string characters;
+  ByteScanner scanner(bytes, format.order);
+  for (std::uint32_t character = 0; scanner.read(character);) {
+    if (character > 0x10FFFF || (character >= 0xD800 && character < 0xE000)) return std::nullopt;
+    characters += static_cast<char32_t>(character);
+  }
+  characters.erase(characters.find_last_not_of(U'\0') + 1);
+  std::string text;
+  for (const char32_t character : characters) append_utf8(text, character);
+  return text;
 }
 
 DistanceMatrix decoded(std::string_view bytes, const NpyTable& table) {
@@ -276,19 +349,9 @@ NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_siz
   const NpyHeader header = parse_npy_header(beginning, source);
   check_shape(header, square, source);
   const NumberFormat numbers = number_format_of(header, source);
-  const std::size_t data_bytes = file_size - header.data_begin;
-  const std::uint64_t rows = header.shape[0];
-  const std::uint64_t columns = header.shape.size() == 1 ? 1 : header.shape[1];
-  // Compared by division: the claimed size may be so large that the product does not fit into a number.
-  const bool fits = rows <= data_bytes / numbers.bytes / columns && rows * columns * numbers.bytes == data_bytes;
-  if (!fits) {
-    throw InputError(
-        fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
-                    "type {} has; the file is cut off or damaged",
-                    source, data_bytes, shape_as_text(header), header.type));
-  }
-  return {.rows = static_cast<Eigen::Index>(rows),
-          .columns = static_cast<Eigen::Index>(columns),
+  check_data_size(header, numbers.bytes, file_size, source);
+  return {.rows = static_cast<Eigen::Index>(header.shape[0]),
+          .columns = static_cast<Eigen::Index>(columns_of(header)),
           .numbers = numbers,
           .column_by_column = header.column_by_column,
           .data_begin = header.data_begin};
@@ -300,6 +363,29 @@ DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
 
 DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source) {
   return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), false, source));
+}
+
+std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes, const std::string& source) {
+  const NpyHeader header = parse_npy_header(bytes, source);
+  const std::optional<StringFormat> format = string_format_of(header.type);
+  if (!format) return std::nullopt;
+  check_shape(header, false, source);
+  if (header.shape[0] != 1 && columns_of(header) != 1) {
+    throw InputError(fmt::format("{}: expected strings in one dimension, but this array has the shape {}", source,
+                                 shape_as_text(header)));
+  }
+  const std::size_t item = format->length * (format->unicode ? 4 : 1);
+  check_data_size(header, item, bytes.size(), source);
+  std::vector<std::string> strings;
+  for (std::size_t begin = header.data_begin; begin < bytes.size(); begin += item) {
+    std::optional<std::string> string = decoded_string(bytes.substr(begin, item), *format);
+    if (!string) {
+      throw InputError(fmt::format("{}: entry {} (counted from 0) holds what is no character; the file is damaged",
+                                   source, strings.size()));
+    }
+    strings.push_back(*std::move(string));
+  }
+  return strings;
 }
 
 std::string npy_numbers(std::span<const double> numbers) {

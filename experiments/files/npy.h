@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -76,6 +77,11 @@ DistanceMatrix parse_npy(std::string_view bytes, const std::string& source);
 
 /// Reads any matrix, square or not, in the same way.
 DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source);
+
+/// Reads an array of strings, of one dimension or of one row or column, from the bytes of a `.npy` file: NumPy's types
+/// `U`, which becomes UTF-8, and `S`. Nothing where the array is of another type. Throws InputError as
+/// parse_npy_table_header.
+std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes, const std::string& source);
 
 /// Writes a matrix as `.npy`, version 1.0, little-endian float64, C order, as numpy.save does. Throws InputError where
 /// the file cannot be written.

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/experiments/files/csv.h"
 
@@ -51,11 +52,11 @@ Table with_cells(Table table, const std::function<std::string(const std::string&
   return table;
 }
 
-// A cell on one line.
+// A cell on one line of a terminal.
 std::string plain_cell(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-  return text;
+  return printable(text);
 }
 
 std::string markdown_cell(const std::string& text) {

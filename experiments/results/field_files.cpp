@@ -11,6 +11,7 @@
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/view/shape_view.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -26,11 +27,19 @@ std::vector<Colour> colours(const Samples& samples, const Eigen::VectorXd& value
   return colours_of(values, range.low, range.high);
 }
 
-void write_csv(const fs::path& path, const Shape& /*shape*/, const Samples& samples, const Eigen::VectorXd& values) {
+/// Whether rows of samples name the polygons of the file that they lie on.
+bool names_polygons(const Shape& shape, const Samples& samples) {
+  return samples.site == SampleSite::faces && has_polygons(shape);
+}
+
+void write_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+  const bool polygons = names_polygons(shape, samples);
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "index,sdf,weight\n");
+  fmt::format_to(std::back_inserter(text), "index,sdf,weight{}\n", polygons ? ",polygon" : "");
   for (Eigen::Index i = 0; i < values.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{}\n", i, values[i], samples.weights[i]);
+    fmt::format_to(std::back_inserter(text), "{},{},{}", i, values[i], samples.weights[i]);
+    if (polygons) fmt::format_to(std::back_inserter(text), ",{}", polygon_of(shape, i));
+    text.push_back('\n');
   }
   write_file_atomically(path, {text.data(), text.size()});
 }
@@ -45,12 +54,15 @@ void write_coloured_shape(const fs::path& path, const Shape& shape, const Sample
   write_ply(path, shape, samples.site, values, colours(samples, values));
 }
 
-void write_normals_csv(const fs::path& path, const Shape& /*shape*/, const Samples& samples, const Points& normals) {
+void write_normals_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Points& normals) {
+  const bool polygons = names_polygons(shape, samples);
   fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "index,nx,ny,nz,weight\n");
+  fmt::format_to(std::back_inserter(text), "index,nx,ny,nz,weight{}\n", polygons ? ",polygon" : "");
   for (Eigen::Index i = 0; i < normals.rows(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", i, normals(i, 0), normals(i, 1), normals(i, 2),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}", i, normals(i, 0), normals(i, 1), normals(i, 2),
                    samples.weights[i]);
+    if (polygons) fmt::format_to(std::back_inserter(text), ",{}", polygon_of(shape, i));
+    text.push_back('\n');
   }
   write_file_atomically(path, {text.data(), text.size()});
 }

@@ -21,6 +21,7 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/files/sha256.h"
@@ -69,10 +70,10 @@ class ShapeJob {
   /// - `index`: the model's in the data set, which perturbations may depend on.
   ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index, Cache& cache)
       : experiment_(experiment), model_(model), index_(index), cache_(cache), mesh_(read_shape(model.mesh)) {
-    const auto faces = static_cast<std::size_t>(mesh_.triangles.rows());
     result.mesh_sha256 = sha256_of_file(model.mesh);
+    result.has_polygons = has_polygons(mesh_);
     for (const std::filesystem::path& file : model.people) {
-      people_.push_back(read_seg(file, faces));
+      people_.push_back(read_seg(file, mesh_));
       result.people_sha256.push_back(sha256_of_file(file));
     }
     for (const SegmentationMethod& method : experiment.methods) result.labels.push_back(cached_labels(method));
@@ -82,9 +83,8 @@ class ShapeJob {
     const Eigen::VectorXd areas = sample_shape(mesh_, SampleSite::faces).weights;
     for (const Labels& labels : result.labels) result.part_sizes.push_back(part_sizes(labels, areas));
     for (std::size_t m = 0; m < result.labels.size(); ++m) result.moved.push_back(moved(m, scorer));
-    if (!experiment.pictures) return;
-    if (!people_.empty()) result.pictures.push_back(picture(people_.front()));
-    for (const Labels& labels : result.labels) result.pictures.push_back(picture(labels));
+    if (experiment.pictures) take_pictures();
+    for (Labels& labels : result.labels) labels = labels_of_polygons(mesh_, labels);
   }
 
   SegmentedShape result;
@@ -124,6 +124,11 @@ class ShapeJob {
     if (without.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
     without.perturbations.clear();
     return scorer.errors(result.labels[method], cached_labels(without)).rand_index;
+  }
+
+  void take_pictures() {
+    if (!people_.empty()) result.pictures.push_back(picture(people_.front()));
+    for (const Labels& labels : result.labels) result.pictures.push_back(picture(labels));
   }
 
   [[nodiscard]] std::string picture(const Labels& labels) const {

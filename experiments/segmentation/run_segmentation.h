@@ -20,7 +20,8 @@ namespace shapegauge {
 struct SegmentedShape {
   std::string mesh_sha256;
   std::vector<std::string> people_sha256;
-  std::vector<std::vector<std::int32_t>> labels;  ///< by method; of each triangle the number of its part
+  std::vector<std::vector<std::int32_t>> labels;  ///< by method; of each face of the file the number of its part
+  bool has_polygons = false;                      ///< faces of the file are polygons
   std::vector<std::vector<double>> part_sizes;    ///< by method: the parts' fractions of the area, largest first
   /// By method with perturbations: the Rand Index error of its parts against those of the method without them; NaN for
   /// others.

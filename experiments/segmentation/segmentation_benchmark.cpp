@@ -8,9 +8,11 @@
 #include <limits>
 #include <span>
 #include <string_view>
+#include <system_error>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/datasets/dataset.h"
 #include "shapegauge/experiments/datasets/layouts.h"
@@ -35,12 +37,16 @@ std::size_t psb_class(const std::string& id) {
   return known ? static_cast<std::size_t>((number - 1) / models_per_class) : psb_classes.size() - 1;
 }
 
+/// The segmentations in a folder; where it cannot be read, the folder itself, which fails when it is read.
 std::vector<fs::path> seg_files(const fs::path& folder) {
   std::vector<fs::path> files;
-  if (!fs::is_directory(folder)) return files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".seg") files.push_back(entry.path());
+  if (!is_folder(folder)) return leads_nowhere(folder) ? std::vector{folder} : files;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure); !failure && entry != fs::directory_iterator();
+       entry.increment(failure)) {
+    if (entry->path().extension() == ".seg") files.push_back(entry->path());
   }
+  if (failure) return {folder};
   std::ranges::sort(files);
   return files;
 }
@@ -77,7 +83,7 @@ std::vector<MeshEdge> edges_of(const Shape& mesh, const std::vector<std::int32_t
 
 SegmentationBenchmark find_segmentation_benchmark(const fs::path& root) {
   for (const char* folder : {"off", "seg"}) {
-    if (fs::is_directory(root / folder)) continue;
+    if (is_folder(root / folder)) continue;
     throw InputError(
         fmt::format("{}: there is no folder {}; a segmentation benchmark has meshes off/N.off and people's "
                     "segmentations seg/N/*.seg",
@@ -120,7 +126,11 @@ SegmentationBenchmark find_generated_parts(const fs::path& root) {
 SegmentationScorer::SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring) {
   if (is_cloud(mesh)) throw InputError("segmentations of point clouds cannot be compared by faces");
   const Samples samples = sample_shape(mesh, SampleSite::faces);
-  if (scoring.by_area) weights_.assign(samples.weights.begin(), samples.weights.end());
+  if (scoring.by_area) {
+    weights_.assign(samples.weights.begin(), samples.weights.end());
+  } else if (has_polygons(mesh)) {
+    weights_ = polygon_shares(mesh);
+  }
   if (!scoring.cuts) return;
   const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
   edges_ = edges_of(mesh, merged);

@@ -99,8 +99,7 @@ std::vector<TrainingModel> prepared(const SegmentationBenchmark& benchmark) {
     const SegmentedModel& model = benchmark.models[i];
     const Shape mesh = read_shape(model.mesh);
     std::vector<std::vector<std::int32_t>> people;
-    for (const auto& file : model.people)
-      people.push_back(read_seg(file, static_cast<std::size_t>(mesh.triangles.rows())));
+    for (const auto& file : model.people) people.push_back(read_seg(file, mesh));
     models[i] = prepared(mesh, std::move(people));
     models[i].label = model.label;
   });

@@ -84,7 +84,7 @@ def _square(distances):
 
 
 def read(path):
-    """The shape in a file: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
+    """The shape in a file: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others). Polygons are triangulated.
 
     >>> sg.read("hand.off")
     <Shape: 5000 vertices, 9996 faces>

@@ -1,9 +1,14 @@
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "shapegauge/core/io/obj.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/stl.h"
+#include "shapegauge/core/shape/polygons.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 
@@ -16,6 +21,11 @@ void promise_sound(const Shape& shape) {
   if (shape.triangles.rows() == 0) return;
   promise(shape.triangles.minCoeff() >= 0, "indices are not negative");
   promise(shape.triangles.maxCoeff() < shape.vertices.rows(), "indices are within range");
+  if (!has_polygons(shape)) return;
+  const std::vector<std::int32_t>& polygons = shape.polygons.of_triangle;
+  promise(std::ssize(polygons) == shape.triangles.rows(), "every triangle is of a polygon");
+  promise(std::ranges::is_sorted(polygons), "triangles are in the order of the polygons");
+  promise(polygons.front() >= 0 && polygons.back() < polygon_count(shape), "polygons are within range");
 }
 
 using Read = Shape (*)(const std::string& bytes, const std::string& name);

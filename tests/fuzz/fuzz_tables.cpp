@@ -55,6 +55,16 @@ bool psb_matrix(std::string_view bytes) {
   return is_accepted("matrix:", [&] { promise_square(parse_psb_matrix(bytes, "matrix")); });
 }
 
+bool npy_strings(std::string_view bytes) {
+  bool are_strings = false;
+  const bool accepted = is_accepted("labels:", [&] {
+    const auto strings = parse_npy_strings(bytes, "labels");
+    are_strings = strings.has_value();
+    promise(!strings || !strings->empty(), "an array of strings is not empty");
+  });
+  return accepted && are_strings;
+}
+
 bool npy_table(std::string_view bytes) {
   return is_accepted("matrix:", [&] { promise(parse_npy_table(bytes, "matrix").size() > 0, "a table is not empty"); });
 }

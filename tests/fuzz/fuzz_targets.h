@@ -32,6 +32,9 @@ bool npy_table(std::string_view bytes);
 bool csv_table(std::string_view bytes);
 /// @}
 
+/// An array of strings: what is read is not empty.
+bool npy_strings(std::string_view bytes);
+
 /// Ranked lists and judgements: what is read has queries, and lists have models.
 /// @{
 bool trec_run(std::string_view bytes);

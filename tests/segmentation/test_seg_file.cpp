@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/seg_file.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 namespace {
@@ -24,6 +25,14 @@ class SegFile : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
+  /// A mesh of so many triangles.
+  static Shape mesh_of(Eigen::Index triangles) {
+    Shape mesh;
+    mesh.vertices = Points::Zero(3, 3);
+    mesh.triangles = Triangles::Zero(triangles, 3);
+    return mesh;
+  }
+
   void write(const std::string& text) const { std::ofstream(path_) << text; }
 
   std::filesystem::path path_;
@@ -32,30 +41,43 @@ class SegFile : public ::testing::Test {
 TEST_F(SegFile, ComesBackAsItWasWritten) {
   const std::vector<std::int32_t> labels = {0, 3, 3, 2147483647};
   write_seg(path_, labels);
-  EXPECT_EQ(read_seg(path_, 4), labels);
+  EXPECT_EQ(read_seg(path_, mesh_of(4)), labels);
+}
+
+TEST_F(SegFile, OfAMeshWithPolygonsHasALineForEachPolygon) {
+  Shape mesh = mesh_of(3);
+  mesh.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  mesh.triangles.rowwise() = Eigen::RowVector3<std::int32_t>(0, 1, 2);
+  mesh.polygons = {.of_triangle = {0, 2, 2}, .count = 3};
+  write_seg(path_, mesh, std::vector<std::int32_t>{4, 6, 6});
+  EXPECT_EQ(test::text_of(path_), "4\n0\n6\n");
+  EXPECT_EQ(read_seg(path_, mesh), (std::vector<std::int32_t>{4, 6, 6}));
+  write("4\n6\n");
+  EXPECT_THAT([&] { read_seg(path_, mesh); }, ThrowsMessage<InputError>(HasSubstr("3 faces")));
 }
 
 TEST_F(SegFile, LinesMayEndAsInDos) {
   write("1\r\n2\r\n");
-  EXPECT_EQ(read_seg(path_, 2), (std::vector<std::int32_t>{1, 2}));
+  EXPECT_EQ(read_seg(path_, mesh_of(2)), (std::vector<std::int32_t>{1, 2}));
 }
 
 TEST_F(SegFile, OfAnotherMeshIsRefused) {
   write("1\n2\n3\n");
-  EXPECT_THAT([&] { read_seg(path_, 4); },
+  EXPECT_THAT([&] { read_seg(path_, mesh_of(4)); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("3 lines"), HasSubstr("4 faces"))));
-  EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(AllOf(HasSubstr(":3:"), HasSubstr("(2)"))));
+  EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(":3:"), HasSubstr("(2)"))));
 }
 
 TEST_F(SegFile, NumbersThatAreNoSegmentsAreRefusedWithTheirLine) {
   for (const std::string word : {"-1", "2147483648", "99999999999999999999", "1.5", "x"}) {
     write("1\n" + word + "\n");
-    EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(HasSubstr(":2:"))) << word;
+    EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); }, ThrowsMessage<InputError>(HasSubstr(":2:"))) << word;
   }
 }
 
 TEST_F(SegFile, ThatIsAbsentIsNamed) {
-  EXPECT_THAT([&] { read_seg(path_, 2); }, ThrowsMessage<InputError>(HasSubstr(path_.string())));
+  EXPECT_THAT([&] { read_seg(path_, mesh_of(2)); }, ThrowsMessage<InputError>(HasSubstr(path_.string())));
 }
 
 }  // namespace

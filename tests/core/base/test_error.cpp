@@ -14,6 +14,33 @@ TEST(Printable, ControlCharactersAreReplacedAndTheRestIsCut) {
   EXPECT_EQ(printable("\xC3\xA9", 10), "\xC3\xA9");
 }
 
+TEST(Printable, NothingThatATerminalObeysIsLeft) {
+  EXPECT_EQ(printable("a\x1b[31mb"), "a?[31mb");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "?31m")
+      << "the same sequence begun by one character, in UTF-8";
+  EXPECT_EQ(printable("\x9B"
+                      "31m"),
+            "?31m")
+      << "and in Latin 1";
+  EXPECT_EQ(printable("\xC2\xA0"), "\xC2\xA0");
+}
+
+TEST(Printable, WhatIsNotUtf8IsReplacedAndNoCharacterIsCut) {
+  EXPECT_EQ(printable("caf\xE9"), "caf?");
+  EXPECT_EQ(printable("\xE0\x80\x80"), "???");
+  EXPECT_EQ(printable("\xED\xA0\x80"), "???");
+  EXPECT_EQ(printable("\xF0\x9F\x90\x9F"), "\xF0\x9F\x90\x9F");
+  EXPECT_EQ(printable("\xF4\x90\x80\x80"), "????");
+  EXPECT_EQ(printable("\xE2\x82"), "??");
+  EXPECT_EQ(printable("a\xC3\xA9", 2), "a...");
+}
+
+TEST(InputError, IsPrintableWhateverItNames) {
+  EXPECT_STREQ(InputError("cannot read a\x1b]0;title\n.off").what(), "cannot read a?]0;title?.off");
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -136,6 +136,54 @@ TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
   EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
 }
 
+std::string npy_of(const std::string& type, const std::string& shape, const std::string& data) {
+  const std::string dictionary = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + "}";
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\x01', '\0', static_cast<char>(dictionary.size()), '\0'};
+  return bytes + dictionary + data;
+}
+
+std::string utf32(const std::u32string& text, bool big_endian) {
+  std::string bytes;
+  for (const char32_t character : text) {
+    for (unsigned k = 0; k < 4; ++k) {
+      bytes += static_cast<char>(static_cast<unsigned char>(character >> 8 * (big_endian ? 3 - k : k)));
+    }
+  }
+  return bytes;
+}
+
+TEST_F(ModelLabelsTest, OfAnArrayMayBeStrings) {
+  using namespace std::string_literals;
+  const std::u32string text = U"cat\0k\u00f6\u732b\U0001F41F"s;
+  for (const bool big_endian : {false, true}) {
+    const std::string bytes = npy_of(big_endian ? ">U4" : "<U4", "(2,)", utf32(text, big_endian));
+    const ModelLabels labels = read_labels(file("y.npy", bytes));
+    ASSERT_EQ(labels.classification.classes.size(), 2U);
+    EXPECT_EQ(labels.classification.classes[0].name, "cat");
+    EXPECT_EQ(labels.classification.classes[1].name, "k\xC3\xB6\xE7\x8C\xAB\xF0\x9F\x90\x9F");
+    EXPECT_THAT(labels.models, ElementsAre("0", "1"));
+    EXPECT_TRUE(labels.without_ids);
+  }
+  const ModelLabels bytes = read_labels(file("s.npy", npy_of("|S3", "(3, 1)", "ox\0catox\0"s)));
+  EXPECT_THAT(bytes.classification.classes[0].models, ElementsAre("0", "2"));
+  EXPECT_EQ(bytes.classification.classes[0].name, "ox");
+}
+
+TEST_F(ModelLabelsTest, OfAnArrayOfStringsThatIsOfNoUseIsAnError) {
+  using namespace std::string_literals;
+  const auto error = [&](const std::string& bytes) {
+    return test::input_error_of([&] { read_labels(file("y.npy", bytes)); });
+  };
+  EXPECT_THAT(error(npy_of("|O", "(2,)", "pickled")), HasSubstr("dtype=str"));
+  EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox\0\0\0\0"s)), HasSubstr("entry 1"));
+  EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox")), HasSubstr("cut off"));
+  EXPECT_THAT(error(npy_of("|S1", "(2, 2)", "oxox")), HasSubstr("one dimension"));
+  EXPECT_THAT(error(npy_of("<U1", "(2,)", utf32(U"a", false) + "\0\0\x11\0"s)), HasSubstr("entry 1"));
+  EXPECT_THAT(error(npy_of("<U1", "(99999999999999,)", "abcd")), HasSubstr("cut off"));
+  EXPECT_THAT(error(npy_of("<U99999999999999999999", "(1,)", "abcd")), HasSubstr("not supported"));
+}
+
 }  // namespace
 
 }  // namespace shapegauge

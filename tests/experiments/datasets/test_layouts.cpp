@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <map>
+#include <string>
+#include <sys/stat.h>
 
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "tests/support/test_files.h"
@@ -166,6 +169,68 @@ TEST_F(Layouts, AreRecognised) {
   EXPECT_EQ(recognise_dataset(root()).layout, "shrec11");
   EXPECT_EQ(recognise_dataset(root(), "other.csv").layout, "csv");
   EXPECT_EQ(recognise_dataset(root(), "other.cla").classification, "other.cla");
+}
+
+/// The messages of the models that fail, by id.
+std::map<std::string, std::string> failures_of(const Dataset& dataset) {
+  std::map<std::string, std::string> messages;
+  for (const ModelFailure& failure : check_models(dataset))
+    messages[dataset.models[failure.model].id] = failure.message;
+  return messages;
+}
+
+TEST_F(Layouts, FoldersHaveAFailedModelForWhatIsNoFile) {
+  write("ant/1.off");
+  fs::create_symlink("loop.off", root() / "ant/loop.off");
+  fs::create_symlink("nothing", root() / "ant/broken.off");
+  fs::create_directory(root() / "ant/folder.off");
+  ASSERT_EQ(mkfifo((root() / "ant/pipe.off").c_str(), 0600), 0);
+  const Dataset dataset = find("folders");
+  EXPECT_THAT(ids(dataset),
+              ElementsAre("ant/1:ant", "ant/broken:ant", "ant/folder:ant", "ant/loop:ant", "ant/pipe:ant"));
+  const auto failures = failures_of(dataset);
+  EXPECT_EQ(failures.size(), 4U);
+  for (const char* const name : {"broken", "folder", "loop", "pipe"}) {
+    EXPECT_THAT(failures.at("ant/" + std::string(name)), HasSubstr(name + std::string(".off: ")));
+  }
+}
+
+TEST_F(Layouts, FoldersHaveAFailedModelForAFolderThatCannotBeRead) {
+  write("ant/1.off");
+  write("bee/1.off");
+  write("cow/train/1.off");
+  write("cow/test/2.off");
+  fs::create_symlink("dog", root() / "dog");
+  fs::create_symlink("nothing", root() / "readme.txt");
+  fs::permissions(root() / "bee", fs::perms::none);
+  fs::permissions(root() / "cow/test", fs::perms::none);
+  {
+    fs::permissions(root().parent_path(), fs::perms::all);
+    const test::OrdinaryUser user;
+    const Dataset dataset = find("folders");
+    EXPECT_THAT(ids(dataset), ElementsAre("ant/1:ant", "bee:bee", "cow/test:cow", "cow/train/1:cow", "dog:dog"));
+    const auto failures = failures_of(dataset);
+    EXPECT_EQ(failures.size(), 3U);
+    EXPECT_THAT(failures.at("bee"), HasSubstr("Permission denied"));
+    EXPECT_THAT(failures.at("cow/test"), HasSubstr("Permission denied"));
+    EXPECT_THAT(failures.at("dog"), HasSubstr("symbolic links"));
+  }
+  for (const char* const folder : {"bee", "cow/test"}) fs::permissions(root() / folder, fs::perms::owner_all);
+}
+
+TEST_F(Layouts, OtherLayoutsHaveAFailedModelForWhatIsNoFile) {
+  write("T0.off");
+  fs::create_symlink("T1.off", root() / "T1.off");
+  fs::create_directory(root() / "T2.off");
+  fs::create_symlink("T99.off", root() / "T99.off");
+  write("test.cla", "PSB 1\n1 3\na 0 3\n0\n1\n2\n");
+  write("models.csv", "id,path,class\n0,T0.off,a\n1,T1.off,a\n2,T2.off,a\n");
+  for (const char* const layout : {"shrec11", "csv"}) {
+    const auto failures = failures_of(find(layout));
+    EXPECT_EQ(failures.size(), 2U) << layout;
+    EXPECT_THAT(failures.at("1"), HasSubstr("T1.off")) << layout;
+    EXPECT_THAT(failures.at("2"), HasSubstr("T2.off")) << layout;
+  }
 }
 
 }  // namespace

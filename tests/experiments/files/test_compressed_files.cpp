@@ -25,7 +25,7 @@ using Entries = std::vector<std::pair<std::string, std::string>>;  // names and 
 
 // What an archive of these entries is, in a format and with a filter of libarchive.
 std::string packed(const Entries& entries, int (*format)(archive*), int (*filter)(archive*)) {
-  std::string bytes(1 << 16, '\0');
+  std::string bytes(1 << 20, '\0');
   std::size_t used = 0;
   archive* const opened = archive_write_new();
   format(opened);
@@ -78,6 +78,30 @@ TEST(CompressedFiles, DamagedOnesAreErrors) {
   };
   EXPECT_THAT(error("no gzip at all"), AllOf(HasSubstr("a.csv.gz"), HasSubstr("no gzip file")));
   EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
+}
+
+TEST(CompressedFiles, MayUnpackToALimitThatGrowsWithTheirSize) {
+  constexpr std::size_t mebibyte = std::size_t{1} << 20;
+  EXPECT_EQ(most_unpacked_bytes(1), 256 * mebibyte);
+  EXPECT_EQ(most_unpacked_bytes(100 * mebibyte), 5000 * mebibyte);
+  EXPECT_EQ(most_unpacked_bytes(mebibyte * mebibyte), 16384 * mebibyte);
+}
+
+TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
+  const TemporaryFolder folder;
+  const std::string zeros(std::size_t{4} << 20, '\0');
+  std::string bomb;  // a gzip file may be of several, one behind the other
+  for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;
+  for (const char* const name : {"a.npy.gz", "a.csv.gz", "a.matrix.gz"}) {
+    EXPECT_THAT(test::input_error_of([&] { read_number_table(folder.file(name, bomb)); }),
+                AllOf(HasSubstr(name), HasSubstr("256 MiB")));
+  }
+  std::string content = npy_of(small_matrix());
+  content.resize((std::size_t{256} << 20) + 1);
+  EXPECT_THAT(test::input_error_of([&] {
+                array_in_npz(zipped({{"D.npy", content}}), "a.npz");
+              }),
+              AllOf(HasSubstr("a.npz"), HasSubstr("256 MiB")));
 }
 
 TEST(CompressedFiles, HoldMatricesAndRuns) {

@@ -25,10 +25,11 @@ class MatFile {
 
   // Two rows of three numbers, of which these are the columns one after the other.
   template <typename Number>
-  void add(const char* name, matio_classes numbers, matio_types type, std::array<Number, 6> columns) {
+  void add(const char* name, matio_classes numbers, matio_types type, std::array<Number, 6> columns,
+           matio_compression compression = MAT_COMPRESSION_ZLIB) {
     std::array<std::size_t, 2> size = {2, 3};
     matvar_t* const variable = Mat_VarCreate(name, numbers, type, 2, size.data(), columns.data(), 0);
-    Mat_VarWrite(file_, variable, MAT_COMPRESSION_ZLIB);
+    Mat_VarWrite(file_, variable, compression);
     Mat_VarFree(variable);
   }
 
@@ -48,6 +49,18 @@ TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
   }
   EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "a.mat"); }),
               AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
+}
+
+TEST(MatFile, ThatClaimsMoreThanItCanHoldIsAnError) {
+  const test::TemporaryFolder folder;
+  MatFile(folder.path() / "a.mat")
+      .add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
+  std::string bytes = test::bytes_of(folder.path() / "a.mat");
+  const std::string size("\x02\0\0\0\x03\0\0\0", 8);
+  ASSERT_NE(bytes.find(size), std::string::npos);
+  bytes.replace(bytes.find(size), size.size(), std::string("\0\0\x01\0\0\0\x01\0", 8));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("large.mat", bytes)); }),
+              AllOf(HasSubstr("large.mat"), HasSubstr("256 MiB")));
 }
 
 TEST(MatFile, OtherwiseIsAnError) {

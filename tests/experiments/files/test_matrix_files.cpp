@@ -68,6 +68,19 @@ TEST(NumberTable, TheCornerOfNumericIdsMayBeEmpty) {
   EXPECT_EQ(read_number_table(folder.path() / "x.csv").numbers.rows(), 2) << "no corner, no ids";
 }
 
+TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
+  for (const char* const text : {"0;1.5\n-2.25;inf\n", "0\t1.5\n-2.25\tinf\n", "0; 1.5\r\n-2.25; inf\r\n"}) {
+    EXPECT_EQ(read_csv(text).distances, example()) << text;
+  }
+  EXPECT_THAT(read_csv("\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n").ids, ElementsAre("T1", "T2"));
+  EXPECT_THAT(read_csv("id;\"T,1\";T2\n\"T,1\";0;1.5\nT2;-2.25;inf\n").ids, ElementsAre("T,1", "T2"));
+  EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").ids, ElementsAre("T;1", "T2")) << "commas as before";
+}
+
+TEST(CsvMatrix, DecimalCommasAreAnError) {
+  EXPECT_THAT(csv_error("0;1,5\n2,5;0\n"), AllOf(HasSubstr("m.csv:1: \"1,5\""), HasSubstr("decimal points")));
+}
+
 TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
   const LabelledDistances result = read_csv("0,1.5\n-2.25,inf\n");
   EXPECT_EQ(result.distances, example());
@@ -165,6 +178,15 @@ DistanceMatrix read_text(const std::string& text) {
 
 std::string text_error(const std::string& text) {
   return test::input_error_of([&] { read_text(text); });
+}
+
+TEST(TextMatrix, MayHaveSemicolonsOrCommasBetweenTheNumbers) {
+  for (const char* const text : {"0;1.5\n-2.25;inf\n", "# distances\n0, 1.5\n-2.25, inf\n", "0\t1.5\n-2.25\tinf\n"}) {
+    EXPECT_EQ(parse_text_matrix(text, "m.txt"), example()) << text;
+  }
+  const auto error = [](const char* text) { return test::input_error_of([&] { parse_text_matrix(text, "m.txt"); }); };
+  EXPECT_THAT(error("0,,1\n1,0,1\n1,1,0\n"), HasSubstr("m.txt:1: \"\" is not a number")) << "none is passed over";
+  EXPECT_THAT(error("0;1,5\n1,5;0\n"), AllOf(HasSubstr("m.txt:1: \"1,5\""), HasSubstr("decimal points")));
 }
 
 TEST(TextMatrix, OneRowALineBetweenAnyBlanks) {

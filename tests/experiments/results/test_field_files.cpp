@@ -10,6 +10,7 @@ namespace shapegauge {
 namespace {
 
 using test::text_of;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -35,6 +36,18 @@ TEST_F(FieldFiles, CsvHasARowForEachSample) {
   const std::string text = written("x.csv");
   EXPECT_THAT(text, StartsWith("index,sdf,weight\n0,0.1,0.5\n1,nan,0.5\n2,"));
   EXPECT_EQ(std::ranges::count(text, '\n'), 1 + 12);
+}
+
+TEST_F(FieldFiles, CsvNamesThePolygonsOfTheFile) {
+  shape.polygons.count = 6;
+  for (int i = 0; i < 12; ++i) shape.polygons.of_triangle.push_back(i / 2);
+  EXPECT_THAT(written("x.csv"), StartsWith("index,sdf,weight,polygon\n0,0.1,0.5,0\n1,nan,0.5,0\n2,"));
+  EXPECT_THAT(written("x.csv"), EndsWith("\n11,1,0.5,5\n"));
+  normal_file_writer("n.csv")(folder.path() / "n.csv", shape, samples, samples.normals);
+  EXPECT_THAT(text_of(folder.path() / "n.csv"), StartsWith("index,nx,ny,nz,weight,polygon\n0,"));
+  samples = sample_shape(shape, SampleSite::vertices);
+  values.setLinSpaced(shape.vertices.rows(), 0.1, 1);
+  EXPECT_THAT(written("v.csv"), StartsWith("index,sdf,weight\n")) << "vertices are those of the file";
 }
 
 TEST_F(FieldFiles, NpyHoldsTheValues) {

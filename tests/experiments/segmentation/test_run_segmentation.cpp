@@ -120,7 +120,7 @@ TEST_F(SegmentationRun, WritesTheSameFilesOnAnyNumberOfThreadsAndListsThem) {
     EXPECT_THAT(files.at("report.html"), HasSubstr("data:image/png;base64,"));
     if (first.empty()) first = files;
     EXPECT_EQ(files, first);
-    EXPECT_EQ(read_seg(place / "parts/best/1.seg", 640).back(), 1);
+    EXPECT_EQ(read_seg(place / "parts/best/1.seg", two_balls()).back(), 1);
   }
 }
 
@@ -206,6 +206,24 @@ TEST(PartConsistency, ComparesSizesFromTheLargestOnAndLeavesCrumbsOutOfTheCount)
   // Differences: (0.1 + 0.095 + 0.005) / 2, (0.1 + 0.2 + 0.1) / 2, (0.2 + 0.295 + 0.095) / 2.
   EXPECT_THAT(consistency_table(results).rows.front(),
               testing::ElementsAre("m", "a", "2.000", "0.333", fmt::format("{:.3f}", (0.1 + 0.2 + 0.295) / 3), "-"));
+}
+
+/// A closed box of six quadrilaterals, which become twelve triangles.
+constexpr const char* box_of_quads =
+    "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"
+    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
+TEST_F(SegmentationRun, HasARowForEachPolygonOfTheFile) {
+  test::write_text(root() / "off/22.off", box_of_quads);
+  for (const char* const person : {"a", "b"}) {
+    test::write_text(root() / "seg/22" / (std::string(person) + ".seg"), "0\n0\n0\n0\n0\n1\n");
+  }
+  Cache cache;
+  const SegmentationResults results = run_segmentation(experiment(), folder_.path() / "none", {}, cache);
+  EXPECT_EQ(results.shapes[0].labels[0].size(), 640U);
+  EXPECT_FALSE(results.shapes[0].has_polygons);
+  EXPECT_EQ(results.shapes[2].labels[0].size(), 6U);
+  EXPECT_TRUE(results.shapes[2].has_polygons);
 }
 
 TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {

@@ -1,0 +1,111 @@
+#include "shapegauge/core/io/triangulate_polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace shapegauge {
+
+namespace {
+
+/// Largest area, of a polygon with an extent of about 1, that is taken for rounding.
+constexpr double negligible_area = 1e-12;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Divides by the power of two below the size, which is exact.
+void scale_to_one(std::vector<Eigen::Vector3d>& corners, double size) {
+  if (size == 0) return;
+  const int exponent = std::isinf(size) ? std::numeric_limits<double>::max_exponent : std::ilogb(size);
+  for (Eigen::Vector3d& corner : corners) {
+    corner = corner.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
+  }
+}
+
+/// The corners relative to the first one, scaled to an extent of 1 to 2.
+std::vector<Eigen::Vector3d> normalised(std::span<const Eigen::Vector3d> corners) {
+  double largest = 0;
+  for (const Eigen::Vector3d& corner : corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
+  std::vector<Eigen::Vector3d> result(corners.begin(), corners.end());
+  scale_to_one(result, 2 * largest);  // the differences could overflow
+  const Eigen::Vector3d first = result.front();
+  double extent = 0;
+  for (Eigen::Vector3d& corner : result) extent = std::max(extent, (corner -= first).cwiseAbs().maxCoeff());
+  scale_to_one(result, extent);
+  return result;
+}
+
+/// Newell's normal; its length is the polygon's area.
+Eigen::Vector3d newell_normal(std::span<const Eigen::Vector3d> corners) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) sum += corners[i].cross(corners[i + 1]);  // the first is 0
+  return sum / 2;
+}
+
+/// The axis along which the normal is longest. Of axes about as good the last one, so that rounding does not choose.
+Eigen::Index projection_axis(const Eigen::Vector3d& normal) {
+  const double enough = 0.9 * normal.cwiseAbs().maxCoeff();
+  for (const Eigen::Index axis : {2, 1}) {
+    if (std::abs(normal[axis]) >= enough) return axis;
+  }
+  return 0;
+}
+
+/// The polygon without one coordinate, which keeps the others exact, seen from the side where its area is positive.
+std::vector<Eigen::Vector2d> projected(std::span<const Eigen::Vector3d> corners, const Eigen::Vector3d& normal) {
+  const Eigen::Index axis = projection_axis(normal);
+  Eigen::Index u = (axis + 1) % 3;
+  Eigen::Index v = (axis + 2) % 3;
+  if (normal[axis] < 0) std::swap(u, v);
+  std::vector<Eigen::Vector2d> flat;
+  flat.reserve(corners.size());
+  for (const Eigen::Vector3d& corner : corners) flat.emplace_back(corner[u], corner[v]);
+  return flat;
+}
+
+/// Whether the triangles about the first corner, which is the origin, lie side by side.
+bool fan_covers(std::span<const Eigen::Vector2d> corners) {
+  double turned = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    const double doubled_area = cross(corners[i], corners[i + 1]);
+    if (doubled_area < -negligible_area) return false;
+    turned += std::atan2(std::max(0.0, doubled_area), corners[i].dot(corners[i + 1]));
+  }
+  return turned < 2 * std::numbers::pi * (1 + 1e-9);
+}
+
+/// Whether the triangles have the polygon's area: less where loops of it wind twice about the same place.
+bool have_area_of(std::span<const PolygonTriangle> triangles, std::span<const Eigen::Vector2d> corners) {
+  double polygon = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) polygon += cross(corners[i], corners[i + 1]);
+  double sum = 0;
+  for (const auto& [a, b, c] : triangles) {
+    const Eigen::Vector2d& origin = corners[static_cast<std::size_t>(a)];
+    sum += cross(corners[static_cast<std::size_t>(b)] - origin, corners[static_cast<std::size_t>(c)] - origin);
+  }
+  return std::abs(sum - polygon) <= 1e-9 * polygon + negligible_area;
+}
+
+/// Each triangle from its smallest corner on, then all in ascending order.
+void sort_triangles(std::vector<PolygonTriangle>& triangles) {
+  for (PolygonTriangle& triangle : triangles) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::ranges::sort(triangles);
+}
+
+}  // namespace
+
+std::vector<PolygonTriangle> triangles_in_place_of_fan(std::span<const Eigen::Vector3d> corners) {
+  if (corners.size() < 4) return {};
+  const std::vector<Eigen::Vector3d> scaled = normalised(corners);
+  const Eigen::Vector3d normal = newell_normal(scaled);
+  if (normal.norm() <= negligible_area) return {};
+  const std::vector<Eigen::Vector2d> flat = projected(scaled, normal);
+  if (fan_covers(flat)) return {};
+  std::vector<PolygonTriangle> triangles = constrained_delaunay(flat);
+  if (!have_area_of(triangles, flat)) return {};
+  sort_triangles(triangles);
+  return triangles;
+}
+
+}  // namespace shapegauge
