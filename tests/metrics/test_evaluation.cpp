@@ -272,5 +272,16 @@ TEST(Evaluation, RefusesWhatDoesNotFit) {
   EXPECT_THAT(error_of(naive::Matrix::Ones(2, 2), {0, 0}, under(Protocol::psb, 1)), HasSubstr("at least 2, not 1"));
 }
 
+TEST(Evaluation, RawCurvesHaveALevelForEachRelevantModelOfTheLargestClass) {
+  EvaluationOptions options = under(Protocol::psb);
+  options.curve = CurveKind::raw;
+  const std::vector<int> labels = {0, 0, 0, 1, 1};
+  EXPECT_EQ(evaluate(naive::Matrix::Ones(5, 5), labels, options).micro_curve.recall, (std::vector<double>{0.5, 1}));
+  // Under paper the query is one of them.
+  options.protocol = Protocol::paper;
+  EXPECT_EQ(evaluate(naive::Matrix::Ones(5, 5), labels, options).micro_curve.recall,
+            (std::vector<double>{1.0 / 3, 2.0 / 3, 1}));
+}
+
 }  // namespace
 }  // namespace shapegauge
