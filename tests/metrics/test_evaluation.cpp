@@ -356,5 +356,16 @@ TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
   }
 }
 
+TEST(Evaluation, RawCurvesHaveALevelForEachRelevantModelOfTheLargestClass) {
+  EvaluationOptions options = under(Protocol::psb);
+  options.curve = CurveKind::raw;
+  const std::vector<int> labels = {0, 0, 0, 1, 1};
+  EXPECT_EQ(evaluate(naive::Matrix::Ones(5, 5), labels, options).micro_curve.recall, (std::vector<double>{0.5, 1}));
+  // Under paper the query is one of them.
+  options.protocol = Protocol::paper;
+  EXPECT_EQ(evaluate(naive::Matrix::Ones(5, 5), labels, options).micro_curve.recall,
+            (std::vector<double>{1.0 / 3, 2.0 / 3, 1}));
+}
+
 }  // namespace
 }  // namespace shapegauge

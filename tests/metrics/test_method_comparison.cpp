@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shapegauge/metrics/method_comparison.h"
+#include "shapegauge/metrics/significance_tests.h"
 #include "tests/metrics/simulated_methods.h"
 
 namespace shapegauge {
@@ -112,6 +113,20 @@ TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
   const Eigen::MatrixXd plain{{0, 1}, {0.1, 1}, {0.2, 1}};
   const double p = compare_methods(plain, std::vector<int>{0, 1, 2}).pairs[0].p;
   EXPECT_NEAR(p, smallest_p_value({}, 3), 0.02);  // of 10,000 resamples
+}
+
+TEST(MethodComparison, TheTTestWeighsUnitsAsTheAverageDoes) {
+  // One class of three queries and one of one: under macro the last query counts three times as much as the others.
+  Eigen::MatrixXd per_query(4, 2);
+  per_query << 0.5, 0.4, 0.7, 0.4, 0.3, 0.1, 0.9, 0.2;
+  const std::vector<int> classes = {0, 0, 0, 1};
+  const MethodComparison result =
+      compare_methods(per_query, classes, {.test = PairTest::t, .blocks = Blocks::queries, .average = Average::macro});
+  const Eigen::VectorXd terms = (Eigen::VectorXd(4) << 0.1 * 2 / 3, 0.3 * 2 / 3, 0.2 * 2 / 3, 0.7 * 2).finished();
+  ASSERT_EQ(result.pairs.size(), 1U);
+  EXPECT_NEAR(result.pairs[0].difference, terms.mean(), 1e-15);
+  EXPECT_NEAR(result.pairs[0].p, paired_t_test(terms).p, 1e-12);
+  EXPECT_GT(std::abs(result.pairs[0].p - paired_t_test(per_query.col(0) - per_query.col(1)).p), 0.1);
 }
 
 }  // namespace

@@ -203,6 +203,19 @@ TEST(CutDiscrepancy, WeighsCutsByLengthAndIsSymmetric) {
   EXPECT_NEAR(cut_discrepancy(one_cut, two_cuts, edges, 14, 1.0), 3, of_sums);
 }
 
+TEST(CutDiscrepancy, TakesLengthsOfWaysAndCutsAsTheyAre) {
+  // Rungs of lengths 1 to 5, 0.5, 1, 1.5 and 2 apart.
+  std::vector<MeshEdge> edges = ladder(4);
+  for (MeshEdge& edge : edges) {
+    const auto [a, b] = edge.vertices;
+    edge.length = b == a + 1 ? 1 + a / 2 : 0.5 * (1 + a / 2);
+  }
+  const Labels two_cuts = {0, 1, 1, 2};  // rungs 1 and 3, of lengths 2 and 4
+  const Labels one_cut = {0, 0, 1, 1};   // rung 2
+  // From two cuts: ways 1 and 1.5. From the one cut to the nearer: 1.
+  EXPECT_NEAR(cut_discrepancy(two_cuts, one_cut, edges, 10, 1.0), (2 * 1 + 4 * 1.5) / 6 + 1, of_sums);
+}
+
 TEST(CutDiscrepancy, IsUndefinedAgainstNoCuts) {
   const std::vector<MeshEdge> edges = ladder(3);
   EXPECT_EQ(cut_discrepancy(Labels{0, 0, 0}, Labels{5, 5, 5}, edges, 8, 1.0), 0);

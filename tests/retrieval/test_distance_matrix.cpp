@@ -8,6 +8,7 @@
 #include <tbb/global_control.h>
 
 #include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
 
@@ -56,6 +57,16 @@ TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
   }
   EXPECT_EQ(distance_rows(signatures, 101, 0, distance_named("l1")).size(), 0);
   EXPECT_THROW(distance_rows(signatures, 100, 2, distance_named("l1")), std::invalid_argument);
+}
+
+TEST(DistanceMatrix, BlocksAreThoseOfTheWholeWhereverTheyBegin) {
+  const Signatures signatures = random_signatures(7, 5, 4);
+  const DistanceMatrix whole = distance_matrix(signatures, "l2");
+  for (const Eigen::Index first : {0, 2, 4}) {
+    const DistanceMatrix block = distances_between(distance_named("l2"), {signatures.middleRows(1, 4), 1},
+                                                   {signatures.middleRows(first, 3), first});
+    EXPECT_EQ(block, whole.block(1, first, 4, 3)) << first;
+  }
 }
 
 TEST(DistanceMatrix, UnknownNameSaysWhatIsKnown) {

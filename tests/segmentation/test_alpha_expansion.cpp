@@ -88,7 +88,9 @@ double least_cost_by_boost(const Problem& problem) {
 RC_GTEST_PROP(AlphaExpansion, OfTwoLabelsIsTheMinimumCutOfBoost, ()) {
   const auto nodes = *rc::gen::inRange<std::int32_t>(1, 40);
   const Problem problem = arbitrary_problem(nodes, 2);
-  const Labels labels = alpha_expansion(problem.costs, problem.edges, Labels(static_cast<std::size_t>(nodes), 0));
+  Labels start(static_cast<std::size_t>(nodes), 0);
+  for (std::int32_t& label : start) label = *rc::gen::inRange(0, 2);
+  const Labels labels = alpha_expansion(problem.costs, problem.edges, start);
   RC_ASSERT(labelling_cost(labels, problem.costs, problem.edges) == least_cost_by_boost(problem));
 }
 

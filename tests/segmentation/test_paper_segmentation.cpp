@@ -105,5 +105,37 @@ TEST(PaperSegmentation, RefusesOptionsOutOfRange) {
   EXPECT_THROW(paper_segmentation(graph, fields, {.levels = 0}), InputError);
 }
 
+/// Nodes in a row, with an edge of the given concavity before node `edge` and flat links elsewhere.
+SurfaceGraph row_with_edge(std::int32_t nodes, std::int32_t edge, double concavity) {
+  SurfaceGraph row;
+  row.samples.points = Points::Zero(nodes, 3);
+  row.samples.points.col(0).setLinSpaced(nodes, 0, nodes - 1);
+  row.samples.weights = Eigen::VectorXd::Ones(nodes);
+  row.first = {0};
+  const auto link = [&](std::int32_t to, std::int32_t after) {
+    row.links.push_back({.to = to, .length = 1, .distance = 1, .concavity = after == edge ? concavity : 0});
+  };
+  for (std::int32_t i = 0; i < nodes; ++i) {
+    if (i > 0) link(i - 1, i);
+    if (i + 1 < nodes) link(i + 1, i + 1);
+    row.first.push_back(row.links.size());
+  }
+  return row;
+}
+
+TEST(PaperSegmentation, CutsAlongAnEdgeRatherThanWhereItIsFlat) {
+  // The node in the middle is of neither part: the edge decides, a convex one too.
+  const Eigen::VectorXd values = (Eigen::VectorXd(9) << 0, 0, 0, 0, 0.5, 1, 1, 1, 1).finished();
+  const std::vector<ScalarField> fields = {{values, Eigen::VectorXd::Ones(9)}};
+  const PaperSegmentationOptions options{.patches = {.count = 9}, .mixture = {.components = 2}, .smoothness = 4};
+  for (const double concavity : {1.5, -1.5}) {
+    SCOPED_TRACE(concavity);
+    EXPECT_EQ(paper_segmentation(row_with_edge(9, 4, concavity), fields, options),
+              (std::vector<std::int32_t>{0, 0, 0, 0, 1, 1, 1, 1, 1}));
+    EXPECT_EQ(paper_segmentation(row_with_edge(9, 5, concavity), fields, options),
+              (std::vector<std::int32_t>{0, 0, 0, 0, 0, 1, 1, 1, 1}));
+  }
+}
+
 }  // namespace
 }  // namespace shapegauge

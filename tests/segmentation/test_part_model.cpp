@@ -108,5 +108,15 @@ TEST(PartExamples, FollowMerges) {
   EXPECT_NEAR(weights, 1, 1e-12);
 }
 
+TEST(PartModel, FeaturesBeyondFourDeviationsCountAsFour) {
+  const PartModel& model = trained_part_model();
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(model.probability(model.mean + 10 * sign * model.deviation),
+              model.probability(model.mean + 4 * sign * model.deviation));
+    EXPECT_NE(model.probability(model.mean + 4 * sign * model.deviation),
+              model.probability(model.mean + 3 * sign * model.deviation));
+  }
+}
+
 }  // namespace
 }  // namespace shapegauge

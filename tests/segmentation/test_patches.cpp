@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
 #include "tests/support/test_shapes.h"
@@ -65,6 +66,19 @@ TEST(Patches, RefuseOptionsOutOfRange) {
   EXPECT_THROW(patches(graph, {.count = 0}), InputError);
   EXPECT_THROW(patches(graph, {.rounds = -1}), InputError);
   EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), std::invalid_argument);
+}
+
+TEST(Patches, TakeANodeHalfWayBetweenTwoByTheirOrder) {
+  // Three nodes in a row; the first centre is the first node, the second the last.
+  SurfaceGraph row;
+  row.samples.points = Points::Zero(3, 3);
+  row.samples.points.col(0) << 0, 1, 2;
+  row.samples.weights = Eigen::VectorXd::Ones(3);
+  row.first = {0, 1, 3, 4};
+  for (const std::int32_t to : {1, 0, 2, 1}) row.links.push_back({.to = to, .length = 1, .distance = 1});
+  std::uint64_t seed = 0;
+  while (RandomNumbers(seed).below(3) != 0) ++seed;
+  EXPECT_EQ(patches(row, {.count = 2, .seed = seed}), (std::vector<std::int32_t>{0, 0, 1}));
 }
 
 }  // namespace

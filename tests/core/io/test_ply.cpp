@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/io/shape_format.h"
 #include "shapegauge/core/render/image.h"
 #include "tests/core/io/encoded_shapes.h"
 #include "tests/support/test_files.h"
@@ -303,6 +304,29 @@ TEST(WritePly, WrongNumberOfValuesOrColoursIsAnError) {
   shape.triangles.conservativeResize(3, 3);
   EXPECT_THAT([&] { write_ply(folder.path() / "t.ply", shape, SampleSite::faces, values(), colours); },
               ThrowsMessage<InputError>(EndsWith("4 values and 4 colours for 3 samples")));
+}
+
+TEST(ReadPly, ATypeHasItsRangeUnderBothNames) {
+  const auto coordinate = [](const std::string& type, auto number) {
+    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty " + type +
+                        " x\nproperty uchar y\nproperty uchar z\nend_header\n";
+    append_little_endian(bytes, number);
+    return read_ply(bytes + std::string(2, '\0'), "t.ply").vertices(0, 0);
+  };
+  const auto extremes = [&](const std::string& type, auto number) {
+    using Number = decltype(number);
+    for (const Number value : {std::numeric_limits<Number>::lowest(), std::numeric_limits<Number>::max()}) {
+      EXPECT_EQ(coordinate(type, value), static_cast<double>(value)) << type;
+    }
+  };
+  for (const char* type : {"char", "int8"}) extremes(type, std::int8_t{});
+  for (const char* type : {"uchar", "uint8"}) extremes(type, std::uint8_t{});
+  for (const char* type : {"short", "int16"}) extremes(type, std::int16_t{});
+  for (const char* type : {"ushort", "uint16"}) extremes(type, std::uint16_t{});
+  for (const char* type : {"int", "int32"}) extremes(type, std::int32_t{});
+  for (const char* type : {"uint", "uint32"}) extremes(type, std::uint32_t{});
+  for (const char* type : {"float", "float32"}) extremes(type, float{});
+  for (const char* type : {"double", "float64"}) extremes(type, double{});
 }
 
 }  // namespace

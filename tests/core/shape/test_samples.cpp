@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/point_cloud.h"
@@ -130,6 +131,22 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
   EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).weights.sum(), surface_area(fan), 1e-14);
 }
 
+TEST(SampleVertices, TheNormalIsThatOfMostWhereTrianglesAreTurnedAtRandom) {
+  // Six equal triangles around a vertex, two of them turned: what is left of their normals' sum is a third.
+  Shape fan;
+  fan.vertices = Points::Zero(7, 3);
+  fan.triangles.resize(6, 3);
+  for (int k = 0; k < 6; ++k) {
+    const double angle = k * std::numbers::pi / 3;
+    fan.vertices.row(k + 1) << std::cos(angle), std::sin(angle), 0;
+    fan.triangles.row(k) << 0, 1 + k, 1 + (k + 1) % 6;
+  }
+  for (const int turned : {1, 4}) std::swap(fan.triangles(turned, 1), fan.triangles(turned, 2));
+  EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).normals(0, 2), 1, 1e-12);
+  fan.triangles.col(1).swap(fan.triangles.col(2));
+  EXPECT_NEAR(sample_shape(fan, SampleSite::vertices).normals(0, 2), -1, 1e-12);
+}
+
 TEST(SampleVertices, HaveNoNormalWhereNoTriangleUsesThemOrNormalsCancel) {
   // Two triangles in a plane, turned to opposite sides, that meet in vertex 0.
   const Shape bow{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}},
@@ -186,6 +203,20 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
   EXPECT_NE(samples.points, sample_surface_of(sheet, 1000, 2).points);
   EXPECT_THROW(sample_surface_of(sheet, 0), InputError);
   EXPECT_THROW(sample_shape(sheet, SampleSite::surface), InputError);
+}
+
+TEST(SamplesOfTheSurface, AreUniformWithinATriangle) {
+  constexpr Eigen::Index count = 20000;
+  const Samples samples = sample_surface_of(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), count);
+  // Means of uniform points: 1/3 of each coordinate, 1/6 of its square, 1/12 of the product.
+  const Eigen::ArrayXd x = samples.points.col(0).array();
+  const Eigen::ArrayXd y = samples.points.col(1).array();
+  constexpr double error = 0.006;  // three and a half standard errors of the first
+  EXPECT_NEAR(x.mean(), 1.0 / 3, error);
+  EXPECT_NEAR(y.mean(), 1.0 / 3, error);
+  EXPECT_NEAR(x.square().mean(), 1.0 / 6, error);
+  EXPECT_NEAR(y.square().mean(), 1.0 / 6, error);
+  EXPECT_NEAR((x * y).mean(), 1.0 / 12, error);
 }
 
 TEST(SamplesOfTheSurface, OfACloudAreSomeOfItsPointsWithTheWholeArea) {

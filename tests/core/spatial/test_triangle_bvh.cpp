@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 #include "tests/core/spatial/random_triangle.h"
 #include "tests/core/spatial/soups.h"
@@ -100,6 +101,27 @@ RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
   RC_ASSERT(found.has_value());
   RC_ASSERT(std::abs(found->distance - expected) <= tolerance_at(expected));
   RC_ASSERT(found->point == Eigen::Vector3d(cloud.vertices.row(found->triangle).transpose()));
+}
+
+/// So few and so large that they are in one leaf, and the nearest is seldom that of the nearest plane or corner.
+TEST(TriangleBVH, FindsTheClosestOfAFewLargeTriangles) {
+  RandomNumbers random(1);
+  const auto place = [&] {
+    return Eigen::RowVector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  };
+  for (int soup = 0; soup < 20; ++soup) {
+    Shape shape;
+    shape.vertices.resize(15, 3);
+    for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) shape.vertices.row(v) = place();
+    shape.triangles.resize(5, 3);
+    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) shape.triangles.row(f) << 3 * f, 3 * f + 1, 3 * f + 2;
+    const TriangleBVH tree(shape);
+    for (int query = 0; query < 50; ++query) {
+      const Eigen::Vector3d x = place().transpose();
+      const double expected = distance_to_all(shape, x);
+      EXPECT_NEAR(tree.closest(x)->distance, expected, tolerance_at(expected));
+    }
+  }
 }
 
 }  // namespace

@@ -135,5 +135,19 @@ TEST(BagOfFeatures, RefusesWhatIsNone) {
   EXPECT_THROW(codebook_of({nothing}, options), std::invalid_argument);
 }
 
+TEST(Codebook, TakesSamplesInTheMiddlesOfEqualPartsOfTheWeight) {
+  // Of four samples of equal weight the second and the fourth begin beyond a quarter and three quarters of it.
+  const std::vector<ScalarField> fields = {{Eigen::Vector4d(10, 20, 30, 40), Eigen::Vector4d::Ones()}};
+  Eigen::MatrixXf words = codebook_of({fields}, {.words = 2, .standardise = false, .samples_per_shape = 2}).words;
+  std::ranges::sort(words.reshaped());
+  EXPECT_EQ(words, Eigen::Vector2f(20, 40));
+}
+
+TEST(Codebook, ScalesAreStandardDeviations) {
+  const std::vector<ScalarField> fields = {{Eigen::Vector2d(0, 6), Eigen::Vector2d::Ones()}};
+  const Codebook found = codebook_of({fields}, {.words = 2, .standardise = true, .samples_per_shape = 2});
+  EXPECT_FLOAT_EQ(found.scales[0], 3);
+}
+
 }  // namespace
 }  // namespace shapegauge

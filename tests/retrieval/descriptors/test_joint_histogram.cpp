@@ -175,5 +175,18 @@ TEST(JointHistogram, RefusesWhatIsNone) {
   EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
 }
 
+TEST(JointHistogram, ARangeInMeansIsOfTheMeanByWeight) {
+  const ScalarField field{Eigen::Vector2d(1, 3), Eigen::Vector2d(3, 1)};  // mean 1.5
+  const Interval range = joint_range(field, true);
+  EXPECT_DOUBLE_EQ(range.low, 1 / 1.5);
+  EXPECT_DOUBLE_EQ(range.high, 3 / 1.5);
+}
+
+TEST(JointHistogram, AShapesOwnRangeIsOfTheDividedValues) {
+  const ScalarField field{Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d::Ones()};
+  const std::vector<JointAxis> axes = {{.bins = 3, .divide_by_mean = true, .per_shape = true}, {.bins = 1}};
+  EXPECT_EQ(joint_histogram(std::vector{field, field}, axes), Eigen::Vector3f(0.25F, 0.25F, 0.5F));
+}
+
 }  // namespace
 }  // namespace shapegauge

@@ -1,11 +1,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 #include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
+#include "shapegauge/retrieval/descriptors/silhouette.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -76,6 +78,18 @@ TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
   const Eigen::VectorXf zeros = Eigen::VectorXf::Zero(4500);
   for (const float no_byte : {-1.0F, 256.0F, std::nanf("")}) {
     EXPECT_THROW(distance_of_light_fields(zeros, zeros.array() + no_byte), std::invalid_argument) << no_byte;
+  }
+}
+
+TEST(LightField, BeginsWithTheRoundedFeaturesOfTheFirstView) {
+  // A box whose corners are on the unit sphere, seen along the first vertex of the dodecahedron.
+  const Shape box = test::box(Eigen::Vector3d(1, 2, 4) * 2 / std::sqrt(21.0), 1);
+  const Eigen::Matrix3d rotation =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  const auto features = SilhouetteFeatures(coarse.pixels)(silhouette(box, rotation, coarse.pixels));
+  const Eigen::VectorXf found = light_field(box, coarse);
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    EXPECT_EQ(found[static_cast<Eigen::Index>(k)], std::round(255 * std::min(features[k], 1.0))) << k;
   }
 }
 

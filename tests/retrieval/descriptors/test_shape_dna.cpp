@@ -73,5 +73,12 @@ TEST(ShapeDna, RefusesCloudsAndOptionsOutOfRange) {
   EXPECT_THROW(shape_dna(test::sphere(1, 1), {.eigenvalues = 0}), InputError);
 }
 
+TEST(ShapeDna, DividesTheKthByK) {
+  const Shape shape = test::box({1, 2, 3}, 4);
+  const Eigen::VectorXf whole = shape_dna(shape, {.eigenvalues = 5, .divide_by_rank = false});
+  const Eigen::VectorXf divided = shape_dna(shape, {.eigenvalues = 5, .divide_by_rank = true});
+  for (Eigen::Index k = 0; k < 5; ++k) EXPECT_FLOAT_EQ(divided[k], whole[k] / static_cast<float>(k + 1));
+}
+
 }  // namespace
 }  // namespace shapegauge
