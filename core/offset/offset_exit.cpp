@@ -98,7 +98,7 @@ double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d
   const double outside = r * (1 + 1e-4);
   double end = 0;
   for (std::size_t i = 0; i < TriangleTable::at_once; ++i) {
-    const double squared = static_cast<double>(vectors.squared[i]);
+    const auto squared = static_cast<double>(vectors.squared[i]);
     if (squared >= r * r) continue;
     const double along = vectors.vector(i).dot(direction);
     end = std::max(end, std::sqrt(along * along + outside * outside - squared) - along);

@@ -248,7 +248,7 @@ std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
     return around.touches_exterior ? std::nullopt : std::optional<double>(1);
   }
   const auto closest = std::min_element(vectors.squared.begin(), vectors.squared.end());
-  double squared = static_cast<double>(*closest);
+  auto squared = static_cast<double>(*closest);
   const double least = (1 - slack) * grid_.r;
   if (squared >= least * least && around.touches_exterior) return std::nullopt;
   if (squared >= std::pow((1 - shallow) * grid_.r, 2)) {

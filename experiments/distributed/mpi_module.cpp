@@ -119,7 +119,7 @@ class ServedJobs : public Jobs {
       if (question == Question::stop) stop();
       if (question == Question::finished) --busy_;
       if (question != Question::next) continue;
-      const std::int64_t answer = static_cast<std::int64_t>(next().value_or(count_));
+      const auto answer = static_cast<std::int64_t>(next().value_or(count_));
       MPI_Send(&answer, 1, MPI_INT64_T, status.MPI_SOURCE, 0, ranks_);
     }
   }

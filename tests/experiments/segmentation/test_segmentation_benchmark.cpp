@@ -81,7 +81,7 @@ TEST(SegmentationScorer, WeighsByAreaIfWanted) {
       {test::box({1, 1, 1}, 1), test::transformed(test::box({1, 1, 1}, 6), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
   const Labels two = halves(shape, 1.5);
   const Labels one(two.size(), 0);
-  const double n = static_cast<double>(two.size());
+  const auto n = static_cast<double>(two.size());
   EXPECT_NEAR(SegmentationScorer(shape, {.cuts = false}).errors(one, two).rand_index, 2 * 12 * 432 / (n * (n - 1)),
               1e-12);
   // Half of the area each: half of the pairs of different triangles, less those of a triangle with itself.
