@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <limits>
 #include <vector>
 
 #include "shapegauge/core/fields/bilateral.h"
@@ -19,6 +22,18 @@ namespace {
 /// Sums over all samples may round otherwise with those that weigh nothing among them.
 constexpr double rounding = 1e-12;
 
+/// The largest difference between values; none between two that are missing.
+double largest_difference(const Eigen::VectorXd& found, const Eigen::VectorXd& expected) {
+  if (found.size() != expected.size()) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (Eigen::Index i = 0; i < found.size(); ++i) {
+    if (std::isnan(found[i]) && std::isnan(expected[i])) continue;
+    const double difference = std::abs(found[i] - expected[i]);
+    largest = std::isnan(difference) ? std::numeric_limits<double>::infinity() : std::max(largest, difference);
+  }
+  return largest;
+}
+
 template <typename Check>
 void for_each_doubling(Check check) {
   for (const auto& [name, shape] : test::shapes_without_doubles()) {
@@ -32,7 +47,7 @@ void for_each_doubling(Check check) {
 TEST(DoubledTriangles, DoNotChangeGeodesicDistances) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
     const Eigen::VectorXd expected = geodesic_distances(shape)(3);
-    EXPECT_TRUE(geodesic_distances(doubled.shape)(3) == expected(doubled.vertices));
+    EXPECT_EQ(largest_difference(geodesic_distances(doubled.shape)(3), expected(doubled.vertices)), 0);
   });
 }
 
@@ -42,7 +57,8 @@ TEST(DoubledTriangles, DoNotChangeExactGeodesicDistances) {
     const Eigen::VectorXd expected = geodesic_distances(torus, {.method = method})(3);
     for (const test::DoubledShape& doubled : test::doublings(torus)) {
       SCOPED_TRACE(doubled.name);
-      EXPECT_TRUE(geodesic_distances(doubled.shape, {.method = method})(3) == expected(doubled.vertices));
+      EXPECT_EQ(
+          largest_difference(geodesic_distances(doubled.shape, {.method = method})(3), expected(doubled.vertices)), 0);
     }
   }
 }
@@ -73,7 +89,7 @@ TEST(DoubledTriangles, DoNotChangeHeatKernels) {
     const auto heat = [](const Shape& mesh) {
       return heat_kernel_signature_at(laplacian_spectrum(mesh, 12), surface_area(mesh), 0.05);
     };
-    EXPECT_TRUE(heat(doubled.shape) == heat(shape)(doubled.vertices));
+    EXPECT_LT(largest_difference(heat(doubled.shape), heat(shape)(doubled.vertices)), rounding);
   });
 }
 

@@ -82,13 +82,17 @@ TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
 
 TEST(EdgeUses, NamesVerticesByTheirPlace) {
   const std::vector<EdgeUse> uses =
-      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
-  std::size_t edges = 0;
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    ++edges;
-    EXPECT_EQ(edge.size(), 2U);
-  });
-  EXPECT_EQ(edges, 3U);
+      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 3, 1, 2});
+  std::vector<std::size_t> sizes;
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { sizes.push_back(edge.size()); });
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
+}
+
+TEST(EdgeUses, OfDoubledTrianglesAreThoseOfTheFirst) {
+  const std::vector<EdgeUse> uses =
+      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}, {0, 1, 2}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
+  ASSERT_EQ(uses.size(), 3U);
+  for (const EdgeUse& use : uses) EXPECT_EQ(use.triangle, 0);
 }
 
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {

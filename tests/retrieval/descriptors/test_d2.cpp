@@ -51,8 +51,8 @@ TEST(D2, OfACloudDoesNotDependOnWhereItIsDenser) {
   Points even(600, 3);
   even << plate(300, 0, 3), plate(300, 4, 4);
   const Eigen::VectorXf expected = d2(Shape{even, {}}, {.points = 1200, .bins = 12});
-  // By their number, 10/16 of the pairs would be on one plate, not a half.
-  EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.08);
+  // By their number, 10/16 of the pairs would be on one plate, not a half: a distance of 1/4 at least.
+  EXPECT_LT(distance_of_d2(d2(Shape{uneven, {}}, {.points = 1200, .bins = 12}), expected), 0.15);
 }
 
 TEST(D2, RefusesOptionsOutOfRangeAndSinglePlaces) {
