@@ -81,7 +81,7 @@ std::vector<std::pair<Json, Json::json_pointer>> places_of_every_kind() {
   for (const Json& experiment : all_experiments()) {
     const std::string kind = is_comparison(experiment) ? "shapes" : is_segmentation(experiment) ? "parts" : "retrieval";
     std::vector<Json::json_pointer> places;
-    add_places(experiment, {}, places);
+    add_places(experiment, Json::json_pointer(), places);
     for (const Json::json_pointer& place : places) {
       const std::string name = std::regex_replace(place.to_string(), std::regex("/[0-9]+"), "/N");
       const Json& parent = experiment[place.parent_pointer()];
