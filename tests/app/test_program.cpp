@@ -1,6 +1,9 @@
 #include <cstdlib>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <map>
+#include <regex>
+#include <string>
 #include <sys/wait.h>
 
 #include "tests/app/program.h"
@@ -113,10 +116,44 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
     agree(fmt::format("--method cone --opening-angle {}", angle),
           fmt::format(R"({{"type":"cone_sdf","opening_angle_degrees":{}}})", angle));
   }
-  const std::string perturb = "perturb " + quoted("data/T1.off") + " -o " + quoted("x.off") + " --noise 0.01 --seed ";
+  const std::string perturb =
+      "perturb " + quoted("data/T1.off") + " --replace -o " + quoted("x.off") + " --noise 0.01 --seed ";
   EXPECT_EQ(run_executable(perturb + "-1").status, 2);
   EXPECT_EQ(run_executable(perturb + "0").status, 0);
   EXPECT_EQ(run_executable("dataset generate " + quoted("made") + " --seed -1").status, 2);
+}
+
+TEST_F(Program, AShortOptionMeansOneThingEverywhere) {
+  std::map<std::string, std::string> meanings;
+  for (const std::string command : {"",
+                                    "run",
+                                    "sdf",
+                                    "normals",
+                                    "info",
+                                    "perturb",
+                                    "convert",
+                                    "segment",
+                                    "view",
+                                    "describe",
+                                    "rerank",
+                                    "evaluate",
+                                    "compare",
+                                    "evaluate-segmentation",
+                                    "measures",
+                                    "dataset info",
+                                    "dataset validate",
+                                    "dataset generate",
+                                    "cache",
+                                    "completion"}) {
+    const std::string help = run_executable(command + " --help").output;
+    const std::regex names("(-[a-zA-Z]),(--[a-z-]+)");
+    for (auto match = std::sregex_iterator(help.begin(), help.end(), names); match != std::sregex_iterator(); ++match) {
+      const auto [known, is_new] = meanings.emplace((*match)[1], (*match)[2]);
+      EXPECT_EQ(known->second, (*match)[2]) << command;
+    }
+  }
+  EXPECT_EQ(meanings.at("-q"), "--quiet");
+  EXPECT_EQ(meanings.at("-o"), "--output");
 }
 
 TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {
