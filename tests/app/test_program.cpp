@@ -72,7 +72,7 @@ TEST_F(Program, HelpIsACommandToo) {
 }
 
 TEST_F(Program, QuietLeavesNotesAndVerboseAddsThem) {
-  const std::string normals = "normals " + quoted("data/T0.off") + " -o " + quoted("x.npy");
+  const std::string normals = "normals " + quoted("data/T0.off") + " --replace -o " + quoted("x.npy");
   EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset 0.01 chosen"));
   EXPECT_EQ(run_executable("-q " + normals).errors, "");
   EXPECT_EQ(run_executable(normals + " --quiet").errors, "");
@@ -98,7 +98,8 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
 
 TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
   const auto agree = [&](const std::string& option, const std::string& field) {
-    const Outcome line = run_executable("sdf " + quoted("data/T1.off") + " -o " + quoted("x.npy") + " " + option);
+    const Outcome line =
+        run_executable("sdf " + quoted("data/T1.off") + " --replace -o " + quoted("x.npy") + " " + option);
     const Outcome file = run_executable("run " + quoted("small.json") + " --replace --output " + quoted("out") +
                                         " --set 'signatures.0.field=" + field + "'");
     EXPECT_EQ(line.status == 2, file.status == 2) << option << "\n" << line.errors << file.errors;
