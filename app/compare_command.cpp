@@ -62,7 +62,7 @@ std::vector<MethodScores> methods_of(const fs::path& path, const CompareArgument
   for (const std::string& warning : evaluated.warnings) {
     warnings.push_back(fmt::format("{}: {}", path.string(), warning));
   }
-  if (const auto tied = ties_warning(evaluated.evaluation)) {
+  if (const auto tied = ties_warning(evaluated)) {
     warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
   }
   return {method_scores(method_name(path, evaluated.data), path.string(), evaluated.data.task, evaluated.evaluation)};

@@ -139,7 +139,7 @@ void write_features(const DescribeArguments& arguments, const std::vector<std::s
   write_file_atomically(arguments.output, to_csv(table));
 }
 
-int run(const DescribeArguments& arguments) {
+int run(DescribeArguments& arguments) {
   if (arguments.list) {
     print_output("{}", list_of_descriptors());
     return exit_success;
@@ -150,6 +150,7 @@ int run(const DescribeArguments& arguments) {
   }
   const DescriptorChoice choice = choice_of(arguments);
   const std::vector<std::string> ids = ids_of(arguments.files.inputs);
+  arguments.files.others = {{.path = arguments.output, .what = "--output"}};
   std::vector<std::optional<Described>> shapes(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks&) {
     try {
@@ -183,6 +184,7 @@ void add_describe_command(CLI::App& app, int& status) {
   command->add_option("--descriptor", arguments->descriptor, "Its name; --list tells which there are");
   command->add_option("--set", arguments->settings, "A setting of the descriptor, key=value as of a configuration");
   command->add_option("-o,--output", arguments->output, "File for the features: .npy (rows), or .csv (with ids)");
+  add_replace_option(*command, arguments->files.replace);
   add_denoise_option(*command, arguments->denoise);
   command->add_flag("--list", arguments->list, "Only list the descriptors and their settings");
   command->callback([arguments, &status] { status = run(*arguments); });

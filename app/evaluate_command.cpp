@@ -9,9 +9,11 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/output_files.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
@@ -39,6 +41,7 @@ struct EvaluateArguments {
   fs::path per_query;
   fs::path per_class;
   bool each_query = false;
+  bool replace = false;
 };
 
 constexpr int csv_digits = 4;
@@ -63,10 +66,18 @@ nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
   return json;
 }
 
+// On what scores of ranked lists rest, as JSON.
+nlohmann::ordered_json coverage_json(const ListCoverage& coverage, const std::string& missing_queries) {
+  return {{"queries", coverage.queries},        {"answered", coverage.answered},
+          {"missing_queries", missing_queries}, {"shortest_list", coverage.shortest},
+          {"longest_list", coverage.longest},   {"incomplete_lists", coverage.incomplete}};
+}
+
 std::string formatted_json(const NamedEvaluation& named, const EvaluationTask& task,
                            const EvaluateArguments& arguments) {
   nlohmann::ordered_json json = inputs_json(arguments);
   json["method"] = named.method;
+  if (task.coverage) json["lists"] = coverage_json(*task.coverage, arguments.evaluation.missing_queries);
   json.update(evaluation_json(*named.evaluation, task.class_names, named.intervals));
   if (arguments.each_query) json["per_query"] = per_query_json(*named.evaluation, task.query_ids);
   return json.dump(2) + "\n";
@@ -121,7 +132,7 @@ void check_fit_for_report(const EvaluationTask& task) {
 void write_files(const NamedEvaluation& named, const EvaluationTask& task, const EvaluateArguments& arguments) {
   const std::vector<NamedEvaluation> one{named};
   if (!arguments.curve.empty()) {
-    const bool plot = arguments.curve.extension() == ".plot";
+    const bool plot = lower_case(arguments.curve.extension().string()) == ".plot";
     write_file_atomically(arguments.curve,
                           plot ? psb_plot(named.evaluation->micro_curve) : to_csv(precision_recall_table(one)));
   }
@@ -158,7 +169,23 @@ EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const
   }
 }
 
+/// Throws InputError for files to write that cannot be, before any work.
+void check_outputs(const EvaluateArguments& arguments) {
+  const EvaluationFiles& files = arguments.evaluation.files;
+  const std::vector<fs::path> inputs{arguments.distances, files.labels, files.targets, files.qrels, files.ids};
+  const std::vector<std::string> csv{".csv"};
+  const std::vector<OutputFile> outputs{
+      {.path = arguments.curve, .what = "--pr", .extensions = {".csv", ".plot"}},
+      {.path = arguments.class_curves, .what = "--pr-per-class", .extensions = csv},
+      {.path = arguments.per_query, .what = "--per-query", .extensions = csv},
+      {.path = arguments.per_class, .what = "--per-class", .extensions = csv},
+      {.path = arguments.report, .what = "--report", .extensions = {".html", ".htm"}},
+  };
+  check_output_files(inputs, outputs, arguments.replace);
+}
+
 int run(const EvaluateArguments& arguments) {
+  check_outputs(arguments);
   const bool piped = is_standard_stream(arguments.distances);
   if (!piped && !arguments.input_format.empty()) {
     throw InputError("--input-format goes with standard input (-); a file's format is told by its extension");
@@ -182,7 +209,7 @@ int run(const EvaluateArguments& arguments) {
           fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
     }
   }
-  const auto tied = ties_warning(evaluated.evaluation);
+  const auto tied = ties_warning(evaluated);
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
@@ -205,10 +232,19 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
       ->check(CLI::IsMember(curve_kind_names()));
   command.add_option("--per-query", arguments.per_query,
                      "CSV file for the figures of each query, as 'compare' reads it");
-  command.add_flag("-q,--each-query", arguments.each_query,
+  command.add_flag("--each-query", arguments.each_query,
                    "The scores of each query in front of the averages, as with trec_eval -q");
+  command
+      .add_flag_callback("-q",
+                         [] {
+                           throw InputError(
+                               "-q is ambiguous after evaluate: use --each-query for the scores of each query, or "
+                               "--quiet to print warnings and errors only");
+                         })
+      ->group("");  // not in the help
   command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
   command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
+  add_replace_option(command, arguments.replace);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "app/evaluation_arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -45,8 +46,17 @@ void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   add_input_options(command, arguments);
   command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, with --qrels trec)")
       ->check(CLI::IsMember(protocol_names()));
-  command.add_flag("-c,--all-queries", arguments.all_queries,
-                   "Queries without a ranked list count, with scores of 0, as with trec_eval -c");
+  CLI::Option* missing =
+      command
+          .add_option("--missing-queries", arguments.missing_queries,
+                      "Queries without a ranked list: skip leaves them out, zero counts them with scores of 0")
+          ->check(CLI::IsMember({"skip", "zero"}))
+          ->capture_default_str();
+  command
+      .add_flag_callback(
+          "-c,--all-queries", [&arguments] { arguments.missing_queries = "zero"; },
+          "Same as --missing-queries zero, as with trec_eval -c")
+      ->excludes(missing);
   command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: the mean over all orders")
       ->check(CLI::IsMember(ties_names()))
       ->capture_default_str();
@@ -95,15 +105,19 @@ EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const E
   files.matrix = path;
   if (arguments.order == "natural") files.order = RowOrder::natural;
   if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
-  if (arguments.all_queries) files.unanswered = Unanswered::count;
+  if (arguments.missing_queries == "zero") files.unanswered = Unanswered::count;
   ProgressLine line;
   return evaluate_files(files, evaluation_options(arguments), [&](Eigen::Index done, Eigen::Index rows) {
     line.show(path.filename().string(), static_cast<std::size_t>(done), static_cast<std::size_t>(rows));
   });
 }
 
-std::optional<std::string> ties_warning(const Evaluation& evaluation) {
-  if (evaluation.queries_with_ties == 0) return std::nullopt;
+std::optional<std::string> ties_warning(const EvaluatedFiles& evaluated) {
+  const Evaluation& evaluation = evaluated.evaluation;
+  const auto told = std::ranges::count_if(evaluated.findings.constant_rows, [&](Eigen::Index row) {
+    return std::ranges::binary_search(evaluation.queries, row);
+  });
+  if (evaluation.queries_with_ties <= told) return std::nullopt;
   return fmt::format(
       "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
       evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties));

@@ -22,7 +22,7 @@ struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
   std::string protocol;
-  bool all_queries = false;
+  std::string missing_queries = "skip";
   int threads = 0;
   std::string ties = "index";
   std::string curve;
@@ -52,8 +52,9 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 /// Evaluates the matrix, or the ranked lists, at the path; a line on the terminal says how far it is.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
 
-/// How many queries ties could change, in words; nothing where they could change none.
-std::optional<std::string> ties_warning(const Evaluation& evaluation);
+/// How many queries ties could change, in words; nothing where they could change none, or those only of which a warning
+/// says already that all distances are equal.
+std::optional<std::string> ties_warning(const EvaluatedFiles& evaluated);
 
 /// Prints a line each on standard error. Called when all else has gone well: an error comes alone.
 void print_warnings(std::span<const std::string> warnings);

@@ -10,9 +10,12 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_files.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/files/table.h"
@@ -31,6 +34,7 @@ struct RerankArguments {
   std::string method = "diffusion";
   std::map<std::string, std::string> settings;  ///< by parameter; empty: not given
   bool sparse = false;
+  bool replace = false;
   int threads = 0;
 };
 
@@ -80,6 +84,21 @@ void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, con
   throw InputError(fmt::format("cannot write {}", output.string()));
 }
 
+/// Warns of an asymmetric matrix.
+void warn_of_asymmetry(const OpenMatrix& matrix) {
+  constexpr Eigen::Index together = 256;
+  MatrixChecks checks(true);
+  for (Eigen::Index first = 0; first < matrix.rows; first += together) {
+    const Eigen::Index count = std::min(together, matrix.rows - first);
+    const auto read = [&](const MatrixBlock& block) { return matrix.read(block); };
+    checks.compare(read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns}), first,
+                   read({.first_row = first, .rows = matrix.rows - first, .first_column = first, .columns = count}));
+  }
+  const MatrixFindings found = checks.findings();
+  if (found.asymmetric_pairs == 0) return;
+  warn(fmt::format("{}; the neighbours of model i are those of row i", asymmetry_text(found)));
+}
+
 std::string csv_of(const DistanceMatrix& matrix, const std::vector<std::string>& ids) {
   Table table{.header = {"id"}, .rows = {}};
   for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
@@ -91,11 +110,18 @@ std::string csv_of(const DistanceMatrix& matrix, const std::vector<std::string>&
   return to_csv(table);
 }
 
+void write_matrix(const fs::path& path, const DistanceMatrix& matrix, const std::vector<std::string>& ids) {
+  if (path.extension() == ".npy") return write_npy(path, matrix);
+  write_file_atomically(path, csv_of(matrix, ids));
+}
+
 int run(const RerankArguments& arguments) {
   const std::string format = arguments.output.extension().string();
   if (format != ".npy" && format != ".csv") {
     throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
   }
+  const OutputFile output{.path = arguments.output, .what = "--output"};
+  check_output_files({&arguments.distances, 1}, {&output, 1}, arguments.replace);
   const RerankMethod& method = rerank_method(arguments.method);
   const ParameterValues values = values_of(arguments, method);
   const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
@@ -106,17 +132,13 @@ int run(const RerankArguments& arguments) {
   try {
     if (by_rows) {
       diffuse_file(matrix, diffusion_options(values), arguments.output);
-      return exit_success;
-    }
-    const DistanceMatrix reranked = method.rerank(whole_matrix(matrix), values);
-    if (format == ".npy") {
-      write_npy(arguments.output, reranked);
     } else {
-      write_file_atomically(arguments.output, csv_of(reranked, matrix.row_ids));
+      write_matrix(arguments.output, method.rerank(whole_matrix(matrix), values), matrix.row_ids);
     }
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));
   }
+  warn_of_asymmetry(matrix);
   return exit_success;
 }
 
@@ -159,6 +181,7 @@ void add_rerank_command(CLI::App& app, int& status) {
       ->required();
   command->add_option("-o,--output", arguments->output, "File for the new distances: .npy, or .csv (with ids)")
       ->required();
+  add_replace_option(*command, arguments->replace);
   command->add_option("--method", arguments->method, "How")
       ->check(CLI::IsMember(method_names()))
       ->capture_default_str();

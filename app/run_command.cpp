@@ -15,6 +15,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -87,6 +88,21 @@ RequestedRun requested_run(const RunSource& source) {
           .source = source.configuration.string(),
           .folder = source.configuration.parent_path(),
           .recorded = {}};
+}
+
+/// Throws InputError where the results would overwrite what the run reads: its data set, configuration or manifest.
+void check_results_folder(const fs::path& folder, const RunSource& source,
+                          const std::optional<DatasetLocation>& dataset = std::nullopt) {
+  std::vector<fs::path> inputs{source.configuration, source.replay};
+  if (dataset) {
+    inputs.push_back(dataset->root);
+    inputs.push_back(dataset->classification);
+  }
+  std::vector<OutputFile> outputs;
+  for (const fs::path& path : {folder, folder / manifest_name, folder / "summary.json"}) {
+    outputs.push_back({.path = path, .what = "the results"});
+  }
+  check_output_files(inputs, outputs, true);
 }
 
 // Repeating a recorded run.
@@ -269,6 +285,7 @@ int run_retrieval(const RunArguments& arguments, const RequestedRun& request, Co
     folder = result_folder(arguments, configuration.name);
     cache_limit();  // says now what is wrong with it
     if (ranks.rank() != 0) return;
+    check_results_folder(folder, arguments.source, configuration.location);
     lock.emplace(folder);
     prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
     warn_of_inputs(request, configuration, arguments.threads);
@@ -285,6 +302,7 @@ int run_retrieval(const RunArguments& arguments, const RequestedRun& request, Co
 int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
   const Comparison comparison = comparison_from_json(request.document, request.source, request.folder);
   const fs::path folder = result_folder(arguments, comparison.name);
+  check_results_folder(folder, arguments.source);
   const FolderLock lock(folder);
   prepare_result_folder(folder, to_json(comparison), arguments.replace || arguments.force);
   ProgressLine progress;
@@ -305,6 +323,7 @@ int run_parts(const RunArguments& arguments, const RequestedRun& request) {
   const SegmentationExperiment experiment = segmentation_from_json(request.document, request.source, request.folder);
   const std::uintmax_t limit = cache_limit();
   const fs::path folder = result_folder(arguments, experiment.name);
+  check_results_folder(folder, arguments.source);
   const FolderLock lock(folder);
   prepare_result_folder(folder, to_json(experiment), arguments.replace || arguments.force);
   ProgressLine progress;

@@ -129,7 +129,7 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
-int run(const SdfArguments& arguments) {
+int run(SdfArguments& arguments) {
   if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
     throw InputError("--timings goes with one shape; leave it out for several");
   }
@@ -138,6 +138,7 @@ int run(const SdfArguments& arguments) {
       arguments.method == "offset" ? parse_offset(arguments.offset) : std::nullopt;
   make_field(field_settings(arguments, given_offset));  // what is wrong with it is told before anything is read
   const FieldFileWriter write = field_file_writer(output_name(arguments.files), picture);
+  arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}}};
   return for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
     const Computed computed = compute(arguments, given_offset, shape, job.input);

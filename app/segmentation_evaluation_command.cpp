@@ -12,6 +12,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
@@ -35,6 +36,7 @@ struct EvaluationArguments {
   bool no_cuts = false;
   std::string format = "table";
   fs::path per_mesh;
+  bool replace = false;
   int threads = 0;
 };
 
@@ -129,6 +131,8 @@ std::string formatted_errors(const SegmentationScores& scores, const EvaluationA
 }
 
 int run(const EvaluationArguments& arguments) {
+  const OutputFile output{.path = arguments.per_mesh, .what = "--per-mesh", .extensions = {".csv"}};
+  check_output_files(arguments.folders, {&output, 1}, arguments.replace);
   const auto [benchmark, scores] = scored(arguments);
   if (!benchmark.without_people.empty()) {
     warn(fmt::format("nobody segmented {} of the meshes ({}, ...); they are left out", benchmark.without_people.size(),
@@ -161,6 +165,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       ->check(CLI::IsMember({"table", "markdown", "csv", "json"}))
       ->capture_default_str();
   command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors of each mesh");
+  add_replace_option(*command, arguments->replace);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = run(*arguments); });
 }

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <system_error>
@@ -43,8 +42,6 @@ bool fills_folder(const ShapeFiles& files) {
 }
 
 void check_inputs(const ShapeFiles& files) {
-  const auto streams = std::ranges::count_if(files.inputs, is_standard_stream);
-  if (streams > 1) throw InputError("standard input (-) can be read once only");
   if (files.inputs.size() < 2 || files.output.empty()) return;
   const bool named_like_a_file = files.output.has_filename() && files.output.has_extension();
   if (is_standard_stream(files.output) || (named_like_a_file && !fs::is_directory(files.output))) {
@@ -53,33 +50,15 @@ void check_inputs(const ShapeFiles& files) {
   }
 }
 
-/// One name for each file; the name as it is where it leads nowhere.
-fs::path canonical_name(const fs::path& path) {
-  std::error_code failure;
-  const fs::path canonical = fs::weakly_canonical(path, failure);
-  return failure ? path : canonical;
-}
-
-/// Throws where two outputs are one file, or an output is an input.
-void check_outputs(const ShapeFiles& files, const std::vector<ShapeJob>& jobs) {
-  std::map<fs::path, std::string> inputs;
-  for (const fs::path& input : files.inputs) inputs.emplace(canonical_name(input), input.string());
-  std::map<fs::path, std::string> outputs;
+/// What the jobs and the command as a whole write.
+std::vector<OutputFile> outputs_of(const ShapeFiles& files, const std::vector<ShapeJob>& jobs) {
+  std::vector<OutputFile> outputs;
   for (const ShapeJob& job : jobs) {
-    if (is_standard_stream(job.output)) continue;
-    const fs::path output = canonical_name(job.output);
-    const auto [other, is_new] = outputs.emplace(output, job.input);
-    if (!is_new) {
-      throw InputError(
-          fmt::format("{} and {} would both be written to {}", other->second, job.input, job.output.string()));
-    }
-    const auto overwritten = inputs.find(output);
-    if (overwritten == inputs.end() || files.replace || !fs::is_regular_file(output)) continue;
-    throw InputError(
-        fmt::format("the output would take the place of the input {}; give it another name, or say that "
-                    "this is meant by --replace",
-                    overwritten->second));
+    const std::string what = jobs.size() > 1 ? "the result of " + job.input : "--output";
+    outputs.push_back({.path = job.output, .what = what, .takes_stream = true, .may_be_input = true});
   }
+  outputs.insert(outputs.end(), files.others.begin(), files.others.end());
+  return outputs;
 }
 
 std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
@@ -92,8 +71,7 @@ std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
     if (folder) job.output /= (stream ? "stdin" : input.stem().string()) + "." + files.output_format;
     jobs.push_back(std::move(job));
   }
-  if (files.output.empty()) return jobs;
-  check_outputs(files, jobs);
+  check_output_files(files.inputs, outputs_of(files, jobs), files.replace);
   if (!folder) return jobs;
   std::error_code failure;
   fs::create_directories(files.output, failure);
@@ -154,7 +132,7 @@ void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& 
       ->required();
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();
-  command.add_flag("--replace", files.replace, "Let an output take the place of an input");
+  command.add_flag("--replace", files.replace, "Overwrite existing files, inputs too");
 }
 
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/output_files.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -23,7 +24,8 @@ struct ShapeFiles {
   std::string input_format = {};                   ///< an extension without the point; empty: by name and first bytes
   std::filesystem::path output = {};  ///< a file, "-" (standard output), or a folder; empty: the command has none
   std::string output_format = {};     ///< an extension without the point, for folders and "-"
-  bool replace = false;               ///< an output may take the place of an input
+  bool replace = false;               ///< outputs may exist, and take the place of inputs
+  std::vector<OutputFile> others{};   ///< outputs of the command besides, checked with those of the shapes
   int threads = 0;
 };
 
@@ -60,8 +62,7 @@ struct ShapeJob {
 ///
 /// Of a single input an error is thrown. Of several, one that fails is named and the others are done (exit status 1).
 /// Several outputs go into a folder, made where absent, each under the name of its input. Throws InputError before
-/// anything is read for outputs of the same name and, without `replace`, for an output in the place of an input; throws
-/// Interrupted.
+/// anything is read where check_output_files() does, and Interrupted.
 int for_each_shape(const ShapeFiles& files,
                    const std::function<void(const Shape& shape, const ShapeJob& job, Remarks& remarks)>& work);
 

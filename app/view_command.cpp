@@ -179,10 +179,11 @@ void check_output(const fs::path& output) {
   throw InputError(fmt::format("cannot write {}: a view is a page, its name must end in .html", output.string()));
 }
 
-int run(const ViewArguments& arguments, bool offset_given) {
+int run(ViewArguments& arguments, bool offset_given) {
   check_output(arguments.output);
   const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
   const std::optional<double> offset = parse_offset(arguments.offset);
+  arguments.files.others = {{.path = arguments.output, .what = "--output", .takes_stream = true}};
   std::vector<std::optional<ShapeView>> views(arguments.files.inputs.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     try {
@@ -221,6 +222,7 @@ void add_view_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<ViewArguments>();
   add_shape_inputs(*command, arguments->files);
   command->add_option("-o,--output", arguments->output, "The page: .html; -: standard output")->required();
+  add_replace_option(*command, arguments->files.replace);
   std::vector<std::string> types;
   for (const FieldType& type : field_types()) types.push_back(type.name);
   command

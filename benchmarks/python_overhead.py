@@ -20,7 +20,8 @@ vertices, faces, _ = sg.read(mesh)
 package, alone = [], []
 with tempfile.TemporaryDirectory() as folder:
     timings = pathlib.Path(folder) / "timings.json"
-    command = [program, "sdf", mesh, "--method", "cone", "--threads", "1", "-o", pathlib.Path(folder) / "sdf.csv"]
+    command = [program, "sdf", mesh, "--method", "cone", "--threads", "1", "--replace", "-o",
+               pathlib.Path(folder) / "sdf.csv"]
     for _ in range(30):
         start = time.perf_counter()
         sg.sdf(vertices, faces, method="cone", threads=1)

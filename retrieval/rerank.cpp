@@ -509,7 +509,8 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
     }
     result.row(i) /= total * factor;
     for (Eigen::Index j = 0; j < result.cols(); ++j) {
-      if (is_far_from_all(distances, nearest, i, j)) result(i, j) = infinity;
+      const bool far = is_far_from_all(distances, nearest, i, j);
+      result(i, j) = far ? infinity : std::min(result(i, j), std::numeric_limits<double>::max());
     }
   });
   return symmetric(result);

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <unordered_map>
 
@@ -179,12 +180,37 @@ ModelLabels read_label_array(const fs::path& path) {
   return labels_in_order(names, path.string());
 }
 
+/// Lines "id class" as rows of a table; none where they can also be a list of classes.
+std::vector<CsvRow> rows_of_words(std::string_view text) {
+  std::vector<CsvRow> rows;
+  std::set<std::string> ids;
+  std::set<std::string> names;
+  std::size_t number = 0;
+  for (const std::string_view whole : split_lines(text)) {
+    ++number;
+    const std::string_view line = trim(whole);
+    if (line.empty()) continue;
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string id(line.substr(0, end));
+    const std::string name(trim(line.substr(end)));
+    const bool header = rows.empty() && lower_case(id) == "id";
+    const bool is_id = header || id.find_first_of("0123456789") != std::string::npos;
+    if (!is_id || name.empty() || !ids.insert(id).second) return {};
+    names.insert(name);
+    rows.push_back({.cells = {id, name}, .line = number});
+  }
+  if (names.size() == rows.size()) return {};
+  return rows;
+}
+
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
   const std::string text = read_plain_bytes(path);
   if (const std::optional<char> separator = first_separator(text)) {
     return parse_label_table(parse_csv(text, path.string(), *separator), path.string());
   }
+  if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
+    return parse_label_table(rows, path.string());
   std::vector<std::string> names;
   for (const std::string_view line : split_lines(text)) {
     if (!trim(line).empty()) names.emplace_back(trim(line));

@@ -27,6 +27,7 @@ struct ModelLabels {
 /// - a table (any other file) with commas, semicolons or tabs: its first row names the columns, in any case, id (name,
 ///   model, file) and class (label, category), and if there is one, split: query (test, probe), target (train,
 ///   gallery), or both or nothing. Without such a row the two columns are id and class;
+/// - lines of an id and a class with blanks between, where every id has a digit, none repeats and classes do;
 /// - a list: one class a line, or a `.npy` array of whole numbers or strings. Models then have no ids.
 /// Tables, lists and arrays may be compressed, with `.gz` behind. Level 0 takes the classes of a `.cla` file as they
 /// are; level n takes in place of each class its ancestor of the n-th generation from the root (1: the root), or itself

@@ -200,10 +200,7 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
                     negated ? "distances, which take no --similarity" : "similarities, which take --similarity"));
   }
   if (found.asymmetric_pairs > 0) {
-    warnings.push_back(
-        fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, by up to {:.6g}; "
-                    "row i, not column i, is the answer to query i",
-                    counted(found.asymmetric_pairs, "pair", "pairs"), found.largest_asymmetry));
+    warnings.push_back(fmt::format("{}; row i, not column i, is the answer to query i", asymmetry_text(found)));
   }
   if (found.nonzero_diagonal > 0 && !negated) {
     warnings.push_back(
@@ -214,13 +211,15 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
 }
 
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
-  if (!found.equal_rows.empty()) {
-    const auto& [row, earlier] = found.equal_rows.front();
-    warnings.push_back(
-        fmt::format("{} an earlier one (first: {} repeats {}): duplicates in the data set find each other, "
-                    "which makes all scores larger",
-                    counted(std::ssize(found.equal_rows), "row repeats", "rows repeat"), name_of_row(ids, row),
-                    name_of_row(ids, earlier)));
+  auto repeated = found.equal_rows;  // rows of one distance only are told as such
+  std::erase_if(repeated,
+                [&](const auto& rows) { return std::ranges::binary_search(found.constant_rows, rows.first); });
+  if (!repeated.empty()) {
+    const auto& [row, earlier] = repeated.front();
+    warnings.push_back(fmt::format(
+        "{} an earlier one (first: {} repeats {}): duplicates in the data set find each other, "
+        "which makes all scores larger",
+        counted(std::ssize(repeated), "row repeats", "rows repeat"), name_of_row(ids, row), name_of_row(ids, earlier)));
   }
   if (!found.constant_rows.empty()) {
     warnings.push_back(fmt::format("{} all distances equal (first: {}): their answers have no order but that of ties",
@@ -251,7 +250,23 @@ Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& op
   return evaluate(rows, data.task.retrieval, options);
 }
 
+// What may be wrong with labels where each model has a class of its own.
+std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) {
+  if (files.labels.empty() || task.class_names.size() < 2 || task.class_names.size() < task.query_ids.size()) return "";
+  return fmt::format(
+      "; in {} each model has a class of its own: expected are a class a line, or a table of ids and classes with "
+      "commas, semicolons or tabs",
+      files.labels.string());
+}
+
 }  // namespace
+
+std::string asymmetry_text(const MatrixFindings& found) {
+  const std::string pairs = counted(found.asymmetric_pairs, "pair", "pairs");
+  const std::string amount = found.largest_asymmetry > 0 ? fmt::format("by up to {:.6g}", found.largest_asymmetry)
+                                                         : "as one is infinite and the other is not";
+  return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
+}
 
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
   std::vector<std::string> warnings;
@@ -270,16 +285,17 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files) {
 
 EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOptions& options,
                               const RowProgress& progress) {
-  EvaluatedFiles result{.data = open_evaluation_files(files), .evaluation = {}, .warnings = {}};
+  EvaluatedFiles result{.data = open_evaluation_files(files), .evaluation = {}, .findings = {}, .warnings = {}};
   const EvaluationTask& task = result.data.task;
   MatrixChecks checks(task.same_rows_and_columns);
   try {
     result.evaluation = evaluate_rows(result.data, options, checks, progress);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
+    throw InputError(fmt::format("{}: {}{}", files.matrix.string(), error.what(), advice_on(files, task)));
   }
   result.warnings = task.warnings;
-  const std::vector<std::string> odd = matrix_warnings(checks.findings(), task.query_ids, files.similarity);
+  result.findings = checks.findings();
+  const std::vector<std::string> odd = matrix_warnings(result.findings, task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
   if (result.evaluation.models_left_out > 0) {
     result.warnings.push_back(

@@ -36,6 +36,9 @@ struct EvaluationData {
   EvaluationTask task;
 };
 
+/// How many pairs of entries of an asymmetric matrix differ, and by how much.
+std::string asymmetry_text(const MatrixFindings& found);
+
 /// What a user should know of a matrix, a sentence each. `ids` name its rows; `negated`: it was of similarities.
 std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
 
@@ -49,6 +52,7 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files);
 struct EvaluatedFiles {
   EvaluationData data;
   Evaluation evaluation;
+  MatrixFindings findings;            ///< of the matrix; none of ranked lists
   std::vector<std::string> warnings;  ///< what a user should know of the files, a sentence each
 };
 

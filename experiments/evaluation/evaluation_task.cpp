@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <functional>
 #include <limits>
@@ -103,13 +104,46 @@ void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& t
   if (count > 0) task.warnings.push_back(fmt::format("{} {}: left out of all scores", count, what));
 }
 
-void warn_of_unanswered(std::size_t count, std::string_view what, Unanswered unanswered, EvaluationTask& task) {
-  if (count == 0) return;
-  task.warnings.push_back(unanswered == Unanswered::count
-                              ? fmt::format("{} {}: all their scores are 0 (--all-queries)", count, what)
-                              : fmt::format("{} {}: left out of all scores, as trec_eval does; --all-queries (its "
-                                            "option -c) counts them with scores of 0",
-                                            count, what));
+// Says what the scores rest on where that is not all queries, or lists too short to be right.
+void warn_of_coverage(std::string_view queries, Unanswered unanswered, EvaluationTask& task) {
+  const ListCoverage& coverage = task.coverage.value();
+  if (const std::size_t missing = coverage.queries - coverage.answered; missing > 0) {
+    task.warnings.push_back(
+        fmt::format("{} of {} {} have no answer: {}", missing, coverage.queries, queries,
+                    unanswered == Unanswered::count
+                        ? "their scores are 0"
+                        : fmt::format("the scores are of the other {}, as in trec_eval; --missing-queries zero counts "
+                                      "the missing ones with scores of 0",
+                                      coverage.answered)));
+  }
+  if (coverage.incomplete > 0) {
+    task.warnings.push_back(fmt::format(
+        "{} of {} lists have fewer models than are relevant (lists of {} to {} models): relevant models that are not "
+        "in a list count as not found, so that no order of such a list reaches the best score",
+        coverage.incomplete, coverage.answered, coverage.shortest, coverage.longest));
+  }
+}
+
+// Of the first `answered` rows, which have lists, and as many queries as are missing besides.
+ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::size_t missing) {
+  const RetrievalTask& task = ranked.task.retrieval;
+  const std::vector<std::size_t> relevant = relevant_counts(task);
+  ListCoverage coverage{.queries = missing, .shortest = ranked.distances.cols()};
+  for (Eigen::Index row = 0; row < answered; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    if (task.query_classes[i] == no_class) continue;
+    Eigen::Index length = 0;
+    for (Eigen::Index column = 0; column < ranked.distances.cols(); ++column) {
+      if (column != task.own_column[i] && !std::isnan(ranked.distances(row, column))) ++length;
+    }
+    ++coverage.queries;
+    ++coverage.answered;
+    coverage.shortest = std::min(coverage.shortest, length);
+    coverage.longest = std::max(coverage.longest, length);
+    if (static_cast<std::size_t>(length) < relevant[i]) ++coverage.incomplete;
+  }
+  if (coverage.answered == 0) coverage.shortest = 0;
+  return coverage;
 }
 
 // As many rows of distances as there are queries; further ones have found nothing.
@@ -249,6 +283,7 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
       ranked.distances(row, columns.at(canonical_model_id(model))) = distance;
     }
   }
+  const auto answered_rows = std::ssize(task.query_ids);
   std::size_t missing = 0;
   for (const std::string& id : labels.queries) {
     if (answered.contains(canonical_model_id(id))) continue;
@@ -260,7 +295,8 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
     task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
   }
   add_empty_rows(ranked);
-  warn_of_unanswered(missing, "queries have no answer", unanswered, task);
+  task.coverage = coverage_of(ranked, answered_rows, missing);
+  warn_of_coverage("queries", unanswered, task);
   return ranked;
 }
 
@@ -294,6 +330,7 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
     add_judged_query(*judged->second, columns, task);
     judged_queries.erase(judged);
   }
+  const auto answered_rows = std::ssize(task.query_ids);
   const std::size_t missing = judged_queries.size();
   if (unanswered == Unanswered::count) {
     for (const Judgements::Judged& judged : judgements.queries) {
@@ -303,7 +340,8 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
   ranked.distances.conservativeResize(std::min(ranked.distances.rows(), std::ssize(task.query_ids)), Eigen::NoChange);
   add_empty_rows(ranked);
   warn_of_missing(unjudged, "queries have no judgements", task);
-  warn_of_unanswered(missing, "judged queries have no answer", unanswered, task);
+  task.coverage = coverage_of(ranked, answered_rows, missing);
+  warn_of_coverage("judged queries", unanswered, task);
   return ranked;
 }
 

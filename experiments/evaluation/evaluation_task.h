@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,13 +25,23 @@ struct MatrixSize {
   Eigen::Index columns = 0;
 };
 
+/// On how many queries, and how long ranked lists, scores rest.
+struct ListCoverage {
+  std::size_t queries = 0;     ///< labelled or judged queries
+  std::size_t answered = 0;    ///< queries with a list, among them
+  Eigen::Index shortest = 0;   ///< models in a list, the query itself left out
+  Eigen::Index longest = 0;    ///< as above
+  std::size_t incomplete = 0;  ///< lists with fewer models than are relevant: even their best order scores below 1
+};
+
 /// What the rows and columns of a matrix mean, with the names that people read.
 struct EvaluationTask {
   RetrievalTask retrieval;
-  std::vector<std::string> query_ids;    ///< by row
-  std::vector<std::string> class_names;  ///< by class in the retrieval task
-  bool same_rows_and_columns = false;    ///< row i and column i are the same model
-  std::vector<std::string> warnings;     ///< how the files were taken, where a user might expect otherwise
+  std::vector<std::string> query_ids;      ///< by row
+  std::vector<std::string> class_names;    ///< by class in the retrieval task
+  bool same_rows_and_columns = false;      ///< row i and column i are the same model
+  std::optional<ListCoverage> coverage{};  ///< of ranked lists; a matrix covers all
+  std::vector<std::string> warnings;       ///< how the files were taken, where a user might expect otherwise
 };
 
 /// Which model a row is where no ids say so: the i-th in natural order (2 before 10), or in that of the labels' file.

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -31,6 +33,13 @@ void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
                   source));
 }
 
+// A hundredth of the number, read as it is written: divided by 100 it would be rounded again.
+std::optional<double> fraction_of_percent(const std::string& cell) {
+  if (const auto fraction = parse_number(cell + "e-2")) return fraction;
+  const auto percent = parse_number(cell);
+  return percent ? std::optional(*percent / 100) : std::nullopt;
+}
+
 Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std::string& source) {
   if (row.cells.size() != first_measure + measures) {
     throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
@@ -39,11 +48,11 @@ Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std:
   Eigen::RowVectorXd scores(static_cast<Eigen::Index>(measures));
   for (std::size_t i = 0; i < measures; ++i) {
     const std::string& cell = row.cells[first_measure + i];
-    const auto percent = parse_number(cell);
-    if (!percent || !(*percent >= 0 && *percent <= 100)) {
+    const auto fraction = fraction_of_percent(cell);
+    if (!fraction || !(*fraction >= 0 && *fraction <= 1)) {
       throw InputError(fmt::format("{}:{}: {} is no number from 0 to 100", source, row.line, quoted_word(cell)));
     }
-    scores[static_cast<Eigen::Index>(i)] = *percent / 100;
+    scores[static_cast<Eigen::Index>(i)] = *fraction;
   }
   return scores;
 }

@@ -147,6 +147,12 @@ void embolden_best_of(Table& table, const std::vector<std::size_t>& rows, std::s
 
 }  // namespace
 
+std::string decimal_text(double number, int decimals) {
+  std::string text = fmt::format("{:.{}f}", number, decimals);
+  if (text.starts_with("-0") && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
+}
+
 void embolden_best(Table& table, std::size_t first_key) {
   std::map<Row, std::vector<std::size_t>> groups;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

@@ -14,6 +14,9 @@ struct Emphasis {
   std::string mark;
 };
 
+/// The number with so many decimals, without the sign of what is rounded to 0.
+std::string decimal_text(double number, int decimals);
+
 /// A table of text cells, numbers already formatted. Every row has as many cells as the header.
 struct Table {
   std::vector<std::string> header;

@@ -1,6 +1,8 @@
 #include "shapegauge/experiments/results/evaluation_tables.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fmt/format.h>
 
 namespace shapegauge {
@@ -36,6 +38,26 @@ void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const 
   }
 }
 
+/// A fraction in percent with all its digits: its shortest text with the point moved, as multiplied by 100 it would be
+/// rounded.
+std::string exact_percent(double fraction) {
+  std::array<char, 400> buffer = {};  // the longest text of a double
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), fraction, std::chars_format::fixed);
+  std::string text(buffer.data(), end);
+  std::size_t point = text.find('.');
+  if (point == std::string::npos) {
+    point = text.size();
+    text += '.';
+  }
+  text.append(2, '0');
+  text.erase(point, 1).insert(point + 2, 1, '.');
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  text.erase(0, std::min(text.find_first_not_of('0'), text.size()));
+  return text.empty() || text.starts_with('.') ? "0" + text : text;
+}
+
 bool all_have_intervals(std::span<const NamedEvaluation> evaluations) {
   return std::ranges::none_of(evaluations, [](const NamedEvaluation& named) { return named.intervals.micro.empty(); });
 }
@@ -43,7 +65,8 @@ bool all_have_intervals(std::span<const NamedEvaluation> evaluations) {
 }  // namespace
 
 std::string score_text(double fraction, const ScoreStyle& style) {
-  return fmt::format("{:.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+  if (style.decimals == all_decimals) return style.percent ? exact_percent(fraction) : fmt::format("{}", fraction);
+  return decimal_text(style.percent ? 100 * fraction : fraction, style.decimals);
 }
 
 EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOptions& options) {

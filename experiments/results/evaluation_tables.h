@@ -14,14 +14,19 @@ namespace shapegauge {
 /// How scores are written.
 struct ScoreStyle {
   bool percent = true;  ///< else fractions
-  int decimals = 2;
+  int decimals = 2;     ///< all_decimals: as many as the score needs to be read back to the bit
 };
+
+inline constexpr int all_decimals = -1;
 
 /// The score in that style.
 std::string score_text(double fraction, const ScoreStyle& style);
 
 /// Of tables in files: percent, to a hundredth of what a query of 10,000 is worth.
 inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
+
+/// Of tables that are read again.
+inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimals};
 
 /// How confidence intervals are made (bootstrap_intervals).
 struct IntervalOptions {
@@ -63,9 +68,9 @@ Table intervals_table(std::span<const NamedEvaluation> evaluations);
 Table per_class_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> class_names);
 
 /// A row for each evaluation and query: method, protocol, id of the query, its class, measures. ids are by row of the
-/// matrix.
+/// matrix. read_method_scores() reads the scores back to the bit.
 Table per_query_table(std::span<const NamedEvaluation> evaluations, std::span<const std::string> ids,
-                      std::span<const std::string> class_names, const ScoreStyle& style = csv_style);
+                      std::span<const std::string> class_names, const ScoreStyle& style = exact_style);
 
 /// A row for each evaluation and level of recall: method, protocol, recall, precision averaged over queries, precision
 /// averaged over classes; fractions.

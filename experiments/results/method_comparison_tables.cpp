@@ -17,7 +17,8 @@ std::string mark_of(std::size_t method, std::size_t methods) {
 }
 
 std::string signed_score(double fraction, const ScoreStyle& style) {
-  return fmt::format("{:+.{}f}", style.percent ? 100 * fraction : fraction, style.decimals);
+  const std::string text = score_text(fraction, style);
+  return text.starts_with('-') ? text : "+" + text;
 }
 
 std::string p_value(double p, bool exact) {
@@ -94,7 +95,7 @@ Table pairs_table(const AlignedMethods& methods, std::span<const MethodCompariso
                             signed_score(pair.difference, style), signed_score(pair.interval.low, style),
                             signed_score(pair.interval.high, style), p_value(pair.p, exact),
                             p_value(pair.p_holm, exact), p_value(pair.p_tukey, exact),
-                            fmt::format("{:.2f}", pair.effect_size), fmt::format("{}", pair.queries.wins),
+                            decimal_text(pair.effect_size, 2), fmt::format("{}", pair.queries.wins),
                             fmt::format("{}", pair.queries.ties), fmt::format("{}", pair.queries.losses)});
     }
   }

@@ -98,6 +98,8 @@ TEST_F(CompareCommand, TheOutputsOfEvaluateAreComparedAlike) {
   const Outcome tables = compare("good.csv bad.csv", "--format csv");
   EXPECT_EQ(tables.status, 0) << tables.errors;
   EXPECT_EQ(tables.output, compare_matrices("good.npy bad.npy", "--format csv").output);
+  EXPECT_EQ(compare("good.csv bad.csv", "--format json").output,
+            compare_matrices("good.npy bad.npy", "--format json").output);  // to the last digit
 }
 
 TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {

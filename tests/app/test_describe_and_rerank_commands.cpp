@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <limits>
 #include <string>
 
 #include "shapegauge/core/io/off.h"
@@ -138,7 +139,8 @@ TEST(RerankCommand, GivesWhatTheLibraryGives) {
   const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
   write_npy(at("d.npy"), line());
   const auto rerank = [&](const std::string& arguments) {
-    const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}' {}", at("d.npy"), at("r.npy"), arguments));
+    const std::string call = fmt::format("rerank '{}' --replace -o '{}' {}", at("d.npy"), at("r.npy"), arguments);
+    const Outcome outcome = run_executable(call);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return read_distance_matrix(at("r.npy")).distances;
   };
@@ -160,6 +162,42 @@ TEST(RerankCommand, IdsOfACsvStay) {
   const LabelledDistances found = read_distance_matrix(at("r.csv"));
   EXPECT_THAT(found.ids, testing::ElementsAre("x", "y", "z"));
   EXPECT_EQ(found.distances, query_expansion(DistanceMatrix{{0, 1, 3}, {1, 0, 2}, {3, 2, 0}}, {.neighbours = 1}));
+}
+
+TEST(RerankCommand, InfiniteDistancesStayUsable) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  DistanceMatrix distances = line();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  distances.row(3).setConstant(infinity);
+  distances.col(3).setConstant(infinity);
+  distances(3, 3) = 0;
+  write_npy(at("d.npy"), distances);
+  test::write_text(at("classes.txt"), "a\na\na\na\na\nb\nb\nb\nb\nb\n");
+  for (const std::string method :
+       {"diffusion --neighbours 3", "diffusion --neighbours 3 --sparse", "k_reciprocal", "query_expansion"}) {
+    const Outcome outcome =
+        run_executable(fmt::format("rerank '{}' --replace -o '{}' --method {}", at("d.npy"), at("r.npy"), method));
+    EXPECT_EQ(outcome.status, 0) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "") << method;
+    const DistanceMatrix found = read_distance_matrix(at("r.npy")).distances;
+    EXPECT_EQ(found.array().isInf().count(), 18) << method;
+    EXPECT_FALSE(found.hasNaN()) << method;
+    EXPECT_EQ(run_executable(fmt::format("evaluate '{}' --labels '{}'", at("r.npy"), at("classes.txt"))).status, 0);
+  }
+}
+
+TEST(RerankCommand, RemarksOnAnAsymmetricMatrixInOneLine) {
+  const test::TemporaryFolder folder;
+  const auto at = [&](const std::string& name) { return (folder.path() / name).string(); };
+  DistanceMatrix distances = line();
+  distances(2, 5) += 0.5;
+  distances(7, 1) += 2;
+  write_npy(at("d.npy"), distances);
+  const Outcome outcome = run_executable(fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.npy")));
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, testing::MatchesRegex("shapegauge: warning: [^\n]*not symmetric: 2 pairs[^\n]*by up to "
+                                                    "2;[^\n]*\n"));
 }
 
 TEST(RerankCommand, TellsWhatIsWrongInALine) {

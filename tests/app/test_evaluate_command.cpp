@@ -1,6 +1,7 @@
 #include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/files/npy.h"
@@ -265,12 +266,97 @@ TEST_F(EvaluateCommand, JsonSaysWhatItIsOf) {
 }
 
 TEST_F(EvaluateCommand, EachQueryIsShownWhereWanted) {
-  const Outcome table = evaluate_toy("-q --format csv --measures NN");
+  const Outcome table = evaluate_toy("--each-query --format csv --measures NN");
   EXPECT_THAT(table.output, StartsWith("method,protocol,id,class,NN\ntoy,psb,0,A,100.0000\n"));
   EXPECT_THAT(table.output, HasSubstr("\n\nmethod,protocol,average,NN\ntoy,psb,micro,57.1429\n"));
-  const auto json = nlohmann::json::parse(evaluate_toy("-q --format json --measures NN").output);
+  const auto json = nlohmann::json::parse(evaluate_toy("--each-query --format json --measures NN").output);
   EXPECT_EQ(json["per_query"].size(), 7U);
   EXPECT_EQ(json["per_query"]["0"]["NN"], 1);
+  expect_error_lines({{"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' -q", "--each-query"}});
+  EXPECT_EQ(evaluate_toy("--quiet --measures NN").output, evaluate_toy("--measures NN").output);
+}
+
+TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
+  // Queries 0 to 3 of seven are answered, with the two models nearest to each; B has three relevant models.
+  write_text(at("two.lists"), "0 1 3\n1 0 3\n2 4 3\n3 1 4\n");
+  const auto evaluate = [&](const std::string& more) { return evaluate_toy("--format json " + more, "two.lists"); };
+  const Outcome skipped = evaluate("");
+  EXPECT_THAT(skipped.errors, HasSubstr("warning: 3 of 7 queries have no answer"));
+  EXPECT_THAT(skipped.errors, HasSubstr("warning: 1 of 4 lists have fewer models than are relevant (lists of 2 to 2"));
+  const auto of_skipped = nlohmann::json::parse(skipped.output);
+  EXPECT_EQ(of_skipped["lists"], nlohmann::json({{"queries", 7},
+                                                 {"answered", 4},
+                                                 {"missing_queries", "skip"},
+                                                 {"shortest_list", 2},
+                                                 {"longest_list", 2},
+                                                 {"incomplete_lists", 1}}));
+  EXPECT_EQ(of_skipped["queries"], 4);
+  const Outcome zero = evaluate("--missing-queries zero");
+  const auto of_zero = nlohmann::json::parse(zero.output);
+  EXPECT_EQ(of_zero["queries"], 7);
+  EXPECT_EQ(of_zero["lists"]["answered"], 4);
+  EXPECT_EQ(of_zero["lists"]["missing_queries"], "zero");
+  for (const char* const measure : {"NN", "FT", "DCG", "mAP"}) {
+    EXPECT_NEAR(of_zero["micro"][measure].get<double>() * 7, of_skipped["micro"][measure].get<double>() * 4, 1e-12);
+  }
+  EXPECT_EQ(evaluate("-c").output, zero.output);
+  EXPECT_FALSE(nlohmann::json::parse(evaluate_toy("--format json").output).contains("lists"));
+}
+
+/// Whether a text has so many warnings.
+int warnings_in(const std::string& text) {
+  int count = 0;
+  for (std::size_t i = text.find("warning: "); i != std::string::npos; i = text.find("warning: ", i + 1)) ++count;
+  return count;
+}
+
+TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
+  write_npy(at("zero.npy"), DistanceMatrix::Zero(7, 7));
+  const Outcome outcome = evaluate_toy("", "zero.npy");
+  EXPECT_EQ(warnings_in(outcome.errors), 1) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("7 rows have all distances equal"));
+  DistanceMatrix mixed = DistanceMatrix::Zero(7, 7);  // some ties besides
+  mixed.row(0) << 0, 1, 1, 1, 2, 3, 4;
+  write_npy(at("mixed.npy"), mixed);
+  const std::string errors = evaluate_toy("", "mixed.npy").errors;
+  EXPECT_EQ(warnings_in(errors), 3) << errors;
+  EXPECT_THAT(errors, HasSubstr("the answers to 7 of 7 queries"));
+}
+
+TEST_F(EvaluateCommand, AnInfiniteEntryIsNoDifferenceOfZero) {
+  DistanceMatrix distances = DistanceMatrix::Zero(7, 7);
+  for (int i = 0; i < 7; ++i) {
+    for (int j = 0; j < 7; ++j) distances(i, j) = std::abs(i * i - j * j);
+  }
+  distances(1, 4) = std::numeric_limits<double>::infinity();
+  write_npy(at("infinite.npy"), distances);
+  const std::string errors = evaluate_toy("", "infinite.npy").errors;
+  EXPECT_THAT(errors, HasSubstr("not symmetric: 1 pair"));
+  EXPECT_THAT(errors, testing::Not(HasSubstr("by up to")));
+}
+
+TEST_F(EvaluateCommand, LinesOfIdsAndClassesAreATable) {
+  write_text(at("words.txt"), "0 A\n1 A\n2  A\n3\tB\n4 B\n5 B\n6 B\n");
+  const Outcome outcome =
+      run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "' --format csv");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, evaluate_toy("--format csv").output);
+  write_text(at("words.txt"), "red A\nblue A\nbig A\nold B\nnew B\nfar B\nhot B\n");  // as well seven classes
+  expect_error_lines(
+      {{"evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "'", "each model has a class of its own"}});
+}
+
+TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) {
+  // The order of the classes is not that of the rows.
+  write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
+  std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));
+  const auto alone = nlohmann::json::parse(evaluate_toy("--confidence 0.95 --format json").output);
+  const auto compared = nlohmann::json::parse(run_executable("compare '" + at("toy.npy") + "' '" + at("copy.npy") +
+                                                             "' --labels '" + at("toy.cla") + "' --format json")
+                                                  .output);
+  for (const char* const measure : {"NN", "FT", "DCG", "mAP"}) {
+    EXPECT_EQ(compared["measures"][measure]["methods"][0]["interval"], alone["intervals"]["micro"][measure]) << measure;
+  }
 }
 
 TEST_F(EvaluateCommand, JudgementsAreUsuallyOfTheTrecProtocol) {

@@ -29,7 +29,7 @@ class NormalsCommand : public testing::Test {
   }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome normals(const std::string& input, const std::string& more, const std::string& output) const {
-    return run_executable(fmt::format("normals '{}' {} -o '{}'", at(input), more, at(output)));
+    return run_executable(fmt::format("normals '{}' {} --replace -o '{}'", at(input), more, at(output)));
   }
 
   Shape mesh = test::flipped(test::sphere(10, 2));

@@ -20,7 +20,7 @@ class PerturbCommand : public testing::Test {
   void SetUp() override { write_off(folder_.path() / "sphere.off", shape); }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome perturb(const std::string& output, const std::string& more) const {
-    return run_executable("perturb '" + at("sphere.off") + "' -o '" + at(output) + "' " + more);
+    return run_executable("perturb '" + at("sphere.off") + "' --replace -o '" + at(output) + "' " + more);
   }
 
   Shape shape = test::sphere(10, 3);  // 1280 faces

@@ -2,6 +2,9 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <map>
+#include <regex>
+#include <string>
 #include <sys/wait.h>
 #include <vector>
 
@@ -71,7 +74,7 @@ TEST_F(Program, HelpIsACommandToo) {
 }
 
 TEST_F(Program, QuietLeavesNotesAndVerboseAddsThem) {
-  const std::string normals = "normals " + quoted("data/T0.off") + " -o " + quoted("x.npy");
+  const std::string normals = "normals " + quoted("data/T0.off") + " --replace -o " + quoted("x.npy");
   EXPECT_THAT(run_executable(normals).errors, HasSubstr("offset 0.01 chosen"));
   EXPECT_EQ(run_executable("-q " + normals).errors, "");
   EXPECT_EQ(run_executable(normals + " --quiet").errors, "");
@@ -97,7 +100,8 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
 
 TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
   const auto agree = [&](const std::string& option, const std::string& field) {
-    const Outcome line = run_executable("sdf " + quoted("data/T1.off") + " -o " + quoted("x.npy") + " " + option);
+    const Outcome line =
+        run_executable("sdf " + quoted("data/T1.off") + " --replace -o " + quoted("x.npy") + " " + option);
     const Outcome file = run_executable("run " + quoted("small.json") + " --replace --output " + quoted("out") +
                                         " --set 'signatures.0.field=" + field + "'");
     EXPECT_EQ(line.status == 2, file.status == 2) << option << "\n" << line.errors << file.errors;
@@ -115,7 +119,8 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
     agree(fmt::format("--method cone --opening-angle {}", angle),
           fmt::format(R"({{"type":"cone_sdf","opening_angle_degrees":{}}})", angle));
   }
-  const std::string perturb = "perturb " + quoted("data/T1.off") + " -o " + quoted("x.off") + " --noise 0.01 --seed ";
+  const std::string perturb =
+      "perturb " + quoted("data/T1.off") + " --replace -o " + quoted("x.off") + " --noise 0.01 --seed ";
   EXPECT_EQ(run_executable(perturb + "-1").status, 2);
   EXPECT_EQ(run_executable(perturb + "0").status, 0);
   EXPECT_EQ(run_executable("dataset generate " + quoted("made") + " --seed -1").status, 2);
@@ -172,6 +177,39 @@ TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
       SHAPEGAUGE_EXECUTABLE, quoted("small.json"), quoted("out"));
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_TRUE(std::filesystem::exists(at("out/manifest.json")));
+}
+
+TEST_F(Program, AShortOptionMeansOneThingEverywhere) {
+  std::map<std::string, std::string> meanings;
+  for (const std::string command : {"",
+                                    "run",
+                                    "sdf",
+                                    "normals",
+                                    "info",
+                                    "perturb",
+                                    "convert",
+                                    "segment",
+                                    "view",
+                                    "describe",
+                                    "rerank",
+                                    "evaluate",
+                                    "compare",
+                                    "evaluate-segmentation",
+                                    "measures",
+                                    "dataset info",
+                                    "dataset validate",
+                                    "dataset generate",
+                                    "cache",
+                                    "completion"}) {
+    const std::string help = run_executable(command + " --help").output;
+    const std::regex names("(-[a-zA-Z]),(--[a-z-]+)");
+    for (auto match = std::sregex_iterator(help.begin(), help.end(), names); match != std::sregex_iterator(); ++match) {
+      const auto [known, is_new] = meanings.emplace((*match)[1], (*match)[2]);
+      EXPECT_EQ(known->second, (*match)[2]) << command;
+    }
+  }
+  EXPECT_EQ(meanings.at("-q"), "--quiet");
+  EXPECT_EQ(meanings.at("-o"), "--output");
 }
 
 TEST_F(Program, ResultsThatDoNotReachAFullDeviceAreAnError) {

@@ -55,8 +55,8 @@ class SegmentCommands : public testing::Test {
 
 TEST_F(SegmentCommands, SegmentWritesALineAFace) {
   for (const char* method : {"best", "paper"}) {
-    const Outcome outcome =
-        run_executable(fmt::format("segment '{}' --method {} -o '{}'", at("psb/off/1.off"), method, at("x.seg")));
+    const Outcome outcome = run_executable(
+        fmt::format("segment '{}' --method {} --replace -o '{}'", at("psb/off/1.off"), method, at("x.seg")));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     EXPECT_EQ(outcome.output, "");
     EXPECT_THAT(outcome.errors, HasSubstr("2 parts"));

@@ -47,7 +47,7 @@ TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
       const std::string file = command.starts_with("sdf") || command == "normals" ? name + ".csv" : name + ".off";
-      ASSERT_EQ(run(fmt::format("{} @{}.off -o @alone-{}", command, name, file)).status, 0);
+      ASSERT_EQ(run(fmt::format("{} @{}.off --replace -o @alone-{}", command, name, file)).status, 0);
       EXPECT_EQ(text_of(at("many/" + file)), text_of(at("alone-" + file))) << command;
     }
     fs::remove_all(at("many"));
@@ -147,7 +147,7 @@ TEST_F(ShapeFiles, InfoOfSeveralIsAListInTheirOrder) {
 
 TEST_F(ShapeFiles, PicturesHaveTheSizeAndTheViewAskedFor) {
   const auto picture = [&](const std::string& more) {
-    const Outcome outcome = run("sdf @box.off --method cone -o @x.png " + more);
+    const Outcome outcome = run("sdf @box.off --method cone --replace -o @x.png " + more);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return text_of(at("x.png"));
   };

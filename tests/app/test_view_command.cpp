@@ -28,7 +28,7 @@ class ViewCommand : public testing::Test {
   void SetUp() override { write_off(folder_.path() / "capsule.off", capsule); }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
   [[nodiscard]] Outcome view(const std::string& arguments) const {
-    return run_executable("view " + arguments + " -o '" + at("page.html") + "'");
+    return run_executable("view " + arguments + " --replace -o '" + at("page.html") + "'");
   }
   /// What the page shows.
   [[nodiscard]] ordered_json page() const {

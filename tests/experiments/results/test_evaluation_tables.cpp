@@ -5,7 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "tests/support/test_files.h"
 
 namespace shapegauge {
 
@@ -153,7 +156,7 @@ TEST_F(Evaluations, PerClassLeavesOutClassesWithoutQueries) {
 }
 
 TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
-  const Table table = per_query_table(named, ids, classes);
+  const Table table = per_query_table(named, ids, classes, csv_style);
   ASSERT_THAT(table.rows, SizeIs(7));
   EXPECT_THAT(table.rows[0],
               ElementsAre("m", "psb", "s", "B", "0.0000", "33.3333", "100.0000", "60.0000", "73.3838", "53.3333"));
@@ -164,6 +167,26 @@ TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
               ElementsAre("m", "psb", "w", "A", "0.0000", "50.0000", "100.0000", "44.4444", "75.0000", "50.0000"));
   EXPECT_THAT(table.rows[6],
               ElementsAre("m", "psb", "z", "A", "0.0000", "0.0000", "0.0000", "44.4444", "40.8765", "26.6667"));
+}
+
+TEST_F(Evaluations, PerQueryScoresAreReadBackToTheBit) {
+  EXPECT_EQ(per_query_table(named, ids, classes).rows[1][4], "100");
+  EXPECT_EQ(per_query_table(named, ids, classes).rows[0][5], "33.33333333333333");
+  RandomNumbers random(3);
+  Eigen::MatrixXd& scores = evaluation.per_query;
+  for (double& score : scores.reshaped())
+    score = random.uniform(0, 1) * std::pow(10, -static_cast<int>(random.below(5)));
+  scores.row(0) << 0, 1, 5e-324, 1e-17, 0.07, 0.57;
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / "per_query.csv", to_csv(per_query_table(named, ids, classes)));
+  EXPECT_EQ(read_method_scores(folder.path() / "per_query.csv").at(0).values, scores);
+}
+
+TEST(ScoreText, NothingIsNegativeZero) {
+  for (const double tiny : {-1e-17, -0.0, 0.0, -4e-5}) EXPECT_EQ(score_text(tiny, {}), "0.00");
+  EXPECT_EQ(score_text(-5.1e-5, {}), "-0.01");
+  EXPECT_EQ(score_text(-0.004, {.percent = false, .decimals = 2}), "0.00");
+  EXPECT_EQ(score_text(-0.004, {.percent = false, .decimals = 3}), "-0.004");
 }
 
 TEST_F(Evaluations, PrecisionRecallOverQueriesAndOverClasses) {

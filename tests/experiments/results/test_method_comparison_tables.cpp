@@ -80,6 +80,15 @@ TEST_F(ComparisonTables, PairsAreByMeasure) {
   EXPECT_EQ(pairs_table(methods, comparisons, {}, true).rows[3][7], "1e-05");
 }
 
+TEST_F(ComparisonTables, NoDifferenceIsNegativeZero) {
+  PairDifference& pair = comparisons[0].pairs[0];
+  pair.difference = -1e-17;
+  pair.effect_size = -1e-9;
+  const Table table = pairs_table(methods, comparisons, {}, false);
+  EXPECT_EQ(table.rows[0][3], "+0.00");
+  EXPECT_EQ(table.rows[0][9], "0.00");
+}
+
 TEST_F(ComparisonTables, AsJsonInFractionsWithTheSettings) {
   const auto json =
       comparison_json(methods, comparisons,
