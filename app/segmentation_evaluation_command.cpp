@@ -113,9 +113,9 @@ nlohmann::ordered_json json_of(const SegmentationScores& scores, const Evaluatio
 std::string words_of(const SegmentationScores& scores, const MethodComparison& comparison) {
   std::string words;
   for (std::size_t m = 0; m < scores.methods.size(); ++m) {
-    words += fmt::format("{}: Rand error {:.4f}, 95 % from {:.4f} to {:.4f} (mean of {} classes)\n", scores.methods[m],
-                         comparison.averages[static_cast<Eigen::Index>(m)], comparison.intervals[m].low,
-                         comparison.intervals[m].high, comparison.units);
+    words += fmt::format("{}: Rand error {:.4f}, 95 % from {:.4f} to {:.4f} (mean of {} classes)\n",
+                         printable(scores.methods[m]), comparison.averages[static_cast<Eigen::Index>(m)],
+                         comparison.intervals[m].low, comparison.intervals[m].high, comparison.units);
   }
   return words;
 }

@@ -2,37 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace shapegauge {
 
 namespace {
 
-/// Largest area, of a polygon with an extent of about 1, that is taken for rounding.
-constexpr double negligible_area = 1e-12;
+/// Largest area, of a polygon with an extent of 1, that is taken for rounding.
+constexpr double negligible_area = 1e-11;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Divides by the power of two below the size, which is exact.
-void scale_to_one(std::vector<Eigen::Vector3d>& corners, double size) {
-  if (size == 0) return;
-  const int exponent = std::isinf(size) ? std::numeric_limits<double>::max_exponent : std::ilogb(size);
-  for (Eigen::Vector3d& corner : corners) {
-    corner = corner.unaryExpr([exponent](double x) { return std::ldexp(x, -exponent); });
-  }
-}
-
-/// The corners relative to the first one, scaled to an extent of 1 to 2.
+/// The corners relative to the first one, with an extent of 1, rounded to a grid that is finer than anything of
+/// interest: a polygon of another size, whose coordinates are rounded differently, has the same triangles.
 std::vector<Eigen::Vector3d> normalised(std::span<const Eigen::Vector3d> corners) {
-  double largest = 0;
-  for (const Eigen::Vector3d& corner : corners) largest = std::max(largest, corner.cwiseAbs().maxCoeff());
-  std::vector<Eigen::Vector3d> result(corners.begin(), corners.end());
-  scale_to_one(result, 2 * largest);  // the differences could overflow
-  const Eigen::Vector3d first = result.front();
+  constexpr double cells = 0x1p40;
   double extent = 0;
-  for (Eigen::Vector3d& corner : result) extent = std::max(extent, (corner -= first).cwiseAbs().maxCoeff());
-  scale_to_one(result, extent);
+  for (const Eigen::Vector3d& corner : corners) {
+    extent = std::max(extent, (corner / 2 - corners.front() / 2).cwiseAbs().maxCoeff());  // halves cannot overflow
+  }
+  std::vector<Eigen::Vector3d> result;
+  result.reserve(corners.size());
+  for (const Eigen::Vector3d& corner : corners) {
+    const Eigen::Vector3d relative = corner / 2 - corners.front() / 2;
+    result.emplace_back((relative / (extent > 0 ? extent : 1) * cells).array().round() / cells);
+  }
   return result;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "shapegauge/core/io/triangulate_polygon.h"
+
 namespace shapegauge::test {
 
 rc::Gen<double> any_finite() {
@@ -37,7 +39,15 @@ rc::Gen<Polygons> any_polygons(bool triangles_only) {
 Shape shape_of(const Polygons& polygons) {
   std::vector<std::array<std::int32_t, 3>> triangles;
   for (const auto& face : polygons.faces) {
-    for (std::size_t k = 2; k < face.size(); ++k) triangles.push_back({face[0], face[k - 1], face[k]});
+    std::vector<Eigen::Vector3d> corners;
+    for (const std::int32_t corner : face) corners.emplace_back(polygons.vertices.row(corner));
+    std::vector<PolygonTriangle> of_face = triangles_in_place_of_fan(corners);
+    const bool fan = of_face.empty();
+    for (std::int32_t k = 2; fan && k < static_cast<std::int32_t>(face.size()); ++k) of_face.push_back({0, k - 1, k});
+    for (const auto& [a, b, c] : of_face) {
+      triangles.push_back(
+          {face[static_cast<std::size_t>(a)], face[static_cast<std::size_t>(b)], face[static_cast<std::size_t>(c)]});
+    }
   }
   Shape shape{polygons.vertices, Triangles(static_cast<Eigen::Index>(triangles.size()), 3)};
   for (std::size_t f = 0; f < triangles.size(); ++f) {

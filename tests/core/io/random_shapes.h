@@ -18,7 +18,7 @@ struct Polygons {
 };
 rc::Gen<Polygons> any_polygons(bool triangles_only);
 
-/// Its shape, with polygons as fans about their first corners.
+/// Its shape, with polygons as fans about their first corners, or what replaces these.
 Shape shape_of(const Polygons& polygons);
 
 }  // namespace shapegauge::test

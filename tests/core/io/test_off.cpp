@@ -259,6 +259,8 @@ TEST(ReadOff, FaceWithoutAUsableNumberOfVertices) {
   expect_off_error("OFF\n4 4 6\n" + off_vertices + "3.5 0 1 2\n",
                    "t.off:7: expected a face's number of vertices (a whole number), found \"3.5\"");
   expect_off_error("OFF\n4 1 6\n" + off_vertices + "2000000000 0 1 2\n",
+                   "t.off:7: face 0 has more than 100000 vertices; triangulate it");
+  expect_off_error("OFF\n4 1 6\n" + off_vertices + "90000 0 1 2\n",
                    "t.off: ends after 0 of 1 faces; the file is truncated or its header is wrong");
 }
 

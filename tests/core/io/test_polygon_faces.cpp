@@ -207,15 +207,19 @@ TEST(PolygonFaces, OfManyCornersAreTriangulatedAtOnceAndOfMoreAreRefused) {
 }
 
 TEST(PolygonFaces, WhereManyCornersMeetAreTriangulatedAtOnce) {
-  Corners petals;
-  for (int i = 0; i < 20000; ++i) {
-    const double angle = 2 * std::numbers::pi * i / 20000;
-    petals.emplace_back(0, 0, 0);
-    petals.emplace_back(std::cos(angle), std::sin(angle), 0);
-    petals.emplace_back(std::cos(angle + 1e-4), std::sin(angle + 1e-4), 0);
+  constexpr int petals = 20000;
+  Corners polygon;
+  double area = 0;
+  for (int i = 0; i < petals; ++i) {
+    const double angle = 2 * std::numbers::pi * i / petals;
+    const double radius = 1 + 0.01 * (i * 7 % 13);
+    polygon.emplace_back(0, 0, 0);
+    polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    polygon.emplace_back(radius * std::cos(angle + 1e-4), radius * std::sin(angle + 1e-4), 0);
+    area += radius * radius / 2 * std::sin(1e-4);
   }
-  std::ranges::rotate(petals, petals.begin() + 1);
-  expect_covered(petals, 20000 * 0.5 * std::sin(1e-4));
+  std::ranges::rotate(polygon, polygon.begin() + 1);
+  expect_covered(polygon, area);
 }
 
 }  // namespace

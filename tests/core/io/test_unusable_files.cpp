@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <iterator>
 #include <random>
+#include <regex>
 #include <string>
 #include <utility>
 #include <vector>
@@ -92,16 +93,18 @@ TEST(UnusableFiles, CountsThatTheFileCannotHoldTakeNoMemory) {
   const std::string ply_faces =
       "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n"
       "element face 4000000000000\nproperty list uint int vertex_indices\n";
+  const std::string ply_faces_that_may_be = std::regex_replace(ply_faces, std::regex("4000000000000"), "4000000");
   const std::string ply = "ply\nformat binary_little_endian 1.0\n";
   using namespace std::string_literals;
   const std::vector<std::pair<Encoded, std::string>> files = {
       {{"a.off", "OFF\n2000000000 1 0\n0 0 0\n"}, "ends after 1 of 2000000000 vertices"},
       {{"b.off", "OFF\n1 2000000000 0\n0 0 0\n3 0 0 0\n"}, "ends after 1 of 2000000000 faces"},
-      {{"c.off", "OFF\n1 1 0\n0 0 0\n2000000000 0 0 0\n"}, "ends after 0 of 1 faces"},
+      {{"c.off", "OFF\n1 1 0\n0 0 0\n2000000000 0 0 0\n"}, "face 0 has more than 100000 vertices"},
       {{"d.off", "OFF BINARY\n\x7F\0\0\0\x7F\0\0\0\0\0\0\0"s}, "ends after 0 of 2130706432 vertices"},
       {{"e.ply", ply + ply_vertices + "end_header\n"}, "ends after 0 of 2000000000 vertices"},
-      {{"f.ply", ply + ply_faces + "end_header\n" + std::string(12, '\0')}, "ends after 0 of 4000000000000 faces"},
-      {{"g.ply", ply + ply_faces + "end_header\n" + std::string(12, '\0') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of"},
+      {{"f.ply", ply + ply_faces + "end_header\n" + std::string(12, '\0')}, "4000000000000 faces: at most 2147483647"},
+      {{"g.ply", ply + ply_faces_that_may_be + "end_header\n" + std::string(12, '\0') + "\xFF\xFF\xFF\xFF"},
+       "face 0 has more"},
       {{"i.pts", "2000000000\n0 0 0\n"}, "ends after 1 of 2000000000 points"},
       {{"h.stl", std::string(80, ' ') + "\xFF\xFF\xFF\xFF"}, "ends after 0 of 4294967295 facets"}};
   for (const auto& [file, message] : files) {
