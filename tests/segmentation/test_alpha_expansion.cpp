@@ -118,6 +118,14 @@ TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
   EXPECT_EQ(alpha_expansion(costs, edges, {0, 0, 0, 0}), (Labels{0, 1, 0, 1}));
 }
 
+TEST(AlphaExpansion, AnEdgePullsEitherEnd) {
+  // One node would rather have the first label, by 2, the other must have the second: the edge is worth 3.
+  Eigen::MatrixXd costs(2, 2);
+  costs << 0, 2, 10, 0;
+  EXPECT_EQ(alpha_expansion(costs, {{0, 1, 3}}, {0, 1}), (Labels{1, 1}));
+  EXPECT_EQ(alpha_expansion(costs, {{1, 0, 3}}, {0, 1}), (Labels{1, 1}));
+}
+
 TEST(AlphaExpansion, RefusesWhatIsNoProblem) {
   const Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(2, 2);
   EXPECT_THROW(alpha_expansion(costs, {}, {0}), std::invalid_argument);

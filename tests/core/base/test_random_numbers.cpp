@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "shapegauge/core/base/random_numbers.h"
 
@@ -19,6 +21,12 @@ TEST(RandomNumbers, AStreamRepeatsAndStreamsDiffer) {
     EXPECT_NE(number, other_stream.next());
     EXPECT_NE(number, other_seed.next());
   }
+}
+
+TEST(RandomNumbers, NoTwoStreamsOfASeedBeginAlike) {
+  std::set<std::uint64_t> first;
+  for (std::uint64_t stream = 0; stream < 1000; ++stream) first.insert(RandomNumbers(5, stream).next());
+  EXPECT_EQ(first.size(), 1000U);
 }
 
 TEST(RandomNumbers, UniformStaysInRangeAndHasItsMeanAndVariance) {

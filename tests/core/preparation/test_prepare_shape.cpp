@@ -3,6 +3,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/core/preparation/tube_area.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "tests/support/test_shapes.h"
 
@@ -56,6 +57,16 @@ TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
   Shape with_nan = test::box({1, 1, 1}, 1);
   with_nan.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(scaled_to_unit_area(with_nan), InputError);
+}
+
+TEST(PrepareShape, ScalesTheEstimateOfTheAreaToOne) {
+  const Shape box = test::box({1, 2, 3}, 2);
+  const PreparedShape by_area = prepare_shape(box, {.scale = ScaleEstimate::area});
+  EXPECT_NEAR(by_area.area, 22, 1e-12);
+  EXPECT_NEAR(surface_area(by_area.shape), 1, 1e-14);
+  const PreparedShape by_tube = prepare_shape(box, {.scale = ScaleEstimate::tube_area});
+  EXPECT_EQ(by_tube.area, tube_area(box));
+  EXPECT_NEAR(tube_area(by_tube.shape), 1, 1e-9);
 }
 
 }  // namespace

@@ -183,9 +183,10 @@ TEST(JointHistogram, ARangeInMeansIsOfTheMeanByWeight) {
 }
 
 TEST(JointHistogram, AShapesOwnRangeIsOfTheDividedValues) {
-  const ScalarField field{Eigen::Vector4d(1, 2, 3, 4), Eigen::Vector4d::Ones()};
-  const std::vector<JointAxis> axes = {{.bins = 3, .divide_by_mean = true, .per_shape = true}, {.bins = 1}};
-  EXPECT_EQ(joint_histogram(std::vector{field, field}, axes), Eigen::Vector3f(0.25F, 0.25F, 0.5F));
+  const ScalarField field{Eigen::Vector4d(1, 1.5, 3.5, 4), Eigen::Vector4d::Ones()};
+  const std::vector<JointAxis> axes = {{.bins = 3, .smoothing_bins = 0, .divide_by_mean = true, .per_shape = true},
+                                       {.bins = 1, .smoothing_bins = 0}};
+  EXPECT_EQ(joint_histogram(std::vector{field, field}, axes), Eigen::Vector3f(0.5F, 0, 0.5F));
 }
 
 }  // namespace
