@@ -102,13 +102,6 @@ EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const E
   });
 }
 
-std::optional<std::string> ties_warning(const Evaluation& evaluation) {
-  if (evaluation.queries_with_ties == 0) return std::nullopt;
-  return fmt::format(
-      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
-      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties));
-}
-
 void print_warnings(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings) warn(warning);
 }
