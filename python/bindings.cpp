@@ -105,8 +105,8 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     Samples samples;
     FieldValues values;
     std::optional<double> offset;
-    std::vector<std::string> warnings;
-    std::vector<std::string> normal_warnings;
+    std::optional<std::string> leak;
+    std::optional<std::string> two_sided;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
@@ -119,12 +119,9 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
     result.values = wanted.compute(source, result.samples, true);
     if (const auto chosen = offset_of(wanted, result.values, shape)) {
       result.offset = chosen->offset;
-      if (const auto leak = leak_warning(*chosen, Audience::python)) result.warnings.push_back(*leak);
-      if (const auto both = two_sided_warning(shape, result.values.values, chosen->offset)) {
-        result.normal_warnings.push_back(*both);
-      }
+      result.leak = leak_warning(*chosen, Audience::python);
+      result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
     }
-    for (std::string& warning : outcome_warnings(result.values.outcomes)) result.warnings.push_back(std::move(warning));
     return result;
   });
   py::dict result;
@@ -132,8 +129,12 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   result["weights"] = array_of(std::move(computed.samples.weights));
   result["normals"] = array_of(std::move(computed.values.normals));
   result["offset"] = computed.offset;
-  result["warnings"] = computed.warnings;
-  result["normal_warnings"] = computed.normal_warnings;
+  const auto listed = [](const std::optional<std::string>& warning) {
+    return warning ? std::vector{*warning} : std::vector<std::string>();
+  };
+  result["leaks"] = listed(computed.leak);
+  result["two_sided"] = listed(computed.two_sided);
+  result["without_value"] = outcome_warnings(computed.values.outcomes);
   return result;
 }
 
@@ -205,7 +206,7 @@ RetrievalTask task_of(const std::vector<int>& labels) {
   return task;
 }
 
-/// FT under the orders of tied models that are worst and best, as a sentence's end.
+/// FT under the worst and the best order of tied models, as the end of a sentence; empty where both are the same.
 std::string first_tier_range(const Eigen::Ref<const DistanceMatrix>& distances, const RetrievalTask& task,
                              EvaluationOptions options) {
   options.measures = measures_of({{"FT"}});
@@ -213,8 +214,9 @@ std::string first_tier_range(const Eigen::Ref<const DistanceMatrix>& distances, 
     options.ties = ties;
     return 100 * evaluate(distances, task, options).micro[0];
   };
-  return fmt::format("; FT is {:.1f} to {:.1f} by their order", first_tier(Ties::pessimistic),
-                     first_tier(Ties::optimistic));
+  const double least = first_tier(Ties::pessimistic);
+  const double most = first_tier(Ties::optimistic);
+  return least < most ? fmt::format("; FT is {:.1f} to {:.1f} by their order", least, most) : "";
 }
 
 /// An evaluation, and what a user should know of the matrix.

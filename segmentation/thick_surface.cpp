@@ -146,6 +146,7 @@ ThickSurface thick_surface(const Shape& given) {
   });
   fill(surface.log_thickness, surface.graph);
   for (int round = 0; round < thickness_rounds; ++round) {
+    check_interruption();
     surface.log_thickness = smoothed(surface.log_thickness, surface.graph);
   }
   surface.smooth_normals = smoothed_normals(surface.graph, surface.unit);

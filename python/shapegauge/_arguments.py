@@ -248,8 +248,9 @@ def of_shape(leading=0):
             if not rest:
                 raise TypeError(f"{function.__name__}() needs vertices, or an object that has them")
             vertices = rest.pop(0)
+            # What follows a cloud's points may be a setting: neither words nor numbers are faces.
             stands_alone = is_shape_object(vertices) and (not rest or rest[0] is not None)
-            stands_alone = stands_alone or "faces" in keywords or not rest or isinstance(rest[0], str)
+            stands_alone = stands_alone or "faces" in keywords or not rest or isinstance(rest[0], (str, _numbers.Number))
             faces = keywords.pop("faces", None) if stands_alone else rest.pop(0)
             try:
                 bound = of_settings.bind(*first, *rest, **keywords)

@@ -62,7 +62,7 @@ def field(shape, type="offset_sdf", *, at="faces", normals=None, threads=0, **se
     >>> values, weights = sg.field(mesh, "centricity", sources=24)
     """
     found = _field(shape, word(type, "type"), at, settings, threads)
-    warn(found["warnings"])
+    warn(found["leaks"] + found["without_value"])
     return _scalar_field(found)
 
 
@@ -115,7 +115,7 @@ def sdf(shape, method="offset", offset=None, *, accuracy=None, at="faces", rays=
         found = _field(shape, f"{method}_sdf", at, {own[name]: value for name, value in given.items()}, threads)
     except InputError as error:
         raise InputError(str(error).replace("opening_angle_degrees", "opening_angle")) from None
-    warn(found["warnings"])
+    warn(found["leaks"] + found["without_value"])
     return _scalar_field(found)
 
 
@@ -129,7 +129,7 @@ def normals(shape, offset="auto", *, at="vertices", threads=0):
     (5000, 3)
     """
     found = _field(shape, "offset_sdf", at, {"offset": offset}, threads)
-    warn(found["warnings"] + found["normal_warnings"])
+    warn(found["leaks"] + found["two_sided"] + found["without_value"])
     return found["normals"]
 
 

@@ -40,6 +40,7 @@ def test_arrays_may_be_given_by_name_and_clouds_before_words():
     by_name = sg.sdf(vertices=VERTICES, faces=FACES, offset=0.1).values
     np.testing.assert_array_equal(by_name, sg.sdf(VERTICES, faces=FACES, method="offset", offset=0.1).values)
     np.testing.assert_array_equal(sg.describe(VERTICES, "d2"), sg.describe(VERTICES, None, "d2"))
+    np.testing.assert_array_equal(sg.normals(VERTICES, 0.2), sg.normals(VERTICES, offset=0.2))
     np.testing.assert_array_equal(sg.sdf(MESH, None, "cone").values, sg.sdf(MESH, "cone").values)
     assert list(inspect.signature(sg.sdf).parameters)[:4] == ["vertices", "faces", "method", "offset"]
     assert list(inspect.signature(sg.write).parameters) == ["path", "vertices", "faces", "normals"]

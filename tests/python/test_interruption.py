@@ -18,6 +18,7 @@ from support import CONFIGS, toy
 BOUND = 60  # seconds
 
 PREPARATION = """
+import numpy as np
 import shapegauge as sg
 from support import bumpy_torus
 random = np.random.default_rng(1)

@@ -15,6 +15,12 @@ VERTICES, FACES = bumpy_torus()
 OPEN = FACES[(VERTICES[FACES].mean(axis=1)[:, 0] < 0.6)]
 
 
+def untied():
+    """Distances without a tie, and labels."""
+    places = np.array([0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9])
+    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
+
+
 def warned(call):
     """What the call gives, and its warnings."""
     with warnings.catch_warnings(record=True) as caught:
@@ -55,9 +61,9 @@ def test_leaks_are_warned_of(tmp_path):
 
 
 def test_the_offset_that_was_chosen_is_told(tmp_path):
-    sg.write(tmp_path / "cloud.xyz", VERTICES)
-    field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.xyz"), offset="auto"))
-    program("sdf", tmp_path / "cloud.xyz", "--method", "offset", "--offset", "auto", "--timings", tmp_path / "t.json",
+    sg.write(tmp_path / "cloud.ply", VERTICES)
+    field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
+    program("sdf", tmp_path / "cloud.ply", "--method", "offset", "--offset", "auto", "--timings", tmp_path / "t.json",
             "-o", tmp_path / "x.csv")
     told = json.loads((tmp_path / "t.json").read_text())["offset"]
     assert told["automatic"] and field.offset == told["offset"] > 0.01
@@ -78,18 +84,20 @@ def test_ties_are_counted_and_bounded():
     assert len(tied) == 1 and "6 of 6 queries" in tied[0] and "ties='index'" in tied[0]
     assert "FT is 0.0 to 100.0" in tied[0]
     _, found = warned(lambda: sg.evaluate(*toy()))
+    assert len(found) == 1 and "3 of 7 queries" in found[0] and "FT" not in found[0]  # their order changes no FT
+    _, found = warned(lambda: sg.evaluate(*untied()))
     assert found == []
 
 
 def test_models_left_out_are_counted():
-    distances, _ = toy()
+    distances, _ = untied()
     scores, found = warned(lambda: sg.evaluate(distances, list("aaabbxy")))
     assert scores.models_left_out == 2
     assert [sentence for sentence in found if "2 models are never queries" in sentence]
 
 
 def test_similarities_are_told_with_the_packages_argument():
-    distances, labels = toy()
+    distances, labels = untied()
     similarities = distances.max() - distances
     _, found = warned(lambda: sg.evaluate(similarities, labels))
     assert any("similarity=True" in sentence for sentence in found)
@@ -99,7 +107,7 @@ def test_similarities_are_told_with_the_packages_argument():
 
 
 def test_comparisons_name_the_method_and_what_cannot_be_significant():
-    distances, labels = toy()
+    distances, labels = untied()
     methods = {"good": distances, "tied": np.round(distances / 5)}
     _, found = warned(lambda: sg.compare(methods, labels))
     assert [sentence for sentence in found if sentence.startswith("tied: ") and "equal distance" in sentence]
