@@ -28,9 +28,12 @@ def warn(sentences, prefix=""):
 def path_of(path, name):
     """The path as text."""
     try:
-        return _os.fsdecode(path)
+        text = _os.fsdecode(path)
     except TypeError:
         raise InputError(f"{name} must be the path of a file, not {_kind(path)}") from None
+    if not text or "\0" in text:
+        raise InputError(f"{name} is {text!r}, which is no path of a file")
+    return text
 
 
 def number_of_threads(threads):

@@ -30,6 +30,6 @@ def run(configuration, output=None, *, settings=(), replace=False, cache=None, t
         output = _os.path.join("results", _os.path.splitext(_os.path.basename(configuration))[0])
     output = path_of(output, "output")
     done = _native.run(configuration, words(settings, "settings"), output, switch(replace, "replace"),
-                       None if cache is None else path_of(cache, "cache"), number_of_threads(threads))
+                       cache if cache in (None, "") else path_of(cache, "cache"), number_of_threads(threads))
     warn(done.warnings + [f"left out {one}" for one in done.left_out])
     return Run(output, done.summary, done.left_out)

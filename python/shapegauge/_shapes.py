@@ -166,4 +166,7 @@ def describe(shape, descriptor="light_field", *, normals=None, threads=0, **sett
     >>> features = sg.describe(mesh, "d2")
     """
     settings = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
-    return _native.describe(*shape, settings, number_of_threads(threads))
+    try:
+        return _native.describe(*shape, settings, number_of_threads(threads))
+    except InputError as error:
+        raise InputError(str(error).replace("the descriptor: type:", "descriptor:")) from None

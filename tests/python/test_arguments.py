@@ -114,9 +114,11 @@ CALLS = [
     (lambda: sg.sdf(MESH, "cone", rays={1}), "rays"),
     (lambda: sg.field(MESH, "centricity", sources=float("inf")), "sources is inf"),
     (lambda: sg.field(MESH, 5), "type"),
-    (lambda: sg.describe(MESH, "x"), "x"),
+    (lambda: sg.describe(MESH, "x"), "^descriptor: "),
     (lambda: sg.read("no such file.off"), "no such file.off"),
     (lambda: sg.read(3), "path"),
+    (lambda: sg.read("nul\0byte.off"), "path"),
+    (lambda: sg.read(""), "path"),
     (lambda: sg.write(3, MESH), "path"),
     # Distances.
     (lambda: sg.evaluate(np.zeros((3, 4)), [0, 0, 1]), "n x n"),
