@@ -62,7 +62,7 @@ std::vector<MethodScores> methods_of(const fs::path& path, const CompareArgument
   for (const std::string& warning : evaluated.warnings) {
     warnings.push_back(fmt::format("{}: {}", path.string(), warning));
   }
-  if (const auto tied = ties_warning(evaluated)) {
+  if (const auto tied = ties_warning(evaluated.evaluation, evaluated.findings)) {
     warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
   }
   return {method_scores(method_name(path, evaluated.data), path.string(), evaluated.data.task, evaluated.evaluation)};
@@ -119,28 +119,6 @@ void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::strin
   }
 }
 
-// Says where no pair can be significant, whatever the methods are worth.
-void warn_of_few_units(const MethodComparison& comparison, const ComparisonOptions& options,
-                       std::vector<std::string>& warnings) {
-  const double smallest = smallest_p_value(options, comparison.units);
-  const auto pairs = static_cast<double>(comparison.pairs.size());
-  const double alpha = 1 - options.confidence;
-  if (pairs * smallest <= alpha) return;
-  const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
-  const std::string advice =
-      few_resamples
-          ? fmt::format("more --resamples than {} can", options.resampling.resamples)
-          : fmt::format(
-                "more {} can, --test t (which takes their differences for normally distributed){}",
-                name_of(options.blocks),
-                options.blocks == Blocks::classes ? " or --blocks queries (which calls too much significant)" : "");
-  warnings.push_back(fmt::format(
-      "over {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}), so no "
-      "difference can be significant at {:.4g}; {}",
-      comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
-      comparison.pairs.size(), comparison.pairs.size() == 1 ? "pair" : "pairs", alpha, advice));
-}
-
 int run(const CompareArguments& arguments) {
   std::vector<MethodScores> methods;
   std::vector<std::string> warnings;
@@ -160,7 +138,9 @@ int run(const CompareArguments& arguments) {
     throw InputError(error.what());
   }
   warn_of_same_files(arguments.inputs, warnings);
-  warn_of_few_units(comparisons.front(), options, warnings);
+  if (const auto few = few_units_warning(comparisons.front(), options, Audience::command_line)) {
+    warnings.push_back(*few);
+  }
   print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
   return exit_success;

@@ -209,7 +209,7 @@ int run(const EvaluateArguments& arguments) {
           fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
     }
   }
-  const auto tied = ties_warning(evaluated);
+  const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
   if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);

@@ -112,17 +112,6 @@ EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const E
   });
 }
 
-std::optional<std::string> ties_warning(const EvaluatedFiles& evaluated) {
-  const Evaluation& evaluation = evaluated.evaluation;
-  const auto told = std::ranges::count_if(evaluated.findings.constant_rows, [&](Eigen::Index row) {
-    return std::ranges::binary_search(evaluation.queries, row);
-  });
-  if (evaluation.queries_with_ties <= told) return std::nullopt;
-  return fmt::format(
-      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by --ties {}",
-      evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties));
-}
-
 void print_warnings(std::span<const std::string> warnings) {
   for (const std::string& warning : warnings) warn(warning);
 }

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -51,10 +50,6 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
 /// Evaluates the matrix, or the ranked lists, at the path; a line on the terminal says how far it is.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
-
-/// How many queries ties could change, in words; nothing where they could change none, or those only of which a warning
-/// says already that all distances are equal.
-std::optional<std::string> ties_warning(const EvaluatedFiles& evaluated);
 
 /// Prints a line each on standard error. Called when all else has gone well: an error comes alone.
 void print_warnings(std::span<const std::string> warnings);

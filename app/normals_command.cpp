@@ -1,15 +1,16 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/results/field_files.h"
 
 namespace shapegauge {
@@ -23,41 +24,22 @@ struct NormalsArguments {
   bool denoise = false;
 };
 
-/// Samples with the outside about as near on both sides: less than half the offset more to go on the other one. Which
-/// of the two is taken for outward is left to the input's orientation or to chance. So it is where an offset leaks into
-/// a shape (of clouds of random points, this counts 99 % of the samples) and on sheets; never on a closed mesh.
-Eigen::Index two_sided(const Shape& shape, const OffsetSdfResult& result, double offset) {
-  if (is_watertight(shape)) return 0;
-  return (result.values.array() < 0.5 * offset).count();
-}
-
-void remark_on(const Shape& shape, const OffsetSdfResult& result, double offset, Remarks& remarks) {
-  const OffsetSdfOutcomes& outcomes = result.outcomes;
-  if (const Eigen::Index count = two_sided(shape, result, offset); count > 0) {
-    remarks.warnings.push_back(
-        fmt::format("{} of {} samples have the outside about as near on both sides: which way their normals point is "
-                    "left to the input's orientation or to chance",
-                    count, outcomes.total));
-  }
-  if (outcomes.undecided > 0) {
-    remarks.warnings.push_back(fmt::format("{} of {} samples undecided", outcomes.undecided, outcomes.total));
-  }
-  if (outcomes.missing > 0) {
-    remarks.warnings.push_back(fmt::format("{} of {} samples missing", outcomes.missing, outcomes.total));
-  }
-}
-
 void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, std::optional<double> given_offset,
                    const Shape& given, const ShapeJob& job, Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
     const Samples samples = sample_shape(shape, arguments.site == "faces" ? SampleSite::faces : SampleSite::vertices);
     const ChosenOffset chosen = choose_offset(given_offset, shape);
-    const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = chosen.offset});
+    const Field field = make_field({{"type", "offset_sdf"}, {"offset", chosen.offset}});
+    FieldSource source(shape);
+    const FieldValues result = field.compute(source, samples, true);
     write(job.output, shape, samples, result.normals);
     remark_on_polygons(shape, samples.site, remarks);
     remark_on(chosen, remarks);
-    remark_on(shape, result, chosen.offset * bounding_box_diagonal(shape), remarks);
+    if (const auto warning = two_sided_warning(shape, result.values, chosen.offset)) {
+      remarks.warnings.push_back(*warning);
+    }
+    for (std::string& warning : outcome_warnings(result.outcomes)) remarks.warnings.push_back(std::move(warning));
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}", job.input, error.what()));
   }

@@ -11,29 +11,10 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
-#include "shapegauge/core/preparation/gap_size.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/fields.h"
 
 namespace shapegauge {
-
-namespace {
-
-/// Two digits, rounded up, so that what is printed closes the gaps as well.
-double rounded_up(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return std::ceil(value / unit) * unit;
-}
-
-/// What an offset below the gaps of the shape should be instead.
-std::string advice(const ChosenOffset& chosen) {
-  const double enough = rounded_up(1.1 * chosen.gap);
-  if (enough > 1) return "no offset closes them";
-  const bool automatic_is_enough = !chosen.automatic && enough <= AutomaticOffsetOptions{}.most;
-  return fmt::format("use --offset {:.2g}{}", enough, automatic_is_enough ? " or auto" : "");
-}
-
-}  // namespace
 
 void add_threads_option(CLI::App& command, int& threads) {
   command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
@@ -86,34 +67,15 @@ std::optional<double> parse_offset(const std::string& text) {
   return number;
 }
 
-ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
-  ChosenOffset chosen;
-  if (given) {
-    chosen.offset = *given;
-  } else {
-    chosen.automatic = automatic_offset(shape);
-    chosen.offset = chosen.automatic->offset;
-  }
-  const double gap = gap_size(shape);
-  if (gap > 0) chosen.gap = gap / bounding_box_diagonal(shape);
-  return chosen;
-}
-
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
-  // Openings too wide for any offset that is chosen automatically are left open.
-  const bool leaves_gaps_open = chosen.automatic && chosen.gap > chosen.automatic->gap;
   if (chosen.automatic) {
     remarks.notes.push_back(fmt::format(
         "offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps{}, {:.4g} levels the noise)",
         chosen.offset, chosen.automatic->gap,
-        leaves_gaps_open ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
+        leaves_gaps_open(chosen) ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
         chosen.automatic->noise));
   }
-  if (chosen.offset >= chosen.gap) return;
-  remarks.warnings.push_back(
-      fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
-                  leaves_gaps_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
-                  100 * chosen.gap, leaves_gaps_open ? " stays open" : "", advice(chosen)));
+  if (const auto leak = leak_warning(chosen, Audience::command_line)) remarks.warnings.push_back(*leak);
 }
 
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {

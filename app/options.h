@@ -7,8 +7,8 @@
 #include <string>
 
 #include "app/shape_files.h"
-#include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 
 namespace CLI {
 class App;
@@ -46,16 +46,6 @@ std::filesystem::path chosen_cache(const CacheOption& option);
 /// The value of --offset, a fraction of the bounding-box diagonal; nothing for "auto". Throws InputError for other text
 /// and for an offset that offset_sdf fields do not take.
 std::optional<double> parse_offset(const std::string& text);
-
-/// The offset that a shape is measured with. Lengths are fractions of the bounding-box diagonal.
-struct ChosenOffset {
-  double offset = 0;
-  double gap = 0;                            ///< gap_size() of the shape
-  std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
-};
-
-/// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
-ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
 /// Remarks on an offset that was chosen automatically, and warns of one below the gaps of the shape.
 void remark_on(const ChosenOffset& chosen, Remarks& remarks);

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <tbb/parallel_for.h>
 #include <vector>
 
 #include "app/commands.h"
@@ -15,6 +14,7 @@
 #include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -71,7 +71,7 @@ Scores scored(const EvaluationArguments& arguments) {
   const std::size_t models = result.benchmark.models.size();
   std::vector<std::string> failures(models);
   with_threads(arguments.threads, [&] {
-    tbb::parallel_for(std::size_t{0}, models, [&](std::size_t i) {
+    parallel_for(std::size_t{0}, models, [&](std::size_t i) {
       try {
         score_model(result, i, arguments);
       } catch (const InputError& error) {

@@ -9,9 +9,9 @@
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/names.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
@@ -109,7 +109,7 @@ Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& 
   }
   const auto count = static_cast<std::uint64_t>(units.values.rows());
   Eigen::MatrixXd averages(options.resamples, units.values.cols());
-  tbb::parallel_for(0, options.resamples, [&](int resample) {
+  parallel_for(0, options.resamples, [&](int resample) {
     RandomNumbers random(options.seed, static_cast<std::uint64_t>(resample));
     Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(units.values.cols());
     double weight = 0;

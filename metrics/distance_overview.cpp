@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/metrics/ranked_list.h"
 
 namespace shapegauge {
@@ -98,7 +98,7 @@ SeenRows begin_overview(std::span<const int> labels, double largest, Eigen::Inde
 
 void look_at(const DistanceTable& rows, Eigen::Index first, SeenRows& seen) {
   const Eigen::Index kept = seen.nearest.cols();
-  tbb::parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
     const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), first + i, kept);
     const Eigen::Index to = first - seen.first + i;
     for (Eigen::Index k = 0; k < kept; ++k) {
@@ -110,7 +110,7 @@ void look_at(const DistanceTable& rows, Eigen::Index first, SeenRows& seen) {
   });
   if (seen.block == 1) return;
   const std::vector<std::vector<Eigen::Index>> groups = rows_by_cell(first, rows.rows(), seen);
-  tbb::parallel_for(std::size_t{0}, groups.size(), [&](std::size_t group) {
+  parallel_for(std::size_t{0}, groups.size(), [&](std::size_t group) {
     for (const Eigen::Index i : groups[group]) add_to_sums(row_of(rows, i), first + i, seen);
   });
 }

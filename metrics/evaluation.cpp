@@ -6,9 +6,9 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <tbb/parallel_for.h>
 #include <utility>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/metrics/ranked_list.h"
 
 namespace shapegauge {
@@ -171,7 +171,7 @@ void RowJudge::judge(const DistanceTable& rows, Eigen::Index first) {
   const RetrievalTask part = is_whole ? RetrievalTask{} : part_of(*task_, first, rows.rows());
   const auto begin = std::ranges::lower_bound(blank_.queries, first) - blank_.queries.begin();
   const auto end = std::ranges::lower_bound(blank_.queries, first + rows.rows()) - blank_.queries.begin();
-  tbb::parallel_for(begin, end, [&](std::ptrdiff_t query) {
+  parallel_for(begin, end, [&](std::ptrdiff_t query) {
     const auto i = static_cast<std::size_t>(query);
     const auto list_by = [&](Ties ties) {
       return ranked_list(rows, is_whole ? *task_ : part, blank_.queries[i] - first, blank_.protocol, ties);

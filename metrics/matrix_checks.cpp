@@ -8,8 +8,8 @@
 #include <limits>
 #include <map>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
+
+#include "shapegauge/core/base/parallel.h"
 
 namespace shapegauge {
 namespace {
@@ -80,14 +80,14 @@ MatrixChecks::RowFindings MatrixChecks::check_row(const DistanceTable& rows, Eig
 void MatrixChecks::add(const DistanceTable& rows) {
   const std::size_t before = rows_.size();
   rows_.resize(before + static_cast<std::size_t>(rows.rows()));
-  tbb::parallel_for(before, rows_.size(), [&](std::size_t i) {
+  parallel_for(before, rows_.size(), [&](std::size_t i) {
     const auto row = static_cast<Eigen::Index>(i - before);
     rows_[i] = check_row(rows, row, square_ ? static_cast<Eigen::Index>(i) : -1);
   });
 }
 
 void MatrixChecks::compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored) {
-  const Asymmetry found = tbb::parallel_reduce(
+  const Asymmetry found = parallel_reduce_parts(
       tbb::blocked_range<Eigen::Index>(0, mirrored.rows(), tile), Asymmetry{},
       [&](const tbb::blocked_range<Eigen::Index>& columns, const Asymmetry& before) {
         return before + asymmetry_of_columns(rows, first, mirrored, columns);

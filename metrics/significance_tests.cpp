@@ -8,10 +8,9 @@
 #include <stdexcept>
 #include <string>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
@@ -44,7 +43,7 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
   if (differences.size() == 0) throw std::invalid_argument("no units for a randomisation test");
   const Eigen::VectorXd terms = differences.cwiseProduct(weights);
   const double observed = std::abs(terms.sum()) - share_of_rounding * terms.cwiseAbs().sum();
-  const int as_extreme = tbb::parallel_reduce(
+  const int as_extreme = parallel_reduce_parts(
       tbb::blocked_range<int>(0, options.resamples), 0,
       [&](const tbb::blocked_range<int>& range, int count) {
         for (int resample = range.begin(); resample < range.end(); ++resample) {
@@ -99,7 +98,7 @@ Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& 
   }
   if (units.values.size() == 0) throw std::invalid_argument("no units for a randomised Tukey test");
   std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
-  tbb::parallel_for(0, options.resamples, [&](int resample) {
+  parallel_for(0, options.resamples, [&](int resample) {
     const Eigen::VectorXd averages =
         shuffled_averages(units, RandomNumbers(options.seed, static_cast<std::uint64_t>(resample)));
     ranges[static_cast<std::size_t>(resample)] = averages.maxCoeff() - averages.minCoeff();

@@ -2,6 +2,7 @@
 // stands in shapegauge/__init__.py.
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,15 +11,19 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "python/interruptible.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -36,6 +41,7 @@
 #include "shapegauge/experiments/runner/run_experiment.h"
 #include "shapegauge/experiments/runner/run_warnings.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
+#include "shapegauge/experiments/segmentation/write_segmentation.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
@@ -50,18 +56,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Whether a signal (Ctrl-C) waits for the interpreter, whose handler then raises. Only its main thread sees one.
-bool signal_waits() {
-  const py::gil_scoped_acquire acquired;
-  return PyErr_CheckSignals() != 0;
-}
-
-/// Does the work without the interpreter's lock, on at most so many threads (0: all).
+/// Does the work without the interpreter's lock, on at most so many threads (0: all), until Ctrl-C.
 template <typename Work>
 auto compute(int threads, const Work& work) {
-  const py::gil_scoped_release released;
   std::optional<decltype(work())> result;
-  with_threads(threads, [&] { result.emplace(work()); });
+  Cancellation cancellation;
+  const RunControl control{.threads = threads, .cancellation = &cancellation};
+  run_interruptibly(cancellation, [&] { with_threads(control, [&] { result.emplace(work()); }); });
   return std::move(*result);
 }
 
@@ -89,39 +90,79 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   return shape;
 }
 
-py::tuple field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
-                const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
+/// The offset that a field of these settings is computed with on the shape; none for a field without one.
+std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
+  const auto given = field.settings.find("offset");
+  if (given == field.settings.end()) return std::nullopt;
+  ChosenOffset chosen = choose_offset(given->is_number() ? given->get<double>() : values.offset.value(), shape);
+  // Which gaps and noise they were is of no interest here: the offset is the one that was chosen.
+  if (!given->is_number()) chosen.automatic.emplace();
+  return chosen;
+}
+
+py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+               const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
   struct Computed {
     Samples samples;
     FieldValues values;
+    std::optional<double> offset;
+    std::optional<std::string> leak;
+    std::optional<std::string> two_sided;
   };
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
     const Field wanted = make_field(json);
     const Shape shape = shape_of(vertices, faces, normals);
-    Samples samples = take_samples(shape, wanted.samples);
+    Computed result;
+    result.samples = take_samples(shape, wanted.samples);
     FieldSource source(shape);
-    FieldValues values = wanted.compute(source, samples, true);
-    return Computed{std::move(samples), std::move(values)};
+    result.values = wanted.compute(source, result.samples, true);
+    if (const auto chosen = offset_of(wanted, result.values, shape)) {
+      result.offset = chosen->offset;
+      result.leak = leak_warning(*chosen, Audience::python);
+      result.two_sided = two_sided_warning(shape, result.values.values, chosen->offset);
+    }
+    return result;
   });
-  const py::object offset = py::cast(computed.values.offset);
-  const py::object warnings = py::cast(outcome_warnings(computed.values.outcomes));
-  return py::make_tuple(array_of(std::move(computed.values.values)), array_of(std::move(computed.samples.weights)),
-                        array_of(std::move(computed.values.normals)), warnings, offset);
+  py::dict result;
+  result["values"] = array_of(std::move(computed.values.values));
+  result["weights"] = array_of(std::move(computed.samples.weights));
+  result["normals"] = array_of(std::move(computed.values.normals));
+  result["offset"] = computed.offset;
+  const auto listed = [](const std::optional<std::string>& warning) {
+    return warning ? std::vector{*warning} : std::vector<std::string>();
+  };
+  result["leaks"] = listed(computed.leak);
+  result["two_sided"] = listed(computed.two_sided);
+  result["without_value"] = outcome_warnings(computed.values.outcomes);
+  return result;
 }
 
-py::array segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+/// The parts, and warnings.
+py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                   const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
-  return array_of(compute(threads, [&] {
+  struct Computed {
+    Eigen::VectorX<std::int32_t> labels;
+    std::vector<std::string> warnings;
+  };
+  Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "segmentation_method", "the segmentation");
     if (json.contains("perturbations")) throw InputError("perturbations are of an experiment: use run()");
     const SegmentationMethod method = segmentation_method(json);
-    const std::vector<std::int32_t> labels = segmented(shape_of(vertices, faces, normals), method);
-    return Eigen::VectorX<std::int32_t>(
-        Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size())));
-  }));
+    const Shape shape = shape_of(vertices, faces, normals);
+    const std::vector<std::int32_t> labels = segmented(shape, method);
+    Computed result;
+    result.labels =
+        Eigen::Map<const Eigen::VectorX<std::int32_t>>(labels.data(), static_cast<Eigen::Index>(labels.size()));
+    if (method.paper && method.offset_field) {
+      const auto leak = leak_warning(choose_offset(method.offset, shape), Audience::python);
+      if (leak) result.warnings.push_back(*leak);
+    }
+    return result;
+  });
+  return py::make_tuple(array_of(std::move(computed.labels)), computed.warnings);
 }
 
 py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
@@ -156,32 +197,47 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
   return options;
 }
 
-/// The evaluation and what is odd about the matrix.
-std::pair<std::shared_ptr<Evaluation>, std::vector<std::string>> evaluate_matrix(
-    const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels, const EvaluationOptions& options,
-    int threads) {
-  bool interrupted = false;
-  auto result = compute(threads, [&] {
+/// Every model a query to all others. Labels below 0 stand for no class: such a model is no query, and relevant to
+/// none.
+RetrievalTask task_of(const std::vector<int>& labels) {
+  RetrievalTask task = leave_one_out(labels);
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (labels[i] < 0) task.query_classes[i] = no_class;
+  }
+  return task;
+}
+
+/// An evaluation, and what a user should know of the matrix.
+struct EvaluatedMatrix {
+  std::shared_ptr<Evaluation> evaluation;
+  std::vector<std::string> warnings;
+};
+
+EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
+                                const EvaluationOptions& options, bool negated, int threads) {
+  return compute(threads, [&] {
     MatrixChecks checks(true);
     const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows {
-      interrupted = interrupted || signal_waits();
-      if (interrupted) throw Interrupted();
       DistanceTableRows some = distances.middleRows(first, count);
       checks.add(some);
       checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));
       return some;
     };
-    if (distances.rows() != distances.cols() || static_cast<std::size_t>(distances.rows()) != labels.size()) {
-      throw InputError("the distances are " + std::to_string(distances.rows()) + " x " +
-                       std::to_string(distances.cols()) + ", the labels " + std::to_string(labels.size()) +
-                       ": they must be as many, a row and a column for each");
-    }
-    auto evaluation = std::make_shared<Evaluation>(evaluate(rows, leave_one_out(labels), options));
+    const RetrievalTask task = task_of(labels);
+    EvaluatedMatrix result;
+    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, options));
     std::vector<std::string> ids;
     for (std::size_t i = 0; i < labels.size(); ++i) ids.push_back(std::to_string(i));
-    return std::pair(std::move(evaluation), matrix_warnings(checks.findings(), ids, false));
+    const MatrixFindings found = checks.findings();
+    result.warnings = matrix_warnings(found, ids, negated, Audience::python);
+    if (const auto left_out = left_out_warning(*result.evaluation, task, options)) {
+      result.warnings.push_back(*left_out);
+    }
+    if (const auto tied = ties_warning(*result.evaluation, found, Audience::python)) {
+      result.warnings.push_back(*tied);
+    }
+    return result;
   });
-  return result;
 }
 
 std::string formatted(const Table& table, const std::string& format) {
@@ -211,8 +267,11 @@ void bind_evaluation(py::module_& module) {
       });
   module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
                             const std::string& protocol, const std::string& ties,
-                            const std::vector<std::string>& measures, int minimum_class_size, int threads) {
-    return evaluate_matrix(distances, labels, options_of(protocol, ties, measures, minimum_class_size), threads);
+                            const std::vector<std::string>& measures, int minimum_class_size, bool negated,
+                            int threads) {
+    const EvaluatedMatrix evaluated =
+        evaluate_matrix(distances, labels, options_of(protocol, ties, measures, minimum_class_size), negated, threads);
+    return py::make_tuple(evaluated.evaluation, evaluated.warnings);
   });
 }
 
@@ -221,12 +280,17 @@ struct ComparedMethods {
   AlignedMethods methods;
   std::vector<MethodComparison> comparisons;
   ComparisonOptions options;
+
+  [[nodiscard]] std::vector<std::string> warnings() const {
+    const auto few = few_units_warning(comparisons.front(), options, Audience::python);
+    return few ? std::vector{*few} : std::vector<std::string>();
+  }
 };
 
 ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                                     const std::vector<std::shared_ptr<Evaluation>>& evaluations,
-                                    const std::string& test, double confidence, int resamples, std::uint64_t seed,
-                                    int threads) {
+                                    const std::string& test, const std::string& blocks, double confidence,
+                                    int resamples, std::uint64_t seed, int threads) {
   return compute(threads, [&] {
     ComparedMethods compared;
     const Evaluation& first = *evaluations.at(0);
@@ -237,7 +301,10 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                         .values = {}};
     const auto known = pair_test_of(test);
     if (!known) throw InputError("there is no test \"" + test + "\"; there are randomization, t and bootstrap");
+    const auto known_blocks = blocks_of(blocks);
+    if (!known_blocks) throw InputError("there are no blocks \"" + blocks + "\"; there are classes and queries");
     compared.options.test = *known;
+    compared.options.blocks = *known_blocks;
     compared.options.confidence = confidence;
     compared.options.resampling = {.resamples = resamples, .seed = seed};
     for (Eigen::Index k = 0; k < first.per_query.cols(); ++k) {
@@ -258,6 +325,7 @@ void bind_comparison(py::module_& module) {
            [](const ComparedMethods& compared) {
              return comparison_json(compared.methods, compared.comparisons, compared.options).dump();
            })
+      .def_property_readonly("warnings", &ComparedMethods::warnings)
       .def("summary",
            [](const ComparedMethods& compared, const std::string& format) {
              return formatted(comparison_summary(compared.methods, compared.comparisons, compared.options, {}), format);
@@ -289,44 +357,92 @@ struct FinishedRun {
   std::vector<std::string> left_out;
 };
 
-FinishedRun run_configuration(const fs::path& configuration, const std::vector<std::string>& overrides,
-                              const fs::path& output, bool replace, const std::optional<fs::path>& cache_folder,
-                              int threads) {
-  const py::gil_scoped_release released;
-  const Json document = read_configuration_document(configuration, overrides);
-  const RunControl control{.threads = threads, .interrupted = signal_waits};
-  FinishedRun finished;
-  const FolderLock lock(output);
-  if (is_comparison(document)) {
-    const Comparison comparison = comparison_from_json(document, configuration.string(), configuration.parent_path());
-    prepare_result_folder(output, to_json(comparison), replace);
-    const ComparisonResults results = run_comparison(comparison, control);
-    write_comparison(output, results);
-    finished = {.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
-    for (const FailedShape& failure : results.failures) {
-      finished.left_out.push_back(failure.name + ": " + failure.message);
-    }
-    return finished;
+/// A request for a run.
+struct RunRequest {
+  fs::path configuration;
+  Json document;
+  fs::path output;
+  bool replace = false;
+
+  /// Makes the folder for the results of the experiment ready.
+  template <typename Experiment>
+  void prepare(const Experiment& experiment) const {
+    prepare_result_folder(output, to_json(experiment), replace);
   }
+  [[nodiscard]] fs::path folder() const { return configuration.parent_path(); }
+};
+
+FinishedRun run_comparison_of(const RunRequest& request, const RunControl& control) {
+  const Comparison comparison =
+      comparison_from_json(request.document, request.configuration.string(), request.folder());
+  request.prepare(comparison);
+  const ComparisonResults results = run_comparison(comparison, control);
+  write_comparison(request.output, results);
+  FinishedRun finished{.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
+  for (const FailedShape& failure : results.failures) {
+    finished.left_out.push_back(failure.name + ": " + failure.message);
+  }
+  return finished;
+}
+
+FinishedRun run_segmentation_of(const RunRequest& request, const RunControl& control, Cache& cache) {
+  const SegmentationExperiment experiment =
+      segmentation_from_json(request.document, request.configuration.string(), request.folder());
+  request.prepare(experiment);
+  const SegmentationResults results = run_segmentation(experiment, request.output / "dataset", control, cache);
+  write_segmentation(request.output, results);
+  FinishedRun finished{.summary = summary_text(results), .warnings = {}, .left_out = {}};
+  for (const FailedSegmentation& failure : results.failures) {
+    finished.left_out.push_back(failure.model.id + ": " + failure.message);
+  }
+  return finished;
+}
+
+FinishedRun run_retrieval_of(const RunRequest& request, const RunControl& control, Cache& cache) {
   const Configuration experiment =
-      configuration_from_json(document, configuration.string(), configuration.parent_path());
-  prepare_result_folder(output, to_json(experiment), replace);
-  Cache cache(cache_folder.value_or(default_cache_folder()), false);
-  const ExperimentResults results = run_into_folder(output, experiment, control, cache, *single_process());
-  if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
-  finished = {.summary = summary_text(results), .warnings = run_warnings(results), .left_out = {}};
+      configuration_from_json(request.document, request.configuration.string(), request.folder());
+  request.prepare(experiment);
+  const ExperimentResults results = run_into_folder(request.output, experiment, control, cache, *single_process());
+  FinishedRun finished{.summary = summary_text(results), .warnings = run_warnings(results), .left_out = {}};
   for (const FailedModel& failure : results.failures) {
     finished.left_out.push_back(failure.model.id + ": " + failure.message);
   }
   return finished;
 }
 
+FinishedRun run_request(const RunRequest& request, const RunControl& control,
+                        const std::optional<fs::path>& cache_folder) {
+  if (is_comparison(request.document)) return run_comparison_of(request, control);
+  Cache cache(cache_folder.value_or(default_cache_folder()), false);
+  FinishedRun finished = is_segmentation(request.document) ? run_segmentation_of(request, control, cache)
+                                                           : run_retrieval_of(request, control, cache);
+  if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
+  const std::vector<std::string> of_cache = cache.warnings();
+  finished.warnings.insert(finished.warnings.end(), of_cache.begin(), of_cache.end());
+  return finished;
+}
+
+FinishedRun run_configuration(const fs::path& configuration, const std::vector<std::string>& overrides,
+                              const fs::path& output, bool replace, const std::optional<fs::path>& cache_folder,
+                              int threads) {
+  FinishedRun finished;
+  Cancellation cancellation;
+  const RunControl control{
+      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
+  run_interruptibly(cancellation, [&] {
+    const RunRequest request{.configuration = configuration,
+                             .document = read_configuration_document(configuration, overrides),
+                             .output = output,
+                             .replace = replace};
+    const FolderLock lock(output);
+    finished = run_request(request, control, cache_folder);
+  });
+  return finished;
+}
+
 void bind_shapes(py::module_& module) {
   module.def("read", [](const fs::path& path) {
-    Shape shape = [&] {
-      const py::gil_scoped_release released;
-      return read_shape(path);
-    }();
+    Shape shape = compute(0, [&] { return read_shape(path); });
     return py::make_tuple(array_of(std::move(shape.vertices)), array_of(std::move(shape.triangles)),
                           array_of(std::move(shape.normals)));
   });
@@ -348,14 +464,15 @@ PYBIND11_MODULE(_native, module) {
   using namespace shapegauge;
   module.doc() = "Native functions of shapegauge; see the package.";
   py::register_exception<InputError>(module, "InputError", PyExc_ValueError);
+  static PyObject* const input_error = module.attr("InputError").ptr();
   py::register_exception_translator([](std::exception_ptr pointer) {
     try {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const ConfigurationError& error) {
-      PyErr_SetString(PyExc_ValueError, (error.path + ": " + error.message).c_str());
-    } catch (const Interrupted& error) {
-      // The interpreter's own handler has raised already, if it is the usual one.
-      if (PyErr_Occurred() == nullptr) PyErr_SetString(PyExc_KeyboardInterrupt, error.what());
+      PyErr_SetString(input_error, (error.path + ": " + error.message).c_str());
+    } catch (const std::invalid_argument& error) {
+      // What the modules below say of data that they cannot use: here they are the user's.
+      PyErr_SetString(input_error, error.what());
     }
   });
   bind_shapes(module);

@@ -6,9 +6,9 @@
 #include <span>
 #include <stdexcept>
 #include <tbb/blocked_range2d.h>
-#include <tbb/parallel_for.h>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
@@ -124,7 +124,7 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& 
   DistanceMatrix matrix(signatures.rows(), signatures.rows());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, all.count(), 0, all.count());
   // Each pair is computed by whichever thread has its tile, and by itself: threads cannot change a bit.
-  tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
+  parallel_for_parts(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
     for (Eigen::Index i = some.rows().begin(); i < some.rows().end(); ++i) {
       for (Eigen::Index j = std::max(i, some.cols().begin()); j < some.cols().end(); ++j) {
         const Stretch rows = all.at(i);
@@ -145,7 +145,7 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
   const Tiles columns(others);
   DistanceMatrix distances(rows.whole.size(), columns.whole.size());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, rows.count(), 0, columns.count());
-  tbb::parallel_for(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& part) {
+  parallel_for_parts(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& part) {
     for (Eigen::Index i = part.rows().begin(); i < part.rows().end(); ++i) {
       for (Eigen::Index j = part.cols().begin(); j < part.cols().end(); ++j) {
         const Stretch of = rows.at(i);

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/base/parallel.h"
 
 namespace shapegauge {
 
@@ -133,7 +134,7 @@ DistanceMatrix fusion_of_ranks(std::span<const DistanceMatrix> matrices, std::sp
   check(matrices, weights);
   const Eigen::Index models = matrices.front().rows();
   DistanceMatrix sums = DistanceMatrix::Zero(models, models);
-  tbb::parallel_for(Eigen::Index{0}, models, [&](Eigen::Index row) {
+  parallel_for(Eigen::Index{0}, models, [&](Eigen::Index row) {
     for (std::size_t k = 0; k < matrices.size(); ++k) add_scores(matrices[k], row, weights[k], score, sums);
   });
   const double best = std::accumulate(weights.begin(), weights.end(), 0.0) * score_of(1, models, score);

@@ -1,6 +1,5 @@
 #include "shapegauge/retrieval/rerank.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,12 +10,13 @@
 #include <stdexcept>
 #include <string>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/retrieval/positive_definite_inverse.h"
 
 namespace shapegauge {
 
@@ -204,7 +204,7 @@ NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) 
     if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
       throw std::invalid_argument("distances between models must be numbers that are not negative");
     }
-    tbb::parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
+    parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
       std::vector<std::int32_t> order(static_cast<std::size_t>(models));
       std::iota(order.begin(), order.end(), 0);
       order.erase(order.begin() + first + i);
@@ -326,7 +326,7 @@ DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen
   const ColumnSolver solver(graph, options.damping);
   constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
   const Eigen::Index groups = (count + columns_at_once - 1) / columns_at_once;
-  tbb::parallel_for(Eigen::Index{0}, groups, [&](Eigen::Index group) {
+  parallel_for(Eigen::Index{0}, groups, [&](Eigen::Index group) {
     const Eigen::Index begin = group * columns_at_once;
     const Eigen::Index some = std::min(columns_at_once, count - begin);
     rows.middleRows(begin, some) = solver.columns(first + begin, some).transpose().cast<double>();
@@ -352,7 +352,7 @@ DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions&
   const Diffusion diffusion(nearest_models(models, options.neighbours, rows_of(distances)), options);
   const Eigen::MatrixXd system =
       Eigen::MatrixXd::Identity(models, models) - options.damping * Eigen::MatrixXd(diffusion.graph);
-  const Eigen::MatrixXd affinities = system.llt().solve(Eigen::MatrixXd::Identity(models, models));
+  const Eigen::MatrixXd affinities = positive_definite_inverse(system);
   return symmetric(diffusion.distances_of(affinities, distances, 0));
 }
 
@@ -454,7 +454,7 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
   std::vector<SparseRow> codes(size);
   std::vector<SparseRow> means(size);
   const auto of_all = [&](auto compute) {
-    tbb::parallel_for(std::size_t{0}, size, [&](std::size_t i) { compute(i, static_cast<std::int32_t>(i)); });
+    parallel_for(std::size_t{0}, size, [&](std::size_t i) { compute(i, static_cast<std::int32_t>(i)); });
   };
   of_all([&](std::size_t i, std::int32_t model) { codes[i] = encoded(distances, nearest, model, options.neighbours); });
   of_all([&](std::size_t i, std::int32_t model) {
@@ -500,7 +500,7 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
   DistanceMatrix finite = distances.array().isInf().select(nearest.largest, distances) * factor;
   finite.diagonal().setZero();
   DistanceMatrix result = finite;
-  tbb::parallel_for(Eigen::Index{0}, distances.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, distances.rows(), [&](Eigen::Index i) {
     double total = 1;
     for (Eigen::Index n = 0; n < nearest.indices.cols() && nearest.indices(i, n) >= 0; ++n) {
       const double weight = 1 / static_cast<double>(n + 2);

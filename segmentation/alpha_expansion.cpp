@@ -6,6 +6,8 @@
 #include <maxflow.h>
 #include <stdexcept>
 
+#include "shapegauge/core/base/interruption.h"
+
 namespace shapegauge {
 
 namespace {
@@ -78,6 +80,7 @@ std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const st
   for (int round = 0; round < rounds; ++round) {
     bool gained = false;
     for (std::int32_t label = 0; label < costs.cols(); ++label) {
+      check_interruption();
       std::vector<std::int32_t> next = expanded(costs, edges, labels, label);
       const double next_cost = labelling_cost(next, costs, edges);
       // Less by more than rounding: otherwise labels of equal cost could take turns for ever.

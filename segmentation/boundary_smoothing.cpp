@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
 
 namespace shapegauge {
@@ -27,7 +28,9 @@ void add_ways(WaysToParts& ways, const ThickSurface& surface, std::span<const st
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
   for (const std::int32_t node : border) queue.emplace(0, node);
   const std::int32_t label = labels[static_cast<std::size_t>(border.front())];
+  const SparseInterruptionCheck check;
   while (!queue.empty()) {
+    check();
     const auto [way, node] = queue.top();
     queue.pop();
     const bool own = labels[static_cast<std::size_t>(node)] == label;

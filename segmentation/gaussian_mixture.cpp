@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
@@ -77,6 +78,7 @@ GaussianMixture fitted_from(const Eigen::MatrixXd& points, const Eigen::MatrixXd
   mixture.variances = (variance + least).replicate(centres.rows(), 1);
   double before = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < iterations; ++i) {
+    check_interruption();
     const Eigen::MatrixXd densities = log_densities(mixture, points);
     const Eigen::VectorXd sums = log_sums(densities);
     mixture.log_likelihood = sums.sum();

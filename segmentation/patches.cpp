@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/random_numbers.h"
 
 namespace shapegauge {
@@ -29,7 +30,9 @@ class Growth {
 
   /// Spreads from the centres that were added since. Ties go to the patch that came first.
   void spread() {
+    const SparseInterruptionCheck check;
     while (!queue_.empty()) {
+      check();
       const auto [way, node] = queue_.top();
       queue_.pop();
       if (way > cost[static_cast<std::size_t>(node)]) continue;
@@ -75,6 +78,7 @@ std::vector<std::int32_t> farthest_centres(const SurfaceGraph& graph, const Patc
     if (growth.cost[static_cast<std::size_t>(node)] == unreached) add(node);
   }
   while (std::ssize(centres) < options.count) {
+    check_interruption();
     const auto farthest = std::ranges::max_element(growth.cost);
     if (!(*farthest > 0)) break;
     add(static_cast<std::int32_t>(farthest - growth.cost.begin()));

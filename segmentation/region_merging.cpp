@@ -6,6 +6,8 @@
 #include <queue>
 #include <vector>
 
+#include "shapegauge/core/base/interruption.h"
+
 namespace shapegauge {
 
 namespace {
@@ -37,6 +39,7 @@ class Merging {
 
   void run(const MergingOptions& options) {
     while (!queue_.empty() && regions_.size() > std::max(options.parts, 1)) {
+      check_interruption();
       const Candidate best = queue_.top();
       queue_.pop();
       if (best.age != age_of(best.a, best.b)) continue;

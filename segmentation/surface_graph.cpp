@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
@@ -141,7 +142,9 @@ SurfaceGraph surface_graph(const Shape& shape) {
   graph.samples = sample_shape(shape, SampleSite::faces);
   std::vector<Pair> pairs = is_cloud(shape) ? pairs_of_cloud(graph.samples) : pairs_of_mesh(shape, graph.samples);
   // Two triangles may share two edges: the longer one is kept. Those that share one need no link over a gap.
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+  const SparseInterruptionCheck check;
+  std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
+    check();
     return std::tie(a.from, a.link.to, a.over_gap, b.link.length) <
            std::tie(b.from, b.link.to, b.over_gap, a.link.length);
   });

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/spatial/ray_caster.h"
 
@@ -112,7 +112,7 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
   const Samples& samples = surface.graph.samples;
   const int per_node = surface.barrier_triangles_per_node;
   std::vector<std::int32_t> opposite(patch.size(), -1);
-  tbb::parallel_for(std::int32_t{0}, surface.graph.size(), [&](std::int32_t i) {
+  parallel_for(std::int32_t{0}, surface.graph.size(), [&](std::int32_t i) {
     const Eigen::Vector3d normal = samples.normals.row(i);
     if (normal.isZero(0)) return;
     // From just below the surface, so that a cloud's overlapping splats do not count.
@@ -134,7 +134,7 @@ template <typename Wanted>
 std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& places, Wanted wanted) {
   const auto count = static_cast<std::size_t>(places.rows());
   std::vector<std::vector<char>> free(count);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+  parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     const auto from = static_cast<Eigen::Index>(i);
     const Eigen::Vector3d origin = places.row(from);
     std::vector<Eigen::Vector3d> directions;

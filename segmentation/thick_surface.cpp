@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
@@ -100,6 +101,7 @@ Points smoothed_normals(const SurfaceGraph& graph, double unit) {
   Points normals = graph.samples.normals;
   const Eigen::VectorXd& weights = graph.samples.weights;
   for (int round = smoothing_rounds(graph, unit); round > 0; --round) {
+    check_interruption();
     Points next = normals;
     for (std::int32_t i = 0; i < graph.size(); ++i) {
       Eigen::RowVector3d sum = normals.row(i) * weights[i];
@@ -144,6 +146,7 @@ ThickSurface thick_surface(const Shape& given) {
   });
   fill(surface.log_thickness, surface.graph);
   for (int round = 0; round < thickness_rounds; ++round) {
+    check_interruption();
     surface.log_thickness = smoothed(surface.log_thickness, surface.graph);
   }
   surface.smooth_normals = smoothed_normals(surface.graph, surface.unit);

@@ -9,11 +9,11 @@
 #include <queue>
 #include <span>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
@@ -148,7 +148,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   tbb::enumerable_thread_specific<Vicinity> vicinities([&] { return Vicinity(samples.points, adjacency); });
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const Eigen::VectorXd before = field.values;
-    tbb::parallel_for(Eigen::Index{0}, count, [&](Eigen::Index i) {
+    parallel_for(Eigen::Index{0}, count, [&](Eigen::Index i) {
       if (!std::isfinite(before[i])) return;
       double sum = 0;
       double total = 0;

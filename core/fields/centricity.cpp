@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/point_cloud.h"
 
 namespace shapegauge {
@@ -60,6 +61,7 @@ Landmarks landmarks_of(const Shape& shape, const CentricityOptions& options) {
   std::vector<Eigen::Index> nearest_source(static_cast<std::size_t>(shape.vertices.rows()), 0);
   Eigen::Index count = 0;
   while (count < most) {
+    check_interruption();
     const Eigen::VectorXd distances = distances_from(source);
     landmarks.distances.col(count) = distances;
     for (const std::int32_t v : sites.vertices) {

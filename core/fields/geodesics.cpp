@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/fields/geodesics_cgal.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
@@ -189,7 +190,9 @@ class Graph {
       distance[static_cast<std::size_t>(source)] = 0;
       open.emplace(0, source);
     }
+    const SparseInterruptionCheck check;
     while (!open.empty()) {
+      check();
       const auto [reached, from] = open.top();
       open.pop();
       const auto node = static_cast<std::size_t>(from);

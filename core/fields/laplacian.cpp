@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -73,6 +74,7 @@ class ShiftedInverse {
   [[nodiscard]] Eigen::Index cols() const { return size_; }
   void set_shift(double /*shift*/) {}  // as constructed with
   void perform_op(const double* x, double* y) const {
+    check_interruption();
     const Eigen::VectorXd across = without_known(Eigen::Map<const Eigen::VectorXd>(x, size_));
     Eigen::Map<Eigen::VectorXd>(y, size_) = without_known(solver_.solve(across));
   }

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_distances.h"
 
 namespace shapegauge {
@@ -205,12 +205,13 @@ std::vector<BlockKind> ExteriorGrid::look_at(const std::vector<Reached>& blocks,
   const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
     thread_local NearbyPoints nearby;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
+      check_interruption();
       kinds[i] = look_at_block(grid_, surface_, blocks[i].block, around, nearby, boundary_[first + i]);
     }
   };
   const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
   if (parallel) {
-    tbb::parallel_for(all, look);
+    parallel_for_parts(all, look);
   } else {
     look(all);
   }
@@ -227,6 +228,7 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
     state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
   std::vector<Cells> seeds;  // of each boundary block, that have not spread
   std::vector<std::int32_t> spreading;
+  const SparseInterruptionCheck check;
   const auto pass_on = [&](std::uint32_t index, Cells cells) {
     const Eigen::Vector3i block = grid_.block_at(index);
     for (int side = 0; side < 6; ++side) {
@@ -277,6 +279,7 @@ void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double b
     }
     boundary_.resize(next);
     while (!passing.empty() || !spreading.empty()) {
+      check();
       if (!passing.empty()) {
         const std::uint32_t index = passing.back();
         passing.pop_back();

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <span>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
+
+#include "shapegauge/core/base/parallel.h"
 
 namespace shapegauge {
 
@@ -251,11 +252,7 @@ GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart
   const auto n = static_cast<std::size_t>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows());
   triangles.resize(n);
   const auto for_each = [parallel](std::size_t count, const auto& task) {
-    if (parallel) {
-      tbb::parallel_for(std::size_t{0}, count, task);
-    } else {
-      for (std::size_t i = 0; i < count; ++i) task(i);
-    }
+    for_each_index(parallel, std::size_t{0}, count, task);
   };
   constexpr std::size_t chunk_size = 2048;
   std::vector<std::vector<Point>> chunks((n + chunk_size - 1) / chunk_size);

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_distances.h"
 
 namespace shapegauge {
@@ -88,11 +88,7 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
       chunks[c].add(exterior, i, band);
     }
   };
-  if (parallel) {
-    tbb::parallel_for(std::size_t{0}, chunks.size(), fill);
-  } else {
-    for (std::size_t c = 0; c < chunks.size(); ++c) fill(c);
-  }
+  for_each_index(parallel, std::size_t{0}, chunks.size(), fill);
   first.push_back(0);
   for (const Chunk& chunk : chunks) {
     append(x, chunk.x);

@@ -7,9 +7,9 @@
 #include <numeric>
 #include <optional>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
 #include <utility>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_distances.h"
 #include "shapegauge/core/offset/mean_normals.h"
 #include "shapegauge/core/offset/nearest_offset_point.h"
@@ -91,10 +91,13 @@ class Solver {
   void solve(bool parallel) {
     if (parallel) {
       tbb::enumerable_thread_specific<Room> rooms([this] { return Room(*this); });
-      tbb::parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { answer(groups_[g], rooms.local()); });
+      parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { answer(groups_[g], rooms.local()); });
     } else {
       Room room(*this);
-      for (const Group& group : groups_) answer(group, room);
+      for (const Group& group : groups_) {
+        check_interruption();
+        answer(group, room);
+      }
     }
   }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/shape.h"
@@ -267,6 +268,7 @@ class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
   [[nodiscard]] bool keeps_faces(const CollapseInfo& collapse);
 
   std::vector<OpenMesh::Geometry::Quadricd> quadrics_;  ///< by vertex
+  SparseInterruptionCheck check_;
 };
 
 const std::string& DecimationModule::name() const {
@@ -318,6 +320,7 @@ bool DecimationModule::keeps_faces(const CollapseInfo& collapse) {
 }
 
 float DecimationModule::collapse_priority(const CollapseInfo& collapse) {
+  check_();
   if (!keeps_faces(collapse)) return ILLEGAL_COLLAPSE;
   const Quadricd sum =
       quadrics_[static_cast<std::size_t>(collapse.v0.idx())] + quadrics_[static_cast<std::size_t>(collapse.v1.idx())];

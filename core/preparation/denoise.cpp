@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -200,6 +201,7 @@ Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbour
   smoothed.leftCols<3>() = vertices;
   PaddedPoints shrunk(vertices.rows(), 4);
   for (int round = 0; round < rounds; ++round) {
+    check_interruption();
     step(smoothed, neighbours, inward, shrunk);
     step(shrunk, neighbours, outward, smoothed);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -26,6 +27,7 @@ class TubeVolume {
       : tree_(tree), r_(r), smallest_half_(std::max(r / 2, finest_cube) / 2) {}
 
   [[nodiscard]] double in(const Eigen::Vector3d& centre, double half, std::int32_t hint = -1) const {
+    check_();
     const double radius = std::sqrt(3.0) * half;
     const auto hit = tree_.closest(centre, r_ + radius, hint);
     const double volume = 8 * half * half * half;
@@ -47,6 +49,7 @@ class TubeVolume {
   const TriangleBVH& tree_;
   double r_;
   double smallest_half_;
+  SparseInterruptionCheck check_;
 };
 
 /// The number of places at which a cloud has points.

@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -311,7 +311,7 @@ Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
   const Points projected = projected_points(shape.vertices, camera, n);
   Image image{.width = options.width, .height = options.height, .pixels = {}};
   image.pixels.resize(4 * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height));
-  tbb::parallel_for(0, (options.height + rows_at_once - 1) / rows_at_once, [&](int band) {
+  parallel_for(0, (options.height + rows_at_once - 1) / rows_at_once, [&](int band) {
     const int first = band * rows_at_once;
     const int end = std::min(first + rows_at_once, options.height);
     RayGrid rays(camera, options.width, n);

@@ -12,9 +12,9 @@
 #include <optional>
 #include <span>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
 #include "shapegauge/core/spatial/morton_order.h"
 #include "shapegauge/core/spatial/ray_caster.h"
@@ -259,6 +259,7 @@ ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const 
   const auto answer = [&](const tbb::blocked_range<Eigen::Index>& range) {
     Cones cones(casters, directions);
     for (Eigen::Index k = range.begin(); k < range.end(); ++k) {
+      check_interruption();
       const Eigen::Index i = order[static_cast<std::size_t>(k)];
       const Eigen::Vector3d inward = -samples.normals.row(i).transpose();
       result.values[i] = inward.isZero(0)
@@ -268,7 +269,7 @@ ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const 
   };
   const tbb::blocked_range<Eigen::Index> all(0, samples.points.rows(), 256);
   if (options.parallel) {
-    tbb::parallel_for(all, answer);
+    parallel_for_parts(all, answer);
   } else {
     answer(all);
   }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -54,7 +55,9 @@ std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Ind
 /// The uses by (low, high, triangle).
 std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
   CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
+  const SparseInterruptionCheck check;
   for (std::size_t v = 0; v < vertices; ++v) {
+    check();
     const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
     std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
       return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);

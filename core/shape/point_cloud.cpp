@@ -9,22 +9,25 @@
 #include <nanoflann.hpp>
 #include <numbers>
 #include <numeric>
-#include <tbb/parallel_for.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 namespace {
 
-/// The points as nanoflann asks for them.
+/// The points as nanoflann asks for them. Building a tree can be interrupted.
 struct PointSource {
   const Points& points;
+  bool building = true;  ///< by one thread; queries, of many, change nothing
+  SparseInterruptionCheck check{};
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points.rows()); }
   [[nodiscard]] double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    if (building) check();
     return points(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis));
   }
   template <typename Box>
@@ -35,6 +38,19 @@ struct PointSource {
 
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointSource>, PointSource, 3,
                                                  std::int32_t>;
+
+/// A tree of points, and the source that it refers to.
+struct PointTree {
+  explicit PointTree(const Points& points) : source{points}, tree(3, source) { source.building = false; }
+  PointTree(const PointTree&) = delete;
+  PointTree& operator=(const PointTree&) = delete;
+  PointTree(PointTree&&) = delete;
+  PointTree& operator=(PointTree&&) = delete;
+  ~PointTree() = default;
+
+  PointSource source;
+  Tree tree;
+};
 
 /// Room for the answer to one query, the point itself included.
 struct Query {
@@ -72,7 +88,11 @@ struct DistinctPlaces {
 };
 
 DistinctPlaces places_of(const Points& points) {
-  const auto coordinates = [&](Eigen::Index i) { return std::array{points(i, 0), points(i, 1), points(i, 2)}; };
+  const SparseInterruptionCheck check;
+  const auto coordinates = [&](Eigen::Index i) {
+    check();
+    return std::array{points(i, 0), points(i, 1), points(i, 2)};
+  };
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points.rows()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::ranges::sort(order, {}, coordinates);
@@ -136,22 +156,20 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   result.indices.resize(n, k);
   result.distances.resize(n, k);
   if (k == 0) return result;
-  const PointSource source{points};
-  const Tree tree(3, source);
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
-    for (Eigen::Index i = block.begin(); i != block.end(); ++i) find(tree, points, i, result);
+  const PointTree built(points);
+  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
+    for (Eigen::Index i = block.begin(); i != block.end(); ++i) find(built.tree, points, i, result);
   });
   return result;
 }
 
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among) {
-  const PointSource source{among};
-  const Tree tree(3, source);
+  const PointTree built(among);
   std::vector<std::int32_t> nearest(static_cast<std::size_t>(points.rows()));
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, points.rows(), 256), [&](const auto& block) {
+  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, points.rows(), 256), [&](const auto& block) {
     for (Eigen::Index i = block.begin(); i != block.end(); ++i) {
       double squared_distance = 0;
-      tree.knnSearch(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
+      built.tree.knnSearch(points.row(i).data(), 1, &nearest[static_cast<std::size_t>(i)], &squared_distance);
     }
   });
   return nearest;
@@ -161,7 +179,7 @@ Points unsigned_point_normals(const Points& points) {
   constexpr Eigen::Index neighbours = 12;
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   Points normals = Points::Zero(points.rows(), 3);
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
     // Relative to the farthest neighbour, so that products neither overflow nor vanish.
     const Eigen::Index count = nearest.indices.cols();
     const double reach = count > 0 ? nearest.distances(i, count - 1) : 0;

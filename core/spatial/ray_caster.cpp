@@ -10,6 +10,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -158,6 +159,7 @@ RayCaster::RayCaster(const Shape& shape, RaysAtEdges at_edges) : scene_(std::mak
   rtcSetSceneFlags(scene_->scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
   rtcCommitScene(scene_->scene.get());
+  check_interruption();  // Embree gives up a tree whose loops are cancelled
 }
 
 RayCaster::~RayCaster() = default;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/spatial/triangle_bvh_layout.h"
 
 namespace shapegauge {
@@ -125,6 +126,7 @@ class Builder {
   }
 
   std::int32_t add_node(Part part) {
+    check_interruption();
     const auto index = nodes_.size();
     nodes_.emplace_back();
     const std::vector<Part> parts = split_in_eight(part);

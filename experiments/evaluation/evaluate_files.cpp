@@ -176,12 +176,11 @@ std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
   return printable(ids[static_cast<std::size_t>(row)], 60);
 }
 
-void warn_of_entries(const MatrixFindings& found, bool negated, std::vector<std::string>& warnings) {
+void warn_of_entries(const MatrixFindings& found, bool negated, Audience audience, std::vector<std::string>& warnings) {
   if (found.negative > 0 && !negated) {
     warnings.push_back(
-        fmt::format("{} negative: taken as nearer than 0, in their order; if larger means more alike, use "
-                    "--similarity",
-                    counted(found.negative, "distance is", "distances are")));
+        fmt::format("{} negative: taken as nearer than 0, in their order; if larger means more alike, use {}",
+                    counted(found.negative, "distance is", "distances are"), setting_on(audience, "similarity")));
   }
   if (found.infinite > 0) {
     warnings.push_back(
@@ -191,13 +190,14 @@ void warn_of_entries(const MatrixFindings& found, bool negated, std::vector<std:
   }
 }
 
-void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, std::vector<std::string>& warnings) {
+void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated, Audience audience,
+                    std::vector<std::string>& warnings) {
   if (2 * found.rows_nearest_to_others > rows) {
-    warnings.push_back(
-        fmt::format("in {} of {} rows the query is the farthest model from itself: this looks like a "
-                    "matrix of {}; scores of the wrong kind are near 0",
-                    found.rows_nearest_to_others, rows,
-                    negated ? "distances, which take no --similarity" : "similarities, which take --similarity"));
+    warnings.push_back(fmt::format(
+        "in {} of {} rows the query is the farthest model from itself: this looks like a "
+        "matrix of {} {}; scores of the wrong kind are near 0",
+        found.rows_nearest_to_others, rows, negated ? "distances, which take no" : "similarities, which take",
+        setting_on(audience, "similarity")));
   }
   if (found.asymmetric_pairs > 0) {
     warnings.push_back(fmt::format("{}; row i, not column i, is the answer to query i", asymmetry_text(found)));
@@ -268,12 +268,36 @@ std::string asymmetry_text(const MatrixFindings& found) {
   return fmt::format("the matrix is not symmetric: {} of entries (i, j) and (j, i) differ, {}", pairs, amount);
 }
 
-std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated) {
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
+                                         Audience audience) {
   std::vector<std::string> warnings;
-  warn_of_entries(found, negated, warnings);
-  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, warnings);
+  warn_of_entries(found, negated, audience, warnings);
+  warn_of_square(found, static_cast<Eigen::Index>(ids.size()), negated, audience, warnings);
   warn_of_rows(found, ids, warnings);
   return warnings;
+}
+
+std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found, Audience audience) {
+  const auto known = std::ranges::count_if(
+      found.constant_rows, [&](Eigen::Index row) { return std::ranges::binary_search(evaluation.queries, row); });
+  if (evaluation.queries_with_ties <= known) return std::nullopt;
+  const auto& [pessimistic, optimistic] = evaluation.first_tier_bounds;
+  return fmt::format(
+      "the answers to {} of {} queries have relevant and other models at equal distance; they are ordered by {}{}",
+      evaluation.queries_with_ties, evaluation.queries.size(),
+      setting_with_word(audience, "ties", name_of(evaluation.ties)),
+      pessimistic == optimistic
+          ? ""
+          : fmt::format("; FT is {:.1f} to {:.1f} by their order", 100 * pessimistic, 100 * optimistic));
+}
+
+std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
+                                            const EvaluationOptions& options) {
+  if (evaluation.models_left_out == 0) return std::nullopt;
+  return task.judged.empty() ? fmt::format("{} models are never queries, as their classes have fewer than {} models",
+                                           evaluation.models_left_out, options.minimum_class_size)
+                             : fmt::format("{} queries have fewer than {} relevant models: left out of all scores",
+                                           evaluation.models_left_out, options.minimum_class_size - 1);
 }
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {
@@ -297,13 +321,8 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
   result.findings = checks.findings();
   const std::vector<std::string> odd = matrix_warnings(result.findings, task.query_ids, files.similarity);
   result.warnings.insert(result.warnings.end(), odd.begin(), odd.end());
-  if (result.evaluation.models_left_out > 0) {
-    result.warnings.push_back(
-        task.retrieval.judged.empty()
-            ? fmt::format("{} models are never queries, as their classes have fewer than {} models",
-                          result.evaluation.models_left_out, options.minimum_class_size)
-            : fmt::format("{} queries have fewer than {} relevant models: left out of all scores",
-                          result.evaluation.models_left_out, options.minimum_class_size - 1));
+  if (const auto left_out = left_out_warning(result.evaluation, task.retrieval, options)) {
+    result.warnings.push_back(*left_out);
   }
   return result;
 }

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 #include "shapegauge/experiments/files/matrix_files.h"
 #include "shapegauge/metrics/evaluation.h"
@@ -40,7 +42,17 @@ struct EvaluationData {
 std::string asymmetry_text(const MatrixFindings& found);
 
 /// What a user should know of a matrix, a sentence each. `ids` name its rows; `negated`: it was of similarities.
-std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated);
+std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<const std::string> ids, bool negated,
+                                         Audience audience = Audience::command_line);
+
+/// The warning about queries with relevant and other models at equal distance, and how far their order moves FT.
+/// Nothing where all such queries are rows of equal distances, of which matrix_warnings() tells.
+std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found,
+                                        Audience audience = Audience::command_line);
+
+/// The warning about models that are never queries because their classes are small, if there are any.
+std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
+                                            const EvaluationOptions& options);
 
 /// Reads the files and fits them together. Distances between features, and those of large binary files, are not
 /// computed or read yet. Throws InputError where a file cannot be read or they do not fit: a matrix of another size

@@ -12,12 +12,12 @@
 #include <string_view>
 #include <system_error>
 #include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 #include <unistd.h>
 #include <unordered_set>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/files/compressed_files.h"
@@ -402,14 +402,15 @@ class OpenFile {
 DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const MatrixBlock& block) {
   DistanceMatrix numbers(block.rows, block.columns);
   const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
-  tbb::parallel_for(tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
-    std::vector<char> bytes(row_bytes);
-    for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
-      const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
-      file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
-      table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
-    }
-  });
+  parallel_for_parts(
+      tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
+        std::vector<char> bytes(row_bytes);
+        for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
+          const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
+          file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
+          table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
+        }
+      });
   refuse_nan(numbers, {block.first_row, block.first_column}, "distance", file.path());
   return numbers;
 }

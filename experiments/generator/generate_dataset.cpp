@@ -9,11 +9,11 @@
 #include <optional>
 #include <stdexcept>
 #include <system_error>
-#include <tbb/parallel_for.h>
 #include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/off.h"
@@ -170,7 +170,7 @@ void write_class(std::size_t class_index, const Models& models, const GeneratorO
                  ProgressCounter& counter) {
   const ClassModels drawn(class_index, options.faces, options.seed);
   const auto count = static_cast<std::size_t>(options.models_per_class);
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t model) {
+  parallel_for(std::size_t{0}, count, [&](std::size_t model) {
     const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
     const SolidMesh made = drawn.draw(model);
     write_off(models.folder / (name + ".off"), made.mesh);
@@ -251,7 +251,7 @@ void generate_dataset(const std::filesystem::path& folder, const GeneratorOption
   const Models models{scattered_numbers(options), folder};
   const auto classes = static_cast<std::size_t>(options.classes);
   ProgressCounter counter(progress, models.numbers.size());
-  tbb::parallel_for(std::size_t{0}, classes, [&](std::size_t c) { write_class(c, models, options, counter); });
+  parallel_for(std::size_t{0}, classes, [&](std::size_t c) { write_class(c, models, options, counter); });
   write_parts(folder, classes);
   write_classification(folder / "test.cla", classification_of(models.numbers, options));
 }

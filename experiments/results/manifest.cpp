@@ -1,9 +1,9 @@
 #include "shapegauge/experiments/results/manifest.h"
 
 #include <nlohmann/json.hpp>
-#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/results/result_folder.h"
@@ -117,7 +117,7 @@ OrderedJson left_out(const ExperimentResults& results) {
 
 OrderedJson dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
   std::vector<std::string> hashes(models.size());
-  tbb::parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
+  parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
   return inputs_json(configuration, models, hashes);
 }
 

@@ -130,4 +130,27 @@ OrderedJson comparison_json(const AlignedMethods& methods, std::span<const Metho
           {"measures", std::move(measures)}};
 }
 
+std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options,
+                                             Audience audience) {
+  const double smallest = smallest_p_value(options, comparison.units);
+  const auto pairs = static_cast<double>(comparison.pairs.size());
+  const double alpha = 1 - options.confidence;
+  if (pairs * smallest <= alpha) return std::nullopt;
+  const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
+  const std::string more_blocks =
+      options.blocks == Blocks::classes
+          ? fmt::format(" or {} (which calls too much significant)", setting_with_word(audience, "blocks", "queries"))
+          : "";
+  const std::string advice =
+      few_resamples
+          ? fmt::format("more {} than {} can", setting_name(audience, "resamples"), options.resampling.resamples)
+          : fmt::format("more {} can, {} (which takes their differences for normally distributed){}",
+                        name_of(options.blocks), setting_with_word(audience, "test", "t"), more_blocks);
+  return fmt::format(
+      "over {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}), so no "
+      "difference can be significant at {:.4g}; {}",
+      comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
+      comparison.pairs.size(), comparison.pairs.size() == 1 ? "pair" : "pairs", alpha, advice);
+}
+
 }  // namespace shapegauge

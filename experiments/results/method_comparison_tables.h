@@ -1,9 +1,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -25,5 +27,10 @@ Table pairs_table(const AlignedMethods& methods, std::span<const MethodCompariso
 /// Both as JSON, in fractions, with the settings.
 nlohmann::ordered_json comparison_json(const AlignedMethods& methods, std::span<const MethodComparison> comparisons,
                                        const ComparisonOptions& options);
+
+/// The warning that no pair can be significant, whatever the methods are worth, where that is so: there are too few
+/// units or resamples.
+std::optional<std::string> few_units_warning(const MethodComparison& comparison, const ComparisonOptions& options,
+                                             Audience audience);
 
 }  // namespace shapegauge

@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <mutex>
 #include <stdexcept>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/runner/cache_records.h"
@@ -35,7 +35,7 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
                          std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
   Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
   const bool of_dataset = wanted.range == HistogramRange::dataset;
-  tbb::parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
+  parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
     table.row(static_cast<Eigen::Index>(i)) =
         of_dataset ? kept_histogram(models[i]->fields[field], data_set_ranges[field], wanted.options)
                    : models[i]->histograms[signature];

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
-#include <tbb/parallel_for.h>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
 
@@ -48,7 +48,7 @@ Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& referen
   const UnitFrame frame = unit_frame(sites);
   const TriangleBVH tree(in_unit_frame(sites, frame));
   Eigen::VectorXd nearest(points.rows());
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
     const auto hit = tree.closest(frame.to_unit(points.row(i).transpose()));
     nearest[i] = reference.values[hit.value().triangle];
   });
@@ -69,7 +69,7 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
                            const Eigen::VectorXd& weights, bool sided) {
   Eigen::VectorXd angles = Eigen::VectorXd::Zero(points.rows());
   Eigen::VectorXd counted = weights;
-  tbb::parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
     const Eigen::Vector3d expected = truth.at(points.row(i));
     const Eigen::Vector3d normal = normals.row(i);
     // NaN, too, is a normal that is not there.

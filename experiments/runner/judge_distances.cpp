@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <string>
-#include <tbb/parallel_for.h>
 #include <utility>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/files/npy.h"
@@ -42,7 +42,7 @@ Eigen::Index rows_together(std::size_t all) {
 void compute_rows(const NamedDistance& distance, const SignatureBlock& some, const SignatureBlock& others,
                   Eigen::Ref<DistanceMatrix> distances) {
   constexpr Eigen::Index together = 32;
-  tbb::parallel_for(Eigen::Index{0}, (distances.rows() + together - 1) / together, [&](Eigen::Index group) {
+  parallel_for(Eigen::Index{0}, (distances.rows() + together - 1) / together, [&](Eigen::Index group) {
     const Eigen::Index first = group * together;
     const Eigen::Index count = std::min(together, distances.rows() - first);
     distances.middleRows(first, count) =

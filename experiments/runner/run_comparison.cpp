@@ -218,7 +218,7 @@ ComparisonResults run_comparison(const Comparison& comparison, const RunControl&
   results.comparison = comparison;
   results.threads = control.threads > 0 ? control.threads : available_threads();
   try {
-    with_threads(results.threads, [&] { run_stages(control, results); });
+    with_threads(control, [&] { run_stages(control, results); });
   } catch (const std::invalid_argument& error) {
     // What the modules below say of data that they cannot use: here the data come from the user.
     throw InputError(error.what());

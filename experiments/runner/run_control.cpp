@@ -23,6 +23,13 @@ void with_threads(int threads, const std::function<void()>& work) {
   arena.execute(work);
 }
 
+void with_threads(const RunControl& control, const std::function<void()>& work) {
+  with_threads(control.threads, [&] {
+    if (control.cancellation == nullptr) return work();
+    control.cancellation->run(work);
+  });
+}
+
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control,
                                          const std::function<void(std::size_t model)>& job) {

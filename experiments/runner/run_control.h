@@ -3,11 +3,11 @@
 #include <cstddef>
 #include <functional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/experiments/datasets/layouts.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 
@@ -17,16 +17,10 @@ namespace shapegauge {
 struct RunControl {
   int threads = 0;                                           ///< 0: as many as the machine has
   std::function<bool()> interrupted = [] { return false; };  ///< asked between shapes; true: stop soon. Any thread.
+  Cancellation* cancellation = nullptr;                      ///< stops the shapes that are under way as well
   /// Told what is being done and how far it is; one call at a time.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
-};
-
-/// Thrown where a run is interrupted. The message says what it leaves behind.
-class Interrupted : public std::runtime_error {
- public:
-  explicit Interrupted(const std::string& message = "interrupted; no results were written")
-      : std::runtime_error(message) {}
 };
 
 /// The number of hardware threads, which 0 stands for.
@@ -34,6 +28,9 @@ int available_threads();
 
 /// Runs the work on at most `threads` threads (0: available_threads()), the calling one included.
 void with_threads(int threads, const std::function<void()>& work);
+
+/// The same with the threads of a run, and within its cancellation. Throws Interrupted.
+void with_threads(const RunControl& control, const std::function<void()>& work);
 
 /// Runs a job for each model, in parallel, in the calling TBB arena. A job that throws makes its model a failure; with
 /// stop_at_failure, jobs that have not begun by then are skipped, and only the first failure counts. Models begin in

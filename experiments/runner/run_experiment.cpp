@@ -361,7 +361,7 @@ ExperimentResults run_experiment(const Configuration& configuration, const RunPl
   results.configuration = configuration;
   results.threads = control.threads > 0 ? control.threads : available_threads();
   try {
-    with_threads(results.threads, [&] { run_stages(configuration, places, control, cache, ranks, results); });
+    with_threads(control, [&] { run_stages(configuration, places, control, cache, ranks, results); });
   } catch (const std::invalid_argument& error) {
     // What the modules below say of data that they cannot use: here the data come from the user.
     throw InputError(error.what());

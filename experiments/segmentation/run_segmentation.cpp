@@ -268,7 +268,7 @@ SegmentationResults run_segmentation(const SegmentationExperiment& experiment, c
   SegmentationResults results;
   results.experiment = experiment;
   results.threads = control.threads > 0 ? control.threads : available_threads();
-  with_threads(control.threads, [&] { run_stages(control, cache, generated, results); });
+  with_threads(control, [&] { run_stages(control, cache, generated, results); });
   results.cache = cache.report();
   return results;
 }

@@ -19,10 +19,10 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <tbb/parallel_for.h>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
@@ -95,7 +95,7 @@ TrainingModel prepared(const Shape& mesh, std::vector<std::vector<std::int32_t>>
 
 std::vector<TrainingModel> prepared(const SegmentationBenchmark& benchmark) {
   std::vector<TrainingModel> models(benchmark.models.size());
-  tbb::parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
+  parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
     const SegmentedModel& model = benchmark.models[i];
     const Shape mesh = read_shape(model.mesh);
     std::vector<std::vector<std::int32_t>> people;

@@ -9,10 +9,10 @@
 #include <nanoflann.hpp>
 #include <numeric>
 #include <set>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/perturbation/decimate.h"
 
 namespace shapegauge {
@@ -116,7 +116,7 @@ using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
 std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& among) {
   const Tree tree(3, among.points);
   std::vector<std::int32_t> nearest(static_cast<std::size_t>(places.points.rows()));
-  tbb::parallel_for(std::size_t{0}, nearest.size(), [&](std::size_t i) {
+  parallel_for(std::size_t{0}, nearest.size(), [&](std::size_t i) {
     const auto row = static_cast<Eigen::Index>(i);
     std::array<Eigen::Index, 4> found{};
     std::array<double, 4> distances{};

@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <tbb/parallel_for.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/view/html_page.h"
@@ -219,7 +219,7 @@ std::string view_page(const ViewPage& page) {
   constexpr int picture_pixels = 480;
   std::vector<Json> shapes(page.shapes.size());
   std::vector<std::string> pictures(page.shapes.size());
-  tbb::parallel_for(std::size_t{0}, page.shapes.size(), [&](std::size_t i) {
+  parallel_for(std::size_t{0}, page.shapes.size(), [&](std::size_t i) {
     shapes[i] = shape_view_json(page.shapes[i]);
     pictures[i] = shape_view_picture(page.shapes[i], picture_pixels);
   });

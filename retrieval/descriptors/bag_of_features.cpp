@@ -8,10 +8,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
@@ -136,8 +136,8 @@ void refine(Eigen::MatrixXf& words, const Vectors& samples, int iterations) {
   std::vector<Eigen::Index> nearest(static_cast<std::size_t>(samples.rows()), -1);
   for (int iteration = 0; iteration < iterations; ++iteration) {
     std::vector<Eigen::Index> now(nearest.size());
-    tbb::parallel_for(Eigen::Index{0}, samples.rows(),
-                      [&](Eigen::Index i) { now[static_cast<std::size_t>(i)] = nearest_word(words, samples.row(i)); });
+    parallel_for(Eigen::Index{0}, samples.rows(),
+                 [&](Eigen::Index i) { now[static_cast<std::size_t>(i)] = nearest_word(words, samples.row(i)); });
     if (now == nearest) return;
     nearest = std::move(now);
     // In the samples' order, whatever the threads did.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/l1_distance.h"
@@ -23,6 +24,7 @@ constexpr auto parameters = parameters_of(table);
 template <typename Visit>
 void for_each_pair(const Samples& samples, Visit visit) {
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    check_interruption();
     for (Eigen::Index j = i + 1; j < samples.points.rows(); ++j) {
       visit((samples.points.row(i) - samples.points.row(j)).norm(), samples.weights[i] * samples.weights[j]);
     }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
-#include <tbb/parallel_for.h>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
@@ -80,7 +80,7 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
     return std::span(features.data() + i * features.cols(), static_cast<std::size_t>(features.cols()));
   };
   DistanceMatrix matrix = DistanceMatrix::Zero(features.rows(), features.rows());
-  tbb::parallel_for(Eigen::Index{0}, features.rows(), [&](Eigen::Index i) {
+  parallel_for(Eigen::Index{0}, features.rows(), [&](Eigen::Index i) {
     for (Eigen::Index j = i + 1; j < features.rows(); ++j) matrix(i, j) = matrix(j, i) = of.distance(row(i), row(j));
   });
   return matrix;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
@@ -183,6 +184,7 @@ Eigen::VectorXf light_field(const Shape& mesh, const LightFieldOptions& options)
   Eigen::Index next = 0;
   for (const Eigen::Quaterniond& turn : turns) {
     for (const Eigen::Vector3d& axis : axes) {
+      check_interruption();
       for (const double feature : features_of(silhouette(unit, looking_along(turn * axis), options.pixels))) {
         features[next++] = static_cast<float>(std::round(255 * std::min(feature, 1.0)));
       }

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/samples.h"
@@ -167,6 +168,7 @@ Eigen::VectorXf shell_norms(const SphericalHarmonicsOptions& options, Function a
   Eigen::VectorXf features(options.shells * options.bandwidth);
   Eigen::VectorXd values(directions.rows());
   for (Eigen::Index shell = 0; shell < options.shells; ++shell) {
+    check_interruption();
     const double radius = 2 * static_cast<double>(shell + 1) / options.shells;
     for (Eigen::Index i = 0; i < values.size(); ++i) values[i] = at(radius * directions.row(i));
     features.segment(shell * options.bandwidth, options.bandwidth) = (radius * transform.norms(values)).cast<float>();

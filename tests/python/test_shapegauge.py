@@ -2,38 +2,14 @@
 
 import json
 import os
-import signal
 import subprocess
-import sys
-import time
 import types
 
 import numpy as np
 import pytest
 
 import shapegauge as sg
-
-PROGRAM = os.environ["SHAPEGAUGE_PROGRAM"]
-CONFIGS = os.environ["SHAPEGAUGE_CONFIGS"]
-
-
-def program(*arguments):
-    subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True)
-
-
-def bumpy_torus(rings=40, sides=24):
-    """A closed mesh whose thickness differs from place to place."""
-    u, v = np.meshgrid(np.arange(rings) * 2 * np.pi / rings, np.arange(sides) * 2 * np.pi / sides, indexing="ij")
-    r = 0.3 + 0.1 * np.sin(3 * u)
-    vertices = np.stack([(1 + r * np.cos(v)) * np.cos(u), (1 + r * np.cos(v)) * np.sin(u), r * np.sin(v)], -1)
-    i, j = np.meshgrid(np.arange(rings), np.arange(sides), indexing="ij")
-    at = lambda a, b: (a % rings) * sides + b % sides
-    faces = np.concatenate([
-        np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1)], -1).reshape(-1, 3),
-        np.stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)], -1).reshape(-1, 3)
-    ])
-    return vertices.reshape(-1, 3), faces
-
+from support import CONFIGS, PROGRAM, bumpy_torus, program, toy
 
 @pytest.fixture(scope="module")
 def torus():
@@ -44,12 +20,6 @@ def torus():
 def torus_file(torus, tmp_path):
     sg.write(tmp_path / "torus.off", *torus)
     return tmp_path / "torus.off"
-
-
-def toy():
-    """A = 0, 1, 4 and B = 2, 3.5, 7, 9 on a line: scores that are known by hand."""
-    places = np.array([0, 1, 4, 2, 3.5, 7, 9])
-    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
 
 
 def test_a_shape_comes_back_from_its_file(torus, torus_file):
@@ -90,17 +60,6 @@ def test_objects_with_arrays_are_shapes(torus):
         np.testing.assert_array_equal(sg.sdf(mesh)[0], expected)
     cloud = types.SimpleNamespace(points=vertices, normals=[])
     np.testing.assert_array_equal(sg.sdf(cloud, offset="auto")[0], sg.sdf(vertices, offset="auto")[0])
-
-
-def test_an_object_stands_alone_before_words(torus):
-    vertices, faces = torus
-    mesh = types.SimpleNamespace(vertices=vertices, faces=faces)
-    np.testing.assert_array_equal(sg.sdf(mesh, "cone")[0], sg.sdf(vertices, faces, "cone")[0])
-    np.testing.assert_array_equal(sg.field(mesh, "cone_sdf")[0], sg.field(vertices, faces, "cone_sdf")[0])
-    np.testing.assert_array_equal(sg.describe(mesh, "d2"), sg.describe(vertices, faces, "d2"))
-    np.testing.assert_array_equal(sg.segment(mesh, "paper"), sg.segment(vertices, faces, "paper"))
-    with pytest.raises(sg.InputError, match="n x 3"):
-        sg.sdf(object())
 
 
 class Rows:
@@ -234,28 +193,6 @@ def test_what_is_odd_is_warned_of():
         sg.evaluate(distances.max() - distances, labels)
 
 
-@pytest.mark.parametrize("call, words", [
-    (lambda: sg.sdf([[0, 0, 0]], [[0, 1, 2]]), "outside 0..0"),
-    (lambda: sg.sdf([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], [[0, 1, 2]]), "finite"),
-    (lambda: sg.sdf(np.zeros((4, 2)), [[0, 1, 2]]), "n x 3"),
-    (lambda: sg.sdf(np.eye(3), [[0.0, 1.0, 2.0]]), "whole numbers"),
-    (lambda: sg.sdf(np.eye(3), [[0, 1, -1]]), "indices"),
-    (lambda: sg.sdf(np.eye(3), [[0, 1, 2]], method="x"), "cone"),
-    (lambda: sg.read("no such file.off"), "no such file.off"),
-    (lambda: sg.evaluate(np.zeros((3, 4)), [0, 0, 1]), "n x n"),
-    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0]), "labels"),
-    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0, 1], "x"), "protocol"),
-    (lambda: sg.evaluate(np.zeros((3, 3)), [0, 0, 1], measures=["x"]), "x"),
-    (lambda: sg.rerank(np.zeros((3, 3)), wrong=1), "wrong"),
-    (lambda: sg.rerank(np.zeros((3, 3)), "x"), "x"),
-    (lambda: sg.run("no such file.json"), "no such file.json"),
-    (lambda: sg.describe(np.eye(3), [[0, 1, 2]], "x"), "x"),
-])
-def test_unusable_input_is_a_value_error_with_the_reason(call, words):
-    with pytest.raises(ValueError, match=words):
-        call()
-
-
 SMALL = ["dataset.generate.classes=2", "dataset.generate.models_per_class=3", "dataset.generate.faces=1000"]
 
 
@@ -269,16 +206,17 @@ def test_an_experiment_gives_the_command_lines_files(tmp_path):
     assert done.left_out == [] and "Results in" in repr(done)
 
 
-def test_ctrl_c_stops_an_experiment(tmp_path):
-    configuration = os.path.join(CONFIGS, "quickstart.json")
-    many = ["dataset.generate.classes=16", "dataset.generate.models_per_class=60"]
-    code = f"import shapegauge as sg; sg.run({configuration!r}, {str(tmp_path / 'out')!r}, settings={many!r}, cache='')"
-    process = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True)
-    for _ in range(600):  # until it computes
-        if (tmp_path / "out" / "dataset").exists() or process.poll() is not None:
-            break
-        time.sleep(0.1)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=60)
-    assert "KeyboardInterrupt" in errors
-    assert process.returncode in (130, -signal.SIGINT)
+def test_a_segmentation_experiment_gives_the_command_lines_files(tmp_path):
+    document = {
+        "name": "parts",
+        "dataset": {"generate": {"classes": 1, "models_per_class": 2, "faces": 1000}},
+        "segmentation": [{"name": "three", "method": "best", "parts": 3}],
+    }
+    (tmp_path / "parts.json").write_text(json.dumps(document))
+    one_setting = "segmentation.0.parts=2"
+    done = sg.run(tmp_path / "parts.json", tmp_path / "python", cache="", settings=one_setting)
+    program("run", tmp_path / "parts.json", "--output", tmp_path / "program", "--no-cache", "--set", one_setting)
+    names = [path.name for path in (tmp_path / "program").glob("*.csv") if path.name != "timings.csv"]
+    assert names and "three" in done.summary
+    for name in names:
+        assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "program" / name).read_bytes()

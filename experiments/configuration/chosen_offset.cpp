@@ -1,0 +1,63 @@
+#include "shapegauge/experiments/configuration/chosen_offset.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+#include "shapegauge/core/preparation/gap_size.h"
+#include "shapegauge/core/shape/connectivity.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Two digits, rounded up, so that what is printed closes the gaps as well.
+double rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::ceil(value / unit) * unit;
+}
+
+/// What an offset below the gaps of the shape should be instead.
+std::string advice(const ChosenOffset& chosen, Audience audience) {
+  const double enough = rounded_up(1.1 * chosen.gap);
+  if (enough > 1) return "no offset closes them";
+  const bool automatic_is_enough = !chosen.automatic && enough <= AutomaticOffsetOptions{}.most;
+  return fmt::format("use {}{}", setting_with_number(audience, "offset", enough),
+                     automatic_is_enough ? (audience == Audience::python ? " or 'auto'" : " or auto") : "");
+}
+
+}  // namespace
+
+ChosenOffset choose_offset(std::optional<double> given, const Shape& shape) {
+  ChosenOffset chosen;
+  if (given) {
+    chosen.offset = *given;
+  } else {
+    chosen.automatic = automatic_offset(shape);
+    chosen.offset = chosen.automatic->offset;
+  }
+  const double gap = gap_size(shape);
+  if (gap > 0) chosen.gap = gap / bounding_box_diagonal(shape);
+  return chosen;
+}
+
+bool leaves_gaps_open(const ChosenOffset& chosen) { return chosen.automatic && chosen.gap > chosen.automatic->gap; }
+
+std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience) {
+  if (chosen.offset >= chosen.gap) return std::nullopt;
+  const bool stays_open = leaves_gaps_open(chosen);
+  return fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
+                     stays_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
+                     100 * chosen.gap, stays_open ? " stays open" : "", advice(chosen, audience));
+}
+
+std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset) {
+  if (is_watertight(shape)) return std::nullopt;
+  const Eigen::Index count = (values.array() < 0.5 * offset * bounding_box_diagonal(shape)).count();
+  if (count == 0) return std::nullopt;
+  return fmt::format(
+      "{} of {} samples have the outside about as near on both sides: which way their normals point is left to the "
+      "input's orientation or to chance",
+      count, values.size());
+}
+
+}  // namespace shapegauge

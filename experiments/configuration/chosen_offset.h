@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+
+#include "shapegauge/core/base/setting_names.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// The offset that a shape is measured with. Lengths are fractions of the bounding-box diagonal.
+struct ChosenOffset {
+  double offset = 0;
+  double gap = 0;                            ///< gap_size() of the shape
+  std::optional<AutomaticOffset> automatic;  ///< the choice made for "auto"
+};
+
+/// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
+ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
+
+/// Whether the shape has gaps too wide for any offset that is chosen automatically.
+bool leaves_gaps_open(const ChosenOffset& chosen);
+
+/// The warning about an offset below the gaps of the shape, if it is.
+std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience);
+
+/// The warning about samples with the outside about as near on both sides: less than half the offset more to go on the
+/// other one. Which of the two is taken for outward is left to the input's orientation or to chance. So it is where an
+/// offset leaks into a shape (of clouds of random points, this counts 99 % of the samples) and on sheets; never on a
+/// closed mesh. `values` are the offset SDF's, `offset` is a fraction of the diagonal.
+std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset);
+
+}  // namespace shapegauge

@@ -1,0 +1,269 @@
+"""Checks what the functions of the package are given, and makes NumPy arrays and JSON of it."""
+
+import collections.abc as _abc
+import functools as _functools
+import inspect as _inspect
+import math as _math
+import numbers as _numbers
+import os as _os
+import sys as _sys
+import warnings as _warnings
+
+import numpy as _numpy
+
+from ._native import InputError
+
+_PACKAGE = __name__.split(".", maxsplit=1)[0]
+
+
+def warn(sentences, prefix=""):
+    """Warns of each sentence at the line that called the package."""
+    level, frame = 1, _sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == _PACKAGE:
+        level, frame = level + 1, frame.f_back
+    for sentence in sentences:
+        _warnings.warn(prefix + sentence, stacklevel=level)
+
+
+def path_of(path, name):
+    """The path as text."""
+    try:
+        text = _os.fsdecode(path)
+    except TypeError:
+        raise InputError(f"{name} must be the path of a file, not {_kind(path)}") from None
+    if not text or "\0" in text:
+        raise InputError(f"{name} is {text!r}, which is no path of a file")
+    return text
+
+
+def number_of_threads(threads):
+    """The number of threads; 0: all."""
+    return whole_number(threads, "threads", 0, 1024)
+
+
+def whole_number(value, name, low, high):
+    """A number from low to high as an int."""
+    is_whole = isinstance(value, _numbers.Integral) and not isinstance(value, bool)
+    if not is_whole or not low <= int(value) <= high:
+        raise InputError(f"{name} is {_shown(value)}; it must be a whole number from {low} to {high}")
+    return int(value)
+
+
+def word(value, name):
+    """A string."""
+    if not isinstance(value, str):
+        raise InputError(f"{name} must be a string, not {_kind(value)}")
+    return str(value)
+
+
+def switch(value, name):
+    """A bool."""
+    if not isinstance(value, (bool, _numpy.bool_)):
+        raise InputError(f"{name} must be True or False, not {_kind(value)}")
+    return bool(value)
+
+
+def finite_number(value, name):
+    """A float."""
+    is_number = isinstance(value, _numbers.Real) and not isinstance(value, bool)
+    if not is_number or not _math.isfinite(value):
+        raise InputError(f"{name} is {_shown(value)}; it must be a finite number")
+    return float(value)
+
+
+def words(values, name):
+    """A list of strings; a single string is a list of one."""
+    if isinstance(values, str):
+        return [str(values)]
+    values = ordered(values, name)
+    return [word(value, f"{name}[{i}]") for i, value in enumerate(values)]
+
+
+def ordered(values, name):
+    """The values as a list. What has no order is refused."""
+    if isinstance(values, (_abc.Set, _abc.Mapping)):
+        raise InputError(f"{name} must be a list, not {_kind(values)}, which has no order")
+    if isinstance(values, (str, bytes)) or not isinstance(values, _abc.Iterable):
+        raise InputError(f"{name} must be a list, not {_kind(values)}")
+    return list(values)
+
+
+def plain(value, name):
+    """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists."""
+    if value is None or isinstance(value, (str, bool, _numpy.bool_)):
+        return bool(value) if isinstance(value, _numpy.bool_) else value
+    if isinstance(value, _numbers.Integral):
+        return int(value)
+    if isinstance(value, _numbers.Real):
+        return finite_number(value, name)
+    if isinstance(value, _numpy.ndarray):
+        return plain(value.tolist(), name)
+    if isinstance(value, _abc.Mapping):
+        return {word(key, f"a key of {name}"): plain(part, f"{name}.{key}") for key, part in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [plain(part, f"{name}[{i}]") for i, part in enumerate(value)]
+    raise InputError(f"{name} must be a number, a string, a bool, a list or a dict, not {_kind(value)}")
+
+
+def with_article(noun):
+    """The noun with "a" or "an"."""
+    return f"{'an' if noun[0] in 'aeiouAEIOU' else 'a'} {noun}"
+
+
+def _kind(value):
+    return "None" if value is None else with_article(type(value).__name__)
+
+
+def _shown(value):
+    return repr(value) if isinstance(value, (str, _numbers.Number)) else _kind(value)
+
+
+def array_of(values, what):
+    """The values as an array of real numbers. Nothing is converted that is not one: complex numbers, text, masks."""
+    if _numpy.ma.is_masked(values):
+        raise InputError(f"{what} have masked entries; fill them, or leave their rows out")
+    try:
+        array = _numpy.asarray(values)
+    except Exception as error:
+        first_line = (str(error).splitlines() or [type(error).__name__])[0]
+        raise InputError(f"{what} cannot be made an array: {first_line}") from None
+    if array.dtype == object and array.ndim > 0:
+        array = _numbers_of_objects(array, what)
+    if array.ndim > 0 and array.size > 0 and array.dtype.kind not in "fiu":
+        names = {"b": "booleans", "c": "complex numbers", "U": "text", "S": "text"}
+        raise InputError(f"{what} must be real numbers, not {names.get(array.dtype.kind, array.dtype)}")
+    return array
+
+
+def _numbers_of_objects(array, what):
+    for place, value in _numpy.ndenumerate(array):
+        if isinstance(value, (bool, _numpy.bool_)) or not isinstance(value, _numbers.Real):
+            where = f"entry {', '.join(map(str, place))} (counted from 0)"
+            raise InputError(f"{what} must be real numbers; {where} is {_shown(value)}")
+    whole = all(isinstance(value, _numbers.Integral) for value in array.flat)
+    return array.astype(_numpy.int64 if whole and array.size > 0 else _numpy.float64)
+
+
+def _shape_text(array):
+    return " x ".join(map(str, array.shape))
+
+
+def _rows(values, what, kind):
+    array = array_of(values, what)
+    if array.ndim == 0:
+        raise InputError(f"{what} must be n x 3, not {_kind(values)}")
+    if array.size == 0 and array.ndim <= 2 and (array.ndim == 1 or array.shape[0] == 0):
+        array = array.reshape(0, 3)
+    if array.ndim != 2 or array.shape[1] != 3:
+        hint = "; split polygons into triangles first" if what == "faces" and array.ndim == 2 else ""
+        raise InputError(f"{what} must be n x 3, not {_shape_text(array)}{hint}")
+    if kind is _numpy.int32 and array.size > 0:
+        if array.dtype.kind not in "iu":
+            raise InputError(f"{what} must be whole numbers, not {array.dtype}; convert them with astype(int)")
+        if not (0 <= array.min() and array.max() < 2**31):
+            raise InputError(f"{what} must be vertex indices from 0 on")
+    return _numpy.ascontiguousarray(array, dtype=kind)
+
+
+def square_matrix(distances):
+    """A square matrix of float64."""
+    array = array_of(distances, "distances")
+    if array.ndim != 2 or array.shape[0] != array.shape[1]:
+        given = _kind(distances) if array.ndim == 0 else _shape_text(array)
+        hint = "; scipy.spatial.distance.squareform() makes a condensed vector square" if array.ndim == 1 else ""
+        raise InputError(f"distances must be n x n, not {given}{hint}")
+    return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
+
+
+def is_shape_object(value):
+    """Whether the value is an object with the arrays of a shape, and not an array."""
+    return not hasattr(value, "__array__") and (hasattr(value, "vertices") or hasattr(value, "points"))
+
+
+def _attribute(shape, name):
+    value = getattr(shape, name, None)
+    if callable(value):
+        raise InputError(f"{name} of the {type(shape).__name__} is a function; give its arrays")
+    return value
+
+
+def _faces_of_points(mesh):
+    """The faces of an object whose vertices are `points`: none for a cloud (Open3D), or a padded list (PyVista)."""
+    if hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
+        raise InputError(f"{_kind(mesh)} has cells of several kinds; give its points and its triangles")
+    faces = _attribute(mesh, "faces")
+    if faces is None:
+        return None
+    array = array_of(faces, "faces")
+    if array.ndim != 1:
+        return array
+    if array.size % 4 != 0 or (array.reshape(-1, 4)[:, 0] != 3).any():
+        raise InputError(f"the {type(mesh).__name__} has faces that are no triangles; split them into triangles first")
+    return array.reshape(-1, 4)[:, 1:]
+
+
+def _arrays_of_object(shape):
+    """Vertices, faces and normals of an object."""
+    if not hasattr(shape, "vertices"):
+        return _attribute(shape, "points"), _faces_of_points(shape), _attribute(shape, "normals")
+    faces = _attribute(shape, "faces")
+    faces = _attribute(shape, "triangles") if faces is None else faces
+    return _attribute(shape, "vertices"), faces, _attribute(shape, "normals")
+
+
+def shape_arrays(vertices, faces, normals):
+    """Vertices, faces and normals as arrays, from arrays or from one object in the place of vertices."""
+    if is_shape_object(vertices):
+        if faces is not None:
+            raise InputError(f"the {type(vertices).__name__} brings its faces along; leave faces out")
+        vertices, faces, own_normals = _arrays_of_object(vertices)
+        is_cloud = faces is None or len(faces) == 0
+        normals = own_normals if normals is None and is_cloud else normals
+    vertices = _rows(vertices, "vertices", _numpy.float64)
+    faces = _rows([] if faces is None else faces, "faces", _numpy.int32)
+    normals = _rows([] if normals is None else normals, "normals", _numpy.float64)
+    if len(normals) > 0 and len(faces) > 0:
+        raise InputError("normals are for point clouds; a mesh has its own: leave normals out")
+    if len(normals) > 0 and len(normals) != len(vertices):
+        raise InputError(f"there are {len(normals)} normals for {len(vertices)} points")
+    return vertices, faces, normals
+
+
+def of_shape(leading=0):
+    """Decorates a function of a shape's arrays and settings: it is called with vertices and faces in place of the
+    arrays, or with one object in place of both. `leading`: so many arguments come before.
+
+    Arguments are bound once for both forms: what follows the shape is the same, and what is left over is an error.
+    """
+
+    def decorate(function):
+        parameters = list(_inspect.signature(function).parameters.values())
+        before, settings = parameters[:leading], parameters[leading + 1:]
+        kind = _inspect.Parameter.POSITIONAL_OR_KEYWORD
+        of_settings = _inspect.Signature(before + settings)
+
+        @_functools.wraps(function)
+        def call(*arguments, **keywords):
+            arguments = list(arguments)
+            first, rest = arguments[:leading], arguments[leading:]
+            if "vertices" in keywords:
+                rest.insert(0, keywords.pop("vertices"))
+            if not rest:
+                raise TypeError(f"{function.__name__}() needs vertices, or an object that has them")
+            vertices = rest.pop(0)
+            # What follows a cloud's points may be a setting: neither words nor numbers are faces.
+            stands_alone = is_shape_object(vertices) and (not rest or rest[0] is not None)
+            stands_alone = stands_alone or "faces" in keywords or not rest or isinstance(rest[0], (str, _numbers.Number))
+            faces = keywords.pop("faces", None) if stands_alone else rest.pop(0)
+            try:
+                bound = of_settings.bind(*first, *rest, **keywords)
+            except TypeError as error:
+                raise TypeError(f"{function.__name__}(): {error}; its arguments are {call.__signature__}") from None
+            arrays = shape_arrays(vertices, faces, bound.arguments.get("normals"))
+            return function(*bound.args[:leading], arrays, *bound.args[leading:], **bound.kwargs)
+
+        call.__signature__ = _inspect.Signature(
+            [*before, _inspect.Parameter("vertices", kind), _inspect.Parameter("faces", kind, default=None), *settings])
+        return call
+
+    return decorate

@@ -1,0 +1,172 @@
+"""Shapes: files, fields, normals, parts and features."""
+
+import collections as _collections
+import json as _json
+
+from . import _native
+from ._arguments import number_of_threads, of_shape, path_of, plain, warn, with_article, word
+from ._native import InputError
+
+
+class Shape(_collections.namedtuple("Shape", ["vertices", "faces", "normals"])):
+    """Arrays of a shape: vertices (n x 3), faces (m x 3; none: a point cloud), normals of points (n x 3, or none)."""
+
+    __slots__ = ()
+
+    def __repr__(self):
+        if len(self.faces) == 0:
+            return f"<Shape: {len(self.vertices)} points>"
+        return f"<Shape: {len(self.vertices)} vertices, {len(self.faces)} faces>"
+
+
+class ScalarField(_collections.namedtuple("ScalarField", ["values", "weights"])):
+    """The values of a field and their weights, which are areas: ``values, weights = sg.sdf(mesh)``.
+
+    values, weights: float64, one a sample; NaN where there is no value. offset: of an offset SDF the offset that it was
+    computed with, given or chosen by "auto", as a fraction of the diagonal of the bounding box; else None. normals: of
+    an offset SDF the outward unit normals, n x 3; else None.
+    """
+
+    def __new__(cls, values, weights, offset=None, normals=None):
+        field = super().__new__(cls, values, weights)
+        field.offset = offset
+        field.normals = normals
+        return field
+
+
+def read(path):
+    """The shape in a file: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
+
+    >>> sg.read("hand.off")
+    <Shape: 5000 vertices, 9996 faces>
+    """
+    return Shape(*_native.read(path_of(path, "path")))
+
+
+@of_shape(leading=1)
+def write(path, shape, normals=None):
+    """Writes a shape; the extension tells the format.
+
+    >>> sg.write("hand.ply", *sg.read("hand.off"))
+    """
+    _native.write(path_of(path, "path"), *shape)
+
+
+@of_shape()
+def field(shape, type="offset_sdf", *, at="faces", normals=None, threads=0, **settings):
+    """A scalar field of any type that configurations know (docs/configuration.md), in the units of the input.
+
+    at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type.
+    Returns a ScalarField, which unpacks as values and weights.
+
+    >>> values, weights = sg.field(mesh, "centricity", sources=24)
+    """
+    found = _field(shape, word(type, "type"), at, settings, threads)
+    warn(found["leaks"] + found["without_value"])
+    return _scalar_field(found)
+
+
+def _field(shape, type, at, settings, threads):
+    settings = {"type": type, "at": plain(at, "at"), **{name: plain(value, name) for name, value in settings.items()}}
+    return _native.field(*shape, _json.dumps(settings), number_of_threads(threads))
+
+
+def _scalar_field(found):
+    normals = found["normals"]
+    return ScalarField(found["values"], found["weights"], found["offset"], normals if len(normals) > 0 else None)
+
+
+# The settings of each method: the argument's name, and that in configurations.
+_SDF_SETTINGS = {
+    "offset": {"offset": "offset", "accuracy": "accuracy"},
+    "cone": {"rays": "rays", "opening_angle": "opening_angle_degrees", "engine": "engine"},
+}
+
+
+@of_shape()
+def sdf(shape, method="offset", offset=None, *, accuracy=None, at="faces", rays=None, opening_angle=None, engine=None,
+        normals=None, threads=0):
+    """The shape diameter function, in the units of the input.
+
+    method: "offset" (of the offset surface: noise, cracks and point clouds do no harm) or "cone" (the conventional one,
+    closed meshes). Of the offset method: offset, a fraction of the diagonal of the bounding box, or "auto" (default:
+    0.05); accuracy, "fast", "standard" (default) or "fine", how fine its grid is. Of the cone: rays (default: 25),
+    opening_angle in degrees (default: 60) and engine, "embree" (default) or "cgal". Returns a ScalarField, which
+    unpacks as values and weights; its `offset` is the one that "auto" chose.
+
+    >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
+    >>> sg.sdf(points, offset="auto").offset
+    0.0125
+    >>> values, weights = sg.sdf(mesh, "cone")
+    """
+    if not isinstance(method, str) or method not in _SDF_SETTINGS:
+        shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
+        raise InputError(f'method must be "offset" or "cone", not {shown}')
+    given = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle, "engine": engine}
+    given = {name: value for name, value in given.items() if value is not None}
+    own = _SDF_SETTINGS[method]
+    for name in given:
+        if name not in own:
+            other = "cone" if method == "offset" else "offset"
+            raise InputError(f'{name} goes with method="{other}" only, not with "{method}"')
+    if method == "offset":
+        given.setdefault("offset", 0.05)
+    try:
+        found = _field(shape, f"{method}_sdf", at, {own[name]: value for name, value in given.items()}, threads)
+    except InputError as error:
+        raise InputError(str(error).replace("opening_angle_degrees", "opening_angle")) from None
+    warn(found["leaks"] + found["without_value"])
+    return _scalar_field(found)
+
+
+@of_shape()
+def normals(shape, offset="auto", *, at="vertices", threads=0):
+    """Outward unit normals by the offset surface, n x 3, however noisy, cracked or turned the input is.
+
+    The `normals` of what sdf() returns are the same, with the offset that "auto" chose beside them.
+
+    >>> sg.normals(points).shape
+    (5000, 3)
+    """
+    found = _field(shape, "offset_sdf", at, {"offset": offset}, threads)
+    warn(found["leaks"] + found["two_sided"] + found["without_value"])
+    return found["normals"]
+
+
+def _with_settings(function, own, settings):
+    """The settings and the function's own ones as JSON."""
+    for name in own:
+        if name in settings:
+            raise InputError(f"{function}() takes no setting {name}")
+    return _json.dumps({**{name: plain(value, name) for name, value in settings.items()}, **own})
+
+
+@of_shape()
+def segment(shape, method="best", *, normals=None, threads=0, **settings):
+    """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
+
+    method: "best", or the paper's pipeline, "paper". settings: those of a method in a configuration
+    (docs/configuration.md, "Segmentation"), as parts=3: how many are wanted.
+
+    >>> labels = sg.segment(vertices, faces)
+    >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
+    >>> labels = sg.segment(mesh, "paper")
+    """
+    settings = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)
+    labels, warnings = _native.segment(*shape, settings, number_of_threads(threads))
+    warn(warnings)
+    return labels
+
+
+@of_shape()
+def describe(shape, descriptor="light_field", *, normals=None, threads=0, **settings):
+    """The features of a shape under a descriptor (docs/descriptors.md), float32. The shape is scaled to unit area.
+
+    >>> features = sg.describe(vertices, faces, "light_field")
+    >>> features = sg.describe(mesh, "d2")
+    """
+    settings = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
+    try:
+        return _native.describe(*shape, settings, number_of_threads(threads))
+    except InputError as error:
+        raise InputError(str(error).replace("the descriptor: type:", "descriptor:")) from None

@@ -1,0 +1,94 @@
+"""Labels of models: what they may be, and where they are missing."""
+
+import numpy as np
+import pytest
+
+import shapegauge as sg
+from support import toy
+
+DISTANCES, LABELS = toy()
+
+
+class NotAvailable:
+    """As pandas.NA: comparisons give itself, which is neither true nor false."""
+
+    def __eq__(self, other):
+        return self
+
+    def __ne__(self, other):
+        return self
+
+    def __bool__(self):
+        raise TypeError("boolean value of NA is ambiguous")
+
+
+MISSING = [None, float("nan"), np.nan, "", "  ", np.float32("nan"), np.datetime64("NaT"), NotAvailable()]
+
+
+@pytest.mark.parametrize("missing", MISSING)
+def test_missing_labels_are_an_error_that_names_the_rows(missing):
+    labels = ["a", "a", missing, "b", "b", missing, "b"]
+    with pytest.raises(sg.InputError, match="2 labels.* 2, 5 "):
+        sg.evaluate(DISTANCES, labels)
+    array = np.empty(7, object)
+    array[:] = labels
+    with pytest.raises(sg.InputError, match="2 labels.* 2, 5 "):
+        sg.compare({"first": DISTANCES, "second": DISTANCES}, array)
+
+
+def test_missing_numbers_of_arrays_are_an_error():
+    with pytest.raises(sg.InputError, match="row 4 "):
+        sg.evaluate(DISTANCES, np.array([1, 1, 1, 2, np.nan, 2, 2]))
+    with pytest.raises(sg.InputError, match="row 4 "):
+        sg.evaluate(DISTANCES, np.ma.array([1, 1, 1, 2, 2, 2, 2], mask=[0, 0, 0, 0, 1, 0, 0]))
+    many = np.full(30, np.nan)
+    with pytest.raises(sg.InputError, match="30 labels.*20 more"):
+        sg.evaluate(np.zeros((30, 30)), many)
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_models_of_no_class_are_no_queries_and_relevant_to_none():
+    scores = sg.evaluate(DISTANCES, ["a", "a", None, "b", "b", "", "b"], missing_labels="no_class")
+    assert scores.queries.tolist() == [0, 1, 3, 4, 6]
+    assert set(scores.per_class) == {"a", "b"}
+    # They stay in the answers of others, as models of classes of their own do.
+    alone = sg.evaluate(DISTANCES, ["a", "a", "x", "b", "b", "y", "b"])
+    assert scores.micro == alone.micro and scores.per_class == alone.per_class
+    # The nearest to the third of b, at 3.5, is the model at 4, which has no class.
+    assert scores.per_query["NN"].tolist() == [1, 1, 0, 0, 0]
+    assert (scores.models_left_out, alone.models_left_out) == (0, 2)
+    with pytest.raises(sg.InputError, match="missing_labels"):
+        sg.evaluate(DISTANCES, LABELS, missing_labels="x")
+
+
+def test_labels_may_be_any_ordered_iterable():
+    expected = sg.evaluate(DISTANCES, LABELS)
+    for labels in (tuple(LABELS), np.array(LABELS), iter(LABELS), (label for label in LABELS), np.array([LABELS]).T,
+                   np.array(LABELS, object), np.array(LABELS, "S"), [f" {label}" for label in LABELS]):
+        scores = sg.evaluate(DISTANCES, labels)
+        assert scores.per_class == expected.per_class
+    numbers = sg.evaluate(DISTANCES, [1, 1, 1, 2, 2, 2, 2])
+    assert set(numbers.per_class) == {1, 2} and numbers.micro == expected.micro
+    assert sg.evaluate(DISTANCES, [1.0, 1, np.int8(1), 2, 2, 2, 2]).per_class == numbers.per_class
+    assert set(sg.evaluate(DISTANCES, ["1", 1, 1, "x", "x", "x", "x"]).per_class) == {"1", "x"}
+    generated = sg.compare({"a": DISTANCES, "b": DISTANCES}, (label for label in LABELS), resamples=100)
+    assert generated.results == sg.compare({"a": DISTANCES, "b": DISTANCES}, LABELS, resamples=100).results
+
+
+@pytest.mark.parametrize("labels, words", [
+    (set(LABELS), "set"),
+    (dict(enumerate(LABELS)), "dict"),
+    ("aaabbbb", "str"),
+    (5, "int"),
+    (np.array(5), "single"),
+    (None, "None"),
+    (LABELS[:6], "6 labels for 7 models"),
+    (np.eye(7)[:, :2], "7 x 2"),
+    ([1, 1, 1, 2, 2, 2, 2.5], "row 6 is 2.5"),
+    ([1, 1, 1, 2, 2, 2, float("inf")], "row 6 is inf"),
+    ([1, 1, 1, 2, 2, 2, (2,)], "row 6 is a tuple"),
+    ([1, 1, 1, 2, 2, 2, np.ones(2)], "row 6 is an? ndarray"),
+])
+def test_other_labels_are_refused(labels, words):
+    with pytest.raises(sg.InputError, match=words):
+        sg.evaluate(DISTANCES, labels)

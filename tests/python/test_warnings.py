@@ -1,0 +1,117 @@
+"""What the command line warns of, the package warns of."""
+
+import json
+import re
+import warnings
+
+import numpy as np
+import pytest
+
+import shapegauge as sg
+from support import bumpy_torus, program, toy
+
+# A torus with a fifth of its faces gone.
+VERTICES, FACES = bumpy_torus()
+OPEN = FACES[(VERTICES[FACES].mean(axis=1)[:, 0] < 0.6)]
+
+
+def untied():
+    """Distances without a tie, and labels."""
+    places = np.array([0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9])
+    return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
+
+
+def warned(call):
+    """What the call gives, and its warnings."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        result = call()
+    assert all(warning.filename == __file__ for warning in caught)  # they point to the caller
+    return result, [str(warning.message) for warning in caught]
+
+
+def commands_warnings(lines):
+    """The warnings of the command line, as the package words them."""
+    marker = "shapegauge: warning: "
+    return [line[len(marker):] for line in lines if line.startswith(marker)]
+
+
+def in_python(sentence):
+    """The options of a sentence as arguments."""
+    return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r" or auto\b", " or 'auto'", sentence))
+
+
+def test_leaks_are_warned_of(tmp_path):
+    sg.write(tmp_path / "open.off", VERTICES, OPEN)
+    shape = sg.read(tmp_path / "open.off")
+    for offset in (0.02, "auto"):
+        told = program("sdf", tmp_path / "open.off", "--method", "offset", "--offset", offset, "-o", tmp_path / "x.csv")
+        _, found = warned(lambda: sg.sdf(shape, offset=offset))
+        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
+        assert any("leaks" in sentence for sentence in found)
+        told = program("normals", tmp_path / "open.off", "--offset", offset, "-o", tmp_path / "x.xyz")
+        _, found = warned(lambda: sg.normals(shape, offset))
+        assert found == [in_python(sentence) for sentence in commands_warnings(told)]
+        assert any("both sides" in sentence for sentence in found)
+    assert "offset=" in found[0]
+    _, found = warned(lambda: sg.segment(shape, "paper", offset=0.02))
+    assert any("leaks" in sentence for sentence in found)
+    _, found = warned(lambda: sg.sdf(VERTICES, FACES, offset=0.02))
+    assert found == []
+
+
+def test_the_offset_that_was_chosen_is_told(tmp_path):
+    sg.write(tmp_path / "cloud.ply", VERTICES)
+    field, found = warned(lambda: sg.sdf(sg.read(tmp_path / "cloud.ply"), offset="auto"))
+    program("sdf", tmp_path / "cloud.ply", "--method", "offset", "--offset", "auto", "--timings", tmp_path / "t.json",
+            "-o", tmp_path / "x.csv")
+    told = json.loads((tmp_path / "t.json").read_text())["offset"]
+    assert told["automatic"] and field.offset == told["offset"] > 0.01
+    values, weights = field
+    assert values is field.values and weights is field[1] and len(field) == 2
+    np.testing.assert_array_equal(field.normals, sg.normals(VERTICES, "auto"))
+    assert sg.sdf(VERTICES, FACES, offset=0.07).offset == 0.07
+    assert sg.field(VERTICES, FACES, "offset_sdf", offset=0.07).offset == 0.07
+    assert sg.sdf(VERTICES, FACES, "cone").offset is None and sg.sdf(VERTICES, FACES, "cone").normals is None
+
+
+def test_ties_are_counted_and_bounded():
+    # All distances are equal: FT is what the order of equals makes of it.
+    labels = [0, 0, 0, 1, 1, 1]
+    scores, found = warned(lambda: sg.evaluate(1 - np.eye(6), labels))
+    assert scores.queries_with_ties == 6
+    tied = [sentence for sentence in found if "equal distance" in sentence]
+    assert len(tied) == 1 and "6 of 6 queries" in tied[0] and "ties='index'" in tied[0]
+    assert "FT is 0.0 to 100.0" in tied[0]
+    _, found = warned(lambda: sg.evaluate(*toy()))
+    assert len(found) == 1 and "3 of 7 queries" in found[0] and "FT" not in found[0]  # their order changes no FT
+    _, found = warned(lambda: sg.evaluate(*untied()))
+    assert found == []
+
+
+def test_models_left_out_are_counted():
+    distances, _ = untied()
+    scores, found = warned(lambda: sg.evaluate(distances, list("aaabbxy")))
+    assert scores.models_left_out == 2
+    assert [sentence for sentence in found if "2 models are never queries" in sentence]
+
+
+def test_similarities_are_told_with_the_packages_argument():
+    distances, labels = untied()
+    similarities = distances.max() - distances
+    _, found = warned(lambda: sg.evaluate(similarities, labels))
+    assert any("similarity=True" in sentence for sentence in found)
+    assert not any("--" in sentence for sentence in found)
+    scores, found = warned(lambda: sg.evaluate(similarities, labels, similarity=True))
+    assert scores.micro == sg.evaluate(distances, labels).micro and found == []
+
+
+def test_comparisons_name_the_method_and_what_cannot_be_significant():
+    distances, labels = untied()
+    methods = {"good": distances, "tied": np.round(distances / 5)}
+    _, found = warned(lambda: sg.compare(methods, labels))
+    assert [sentence for sentence in found if sentence.startswith("tied: ") and "equal distance" in sentence]
+    assert [sentence for sentence in found if "blocks='queries'" in sentence and "test='t'" in sentence]
+    assert not [sentence for sentence in found if sentence.startswith("good: ") or "--" in sentence]
+    _, found = warned(lambda: sg.compare([distances, distances], labels, test="t", blocks="queries"))
+    assert found == []
