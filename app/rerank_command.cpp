@@ -71,13 +71,18 @@ void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, con
   const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {
     return matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});
   };
-  diffuse(matrix.rows, rows, options, [&](Eigen::Index /*first*/, const DistanceMatrix& block) {
-    std::string bytes;
-    for (const double distance : block.reshaped<Eigen::RowMajor>()) append_number(bytes, distance);
-    file << bytes;
-  });
-  file.close();
   std::error_code failure;
+  try {
+    diffuse(matrix.rows, rows, options, [&](Eigen::Index /*first*/, const DistanceMatrix& block) {
+      std::string bytes;
+      for (const double distance : block.reshaped<Eigen::RowMajor>()) append_number(bytes, distance);
+      file << bytes;
+    });
+  } catch (...) {
+    fs::remove(unfinished, failure);
+    throw;
+  }
+  file.close();
   if (file) fs::rename(unfinished, output, failure);
   if (file && !failure) return;
   fs::remove(unfinished, failure);

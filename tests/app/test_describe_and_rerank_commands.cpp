@@ -212,7 +212,11 @@ TEST(RerankCommand, TellsWhatIsWrongInALine) {
                       {call + "--method k_reciprocal --neighbours 2", "expansion_neighbours"},
                       {call + "--method query_expansion --sparse", "--sparse"},
                       {fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.txt")), ".npy"},
-                      {fmt::format("rerank '{}' -o '{}'", at("negative.npy"), at("r.npy")), "negative"}});
+                      {fmt::format("rerank '{}' -o '{}'", at("negative.npy"), at("r.npy")), "negative"},
+                      {fmt::format("rerank '{}' -o '{}' --sparse", at("negative.npy"), at("r.npy")), "negative"}});
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    EXPECT_FALSE(entry.path().filename().string().starts_with("r.npy")) << "nothing half-written is left";
+  }
 }
 
 }  // namespace

@@ -127,5 +127,26 @@ TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
   EXPECT_THROW(smoothed_boundaries(surface, Labels(20, -1), {}), std::invalid_argument);
 }
 
+TEST(BoundarySmoothing, AFoldDrawsABorderByItsCurvatureOverTheConcavity) {
+  // Six nodes in a row, folded between the fourth and the fifth; the border is one node before.
+  ThickSurface row;
+  row.graph.samples.points = Points::Zero(6, 3);
+  row.graph.samples.points.col(0) << 0, 1, 2, 3, 4, 5;
+  row.graph.samples.weights = Eigen::VectorXd::Ones(6);
+  row.unit = std::sqrt(6.0);
+  row.smooth_normals.resize(6, 3);
+  row.graph.first = {0};
+  for (std::int32_t i = 0; i < 6; ++i) {
+    row.smooth_normals.row(i) = Eigen::RowVector3d(i < 4 ? 0.5 : -0.5, 0, 1).normalized();
+    if (i > 0) row.graph.links.push_back({.to = i - 1, .length = 1, .distance = 1});
+    if (i < 5) row.graph.links.push_back({.to = i + 1, .length = 1, .distance = 1});
+    row.graph.first.push_back(row.graph.links.size());
+  }
+  const Labels labels = {0, 0, 0, 1, 1, 1};
+  EXPECT_EQ(smoothed_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e-3}),
+            (Labels{0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(smoothed_boundaries(row, labels, {.width = 0.5, .strength = 1, .concavity = 1e3}), labels);
+}
+
 }  // namespace
 }  // namespace shapegauge
