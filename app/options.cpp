@@ -110,10 +110,10 @@ void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
         chosen.automatic->noise));
   }
   if (chosen.offset >= chosen.gap) return;
-  remarks.warnings.push_back(fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
-                                         leaves_gaps_open ? "widest gap of the shape"
-                                                          : "offset is smaller than the gaps of the shape",
-                                         100 * chosen.gap, leaves_gaps_open ? " stays open" : "", advice(chosen)));
+  remarks.warnings.push_back(
+      fmt::format("the {} ({:.2g} % of the diagonal){}: the offset surface leaks into it; {}",
+                  leaves_gaps_open ? "widest gap of the shape" : "offset is smaller than the gaps of the shape",
+                  100 * chosen.gap, leaves_gaps_open ? " stays open" : "", advice(chosen)));
 }
 
 nlohmann::ordered_json to_json(const ChosenOffset& chosen) {

@@ -56,8 +56,7 @@ TEST(MakeField, TakesTheGeodesicsOfCentricity) {
   for (const auto& [word, method] :
        {std::pair("graph", GeodesicMethod::graph), {"heat", GeodesicMethod::heat}, {"exact", GeodesicMethod::exact}}) {
     FieldSource source(shape);
-    const Field field =
-        make_field({{"type", "centricity"}, {"method", word}, {"sources", 5}, {"at", "vertices"}});
+    const Field field = make_field({{"type", "centricity"}, {"method", word}, {"sources", 5}, {"at", "vertices"}});
     EXPECT_EQ(field.compute(source, samples, false).values, by(method)) << word;
   }
 }
