@@ -11,6 +11,9 @@ namespace shapegauge {
 /// i - 1. The views point into the text. A line end at the very end of the text begins no further line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
+/// Whether the character is an ASCII digit, in any locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// The text without leading and trailing blanks (space, tab).
 std::string_view trim(std::string_view text);
 

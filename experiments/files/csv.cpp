@@ -110,8 +110,6 @@ std::string_view first_line(std::string_view text) {
   return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Without what stands in quotation marks and without decimal commas.
 std::string separators_only(std::string_view line) {
   std::string rest;

@@ -5,13 +5,12 @@
 #include <cstddef>
 #include <set>
 
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/shape_file.h"
 
 namespace shapegauge {
 
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Takes a run of digits from the front of the text; without its leading zeros, so that its length tells its size.
 std::string_view take_number(std::string_view& text) {
