@@ -71,6 +71,14 @@ TEST(BoundarySmoothing, ABorderMovesWhereThatSavesMoreThanTheAreaCosts) {
   EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.009, .strength = 9}), labels) << "out of reach";
 }
 
+TEST(BoundarySmoothing, BordersWithWhatIsOutOfReachCountToo) {
+  // Nodes 1 and 2 may change. Node 2 costs 0.2 * 0.01 / 0.015 = 0.1333, and saves 0.9 of border.
+  const ThickSurface surface = row({1, 1, 0.1, 1});
+  const Labels labels = {0, 0, 1, 1, 1};
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.015, .strength = 0.145}), labels);
+  EXPECT_EQ(smoothed_boundaries(surface, labels, {.width = 0.015, .strength = 0.152}), (Labels{0, 0, 0, 1, 1}));
+}
+
 TEST(BoundarySmoothing, TwoStepsCostTwoWays) {
   // Nodes 2 and 3 cost 0.2 * (0.01 + 0.02) / 0.03 = 0.2 together, and save 0.9 of border.
   const ThickSurface surface = row({1, 1, 1, 0.1});

@@ -42,6 +42,16 @@ TEST(Patches, TakeTheirBordersWhereWaysAreDear) {
   }
 }
 
+TEST(Patches, MoveToTheMiddlesOfTheirAreas) {
+  SurfaceGraph graph = surface_graph(test::sphere(1, 3));
+  const std::vector<std::int32_t> moved = patches(graph, {.count = 20});
+  EXPECT_NE(moved, patches(graph, {.count = 20, .rounds = 0}));
+  graph.samples.weights *= 1024;
+  EXPECT_EQ(moved, patches(graph, {.count = 20})) << "whatever the unit of area";
+  graph.samples.weights.head(graph.size() / 2) *= 100;
+  EXPECT_NE(moved, patches(graph, {.count = 20}));
+}
+
 TEST(Patches, EveryComponentHasOne) {
   const Shape balls = test::joined(
       {test::sphere(1, 1), test::transformed(test::sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});

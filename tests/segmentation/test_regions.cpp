@@ -381,19 +381,22 @@ TEST(SurfaceRegions, TiltIsOfPairsThatAreNearEnough) {
   const Points& points = surface.graph.samples.points;
   const double unit = std::sqrt(6);
   labels[0] = 0;
-  std::int32_t near = -1;  // nearer than 0.1 units, than 0.25, and farther
+  std::int32_t near = -1;  // just nearer than 0.1 units; than 0.25; and just farther than each
+  std::int32_t beyond = -1;
   std::int32_t wide = -1;
   std::int32_t far = -1;
   for (std::int32_t i = 1; i < surface.graph.size(); ++i) {
     const double distance = (points.row(i) - points.row(0)).norm() / unit;
-    if (distance < 0.09) near = i;
-    if (distance > 0.11 && distance < 0.24) wide = i;
-    if (distance > 0.26) far = i;
+    if (distance > 0.06 && distance < 0.095) near = i;
+    if (distance > 0.105 && distance < 0.15) beyond = i;
+    if (distance > 0.2 && distance < 0.245) wide = i;
+    if (distance > 0.255 && distance < 0.3) far = i;
   }
-  ASSERT_TRUE(near > 0 && wide > 0 && far > 0);
+  ASSERT_TRUE(near > 0 && beyond > 0 && wide > 0 && far > 0);
   labels[static_cast<std::size_t>(near)] = 1;
   labels[static_cast<std::size_t>(wide)] = 2;
   labels[static_cast<std::size_t>(far)] = 3;
+  labels[static_cast<std::size_t>(beyond)] = 4;
   surface.smooth_normals.row(0) = Eigen::RowVector3d(0.6, 0, 0.8);
   surface.smooth_normals.row(near) = Eigen::RowVector3d(0, 0.6, 0.8);
   const Regions regions = surface_regions(surface, labels, 1);
@@ -403,6 +406,8 @@ TEST(SurfaceRegions, TiltIsOfPairsThatAreNearEnough) {
   EXPECT_NEAR(regions.of(0, 1, PairSum::near_pairs), pair, 1e-15);
   EXPECT_NEAR(regions.of(0, 1, PairSum::near_tilt), pair * way.dot(Eigen::RowVector3d(0.6, -0.6, 0)), 1e-15);
   EXPECT_EQ(regions.of(0, 1, PairSum::wide_tilt), regions.of(0, 1, PairSum::near_tilt));
+  EXPECT_EQ(regions.of(0, 4, PairSum::near_pairs), 0);
+  EXPECT_NEAR(regions.of(0, 4, PairSum::wide_pairs), pair, 1e-15);
   EXPECT_EQ(regions.of(0, 2, PairSum::near_pairs), 0);
   EXPECT_NEAR(regions.of(0, 2, PairSum::wide_pairs), pair, 1e-15);
   EXPECT_EQ(regions.of(0, 3, PairSum::wide_pairs), 0);
