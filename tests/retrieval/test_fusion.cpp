@@ -102,19 +102,19 @@ TEST(FusionOfRanks, AWeightOfZeroLeavesAMatrixOut) {
   EXPECT_EQ(sum_of_distances(both, first), sum_of_distances(one, weight));
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unreachable = std::numeric_limits<double>::infinity();
 
 TEST(SumOfDistances, InfiniteStaysInfiniteAndScalesAreOfTheOthers) {
   DistanceMatrix a = line_distances({0, 1, 3});
   DistanceMatrix b = line_distances({0, 4, 6});
-  a(0, 2) = a(2, 0) = infinity;  // 1 and 2 are left: median 2, mean 1.5
+  a(0, 2) = a(2, 0) = unreachable;  // 1 and 2 are left: median 2, mean 1.5
   const std::vector both = {a, b};
   const std::vector<double> weights = {3, 2};
   EXPECT_EQ(sum_of_distances(both, weights, DistanceScale::median)(0, 1), 3 * 0.5 + 2 * 1.0);
   EXPECT_NEAR(sum_of_distances(both, weights, DistanceScale::mean)(0, 1), 3 / 1.5 + 2 * 1.0, 1e-15);
   for (const DistanceScale scale : {DistanceScale::none, DistanceScale::median, DistanceScale::mean}) {
     const DistanceMatrix sum = sum_of_distances(both, weights, scale);
-    EXPECT_EQ(sum(2, 0), infinity);
+    EXPECT_EQ(sum(2, 0), unreachable);
     EXPECT_TRUE(std::isfinite(sum(1, 2)));
     EXPECT_TRUE(std::isfinite(sum_of_distances(both, std::vector<double>{0, 1}, scale)(2, 0)));
   }
@@ -136,12 +136,12 @@ TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
 TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
   DistanceMatrix a = line_distances({0, 1, 3, 4});
   const DistanceMatrix b = a;
-  for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = infinity;
+  for (const Eigen::Index i : {0, 1, 2}) a(i, 3) = a(3, i) = unreachable;
   const std::vector<DistanceMatrix> alone = {a};
   const std::vector both = {a, b};
   for (const RankScore score : {RankScore::reciprocal, RankScore::borda}) {
     const DistanceMatrix fused = fusion_of_ranks(alone, std::vector<double>{1}, score);
-    for (const Eigen::Index i : {0, 1, 2}) EXPECT_EQ(fused(3, i), infinity);
+    for (const Eigen::Index i : {0, 1, 2}) EXPECT_EQ(fused(3, i), unreachable);
     EXPECT_EQ(fused(0, 1), 0);
     EXPECT_EQ(fused(3, 3), 0);
     // Ranked by one of two: half of the score that both would give.

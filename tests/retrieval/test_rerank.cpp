@@ -81,7 +81,7 @@ DistanceMatrix diffused_by_rows(const DistanceMatrix& matrix, const DiffusionOpt
   return result;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_neighbour = std::numeric_limits<double>::infinity();
 
 /// The k nearest others at a finite distance, or as many as there are.
 std::vector<Eigen::Index> nearest_of(const DistanceMatrix& distances, Eigen::Index model, std::size_t k) {
@@ -189,7 +189,7 @@ DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size
       double original = distances(i, j) / largest_finite(distances);
       if (std::isinf(original) && shared > 0) original = 1;
       const double jaccard = 1 - shared / means.row(i).cwiseMax(means.row(j)).sum();
-      result(i, j) = std::isinf(original) ? infinity : (1 - lambda) * jaccard + lambda * original;
+      result(i, j) = std::isinf(original) ? no_neighbour : (1 - lambda) * jaccard + lambda * original;
     }
   }
   return mean_with_transposed(result);
@@ -212,7 +212,7 @@ DistanceMatrix expansion_reference(const DistanceMatrix& distances, std::size_t 
         weights += weight;
         all_infinite = all_infinite && std::isinf(distance);
       }
-      result(i, j) = all_infinite ? infinity : sum / weights;
+      result(i, j) = all_infinite ? no_neighbour : sum / weights;
     }
   }
   return mean_with_transposed(result);
@@ -225,7 +225,7 @@ DistanceMatrix with_gaps(DistanceMatrix distances) {
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) {
       if (i == 7 || j == 7 || (i < half) != (j < half) || random.uniform(0, 1) < 0.3) {
-        distances(i, j) = distances(j, i) = infinity;
+        distances(i, j) = distances(j, i) = no_neighbour;
       }
     }
   }
@@ -257,9 +257,9 @@ TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
   const DiffusionOptions options{.neighbours = 6, .damping = 0.9, .tie = 0.01};
   expect_near(diffused(distances, options), mean_with_transposed(expected), 1e-9);
   expect_near(diffused_by_rows(distances, options), expected, 2e-6);
-  const auto infinite = (expected.array() == infinity).count();
+  const auto infinite = (expected.array() == no_neighbour).count();
   EXPECT_GT(infinite, 2 * 59);                                   // the model 7, and between the halves
-  EXPECT_LT(infinite, (distances.array() == infinity).count());  // walks join some
+  EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks join some
 }
 
 TEST(Diffusion, RowsFromTheSparseSystemAreThoseOfTheDenseOne) {
@@ -343,7 +343,7 @@ TEST_P(Reranking, FewModelsAndEqualOnesAreNoTrouble) {
 
 /// The distances with a model in front that is at an infinite distance from all.
 DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
-  DistanceMatrix result = DistanceMatrix::Constant(distances.rows() + 1, distances.cols() + 1, infinity);
+  DistanceMatrix result = DistanceMatrix::Constant(distances.rows() + 1, distances.cols() + 1, no_neighbour);
   result(0, 0) = 0;
   result.bottomRightCorner(distances.rows(), distances.cols()) = distances;
   return result;
@@ -353,7 +353,7 @@ TEST_P(Reranking, AModelWithoutNeighboursStaysSoAndChangesNothingForTheOthers) {
   const DistanceMatrix distances = distances_of(arcs(25, 3, 5));
   const DistanceMatrix expected = with_isolated_model(GetParam().rerank(distances));
   expect_near(GetParam().rerank(with_isolated_model(distances)), expected, 2e-6);
-  const DistanceMatrix nothing = DistanceMatrix::Constant(5, 5, infinity);
+  const DistanceMatrix nothing = DistanceMatrix::Constant(5, 5, no_neighbour);
   DistanceMatrix all_isolated = nothing;
   all_isolated.diagonal().setZero();
   EXPECT_EQ(GetParam().rerank(nothing), all_isolated);
@@ -384,7 +384,7 @@ TEST_P(Reranking, OneFarModelLeavesAllDistancesFinite) {
 TEST_P(Reranking, TheDiagonalPlaysNoPart) {
   DistanceMatrix distances = distances_of(arcs(10, 3, 5));
   const DistanceMatrix expected = GetParam().rerank(distances);
-  for (const double own : {infinity, 1e308, 0.5}) {
+  for (const double own : {no_neighbour, 1e308, 0.5}) {
     distances.diagonal().setConstant(own);
     EXPECT_EQ(GetParam().rerank(distances), expected) << own;
   }

@@ -124,16 +124,5 @@ TEST(SegmentLabels, RefuseAnotherSurface) {
   EXPECT_THROW(label_colours(graph, Labels{1}), std::invalid_argument);
 }
 
-TEST(SegmentLabels, SmallPartsThatAreLargeEnoughTogetherStay) {
-  // Nodes of areas 1, 2 and 10 in a row, each a part.
-  SurfaceGraph row;
-  row.samples.points = Points::Zero(3, 3);
-  row.samples.weights = Eigen::Vector3d(1, 2, 10);
-  row.first = {0, 1, 3, 4};
-  for (const std::int32_t to : {1, 0, 2, 1}) row.links.push_back({.to = to, .length = 1, .distance = 1});
-  EXPECT_EQ(without_small_parts(row, Labels{0, 1, 2}, 2.5 / 13), (Labels{0, 0, 1}));
-  EXPECT_EQ(without_small_parts(row, Labels{0, 1, 2}, 3.5 / 13), (Labels{0, 0, 0}));
-}
-
 }  // namespace
 }  // namespace shapegauge
