@@ -24,8 +24,8 @@ struct BilateralOptions {
 ///
 /// Distance is that of paths from sample to sample: over the edges of the faces, the edges of the mesh, or, between
 /// points of a cloud and samples of the surface, between 8 nearest neighbours. Values that are not finite take no part
-/// and stay as they are. Weights stay. Throws InputError for options out of range, an unusable shape (require_usable()), and
-/// samples or a field that are not the shape's.
+/// and stay as they are. Weights stay. Throws InputError for options out of range, an unusable shape
+/// (require_usable()), and samples or a field that are not the shape's.
 ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, ScalarField field,
                                 const BilateralOptions& options = {});
 

@@ -33,8 +33,8 @@ using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 /// distance is finite: vertices of different components that are among each other's nearest neighbours first, then each
 /// remaining component with the nearest of the others (nearest among 64 vertices of each).
 ///
-/// Throws InputError for options out of range, an unusable shape (require_usable()), a shape without vertices, and, with
-/// `heat` and `exact`, for what is not one connected manifold mesh.
+/// Throws InputError for options out of range, an unusable shape (require_usable()), a shape without vertices, and,
+/// with `heat` and `exact`, for what is not one connected manifold mesh.
 GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& options = {});
 
 }  // namespace shapegauge
