@@ -67,7 +67,7 @@ TEST_F(DescribeCommand, IdsTellFilesOfOneNameApart) {
   write_off(at("b/x.off"), test::small_shape("box", 1));
   const auto ids = [&](const std::string& inputs) {
     const Outcome outcome =
-        run_executable(fmt::format("describe {} --descriptor d2 -o '{}'", inputs, at("x.csv").string()));
+        run_executable(fmt::format("describe {} --descriptor d2 --replace -o '{}'", inputs, at("x.csv").string()));
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return read_number_table(at("x.csv")).row_ids;
   };

@@ -112,7 +112,7 @@ TEST_F(FileMessages, OfLinksThatGoInACircleNameTheEntryAndTheRestIsDone) {
 
   write_text(at("run.json"), R"({"name": "x", "dataset": {"layout": "folders", "root": "data"}, "on_error": "skip",
     "signatures": [{"name": "s", "field": {"type": "cone_sdf"}, "histogram": {"range": "per-shape"}}]})");
-  const Outcome run = run_executable(fmt::format("run {} --no-cache -o {}", quoted("run.json"), quoted("out")));
+  const Outcome run = run_executable(fmt::format("run {} --no-cache --output {}", quoted("run.json"), quoted("out")));
   EXPECT_EQ(run.status, 1) << run.errors;
   EXPECT_THAT(run.errors, AllOf(HasSubstr("ant/loop"), HasSubstr("gone"), HasSubstr("2 of 6 models")));
 }

@@ -141,8 +141,8 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   };
   const std::vector<Call> calls = {
       {"evaluate " + quoted("d.csv") + " --labels " + quoted("l.txt"), 0, true},
-      {"normals " + quoted("data/T0.off") + " -o " + quoted("x.npy"), 0, false},
-      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " -o " + quoted("sdfs/"), 1, false},
+      {"normals " + quoted("data/T0.off") + " -o " + quoted("x.npy") + " --replace", 0, false},
+      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " -o " + quoted("sdfs/") + " --replace", 1, false},
       {"dataset info " + quoted("data"), 0, true},
       {"run " + quoted("absent.json"), 2, false},
       {"runn", 2, false},

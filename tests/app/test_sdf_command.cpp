@@ -76,7 +76,7 @@ TEST_F(SdfCommand, TheAutomaticOffsetDoesNotClaimToCloseWhatItLeavesOpen) {
   const auto errors_of = [&](const Shape& open) {
     write_off(at("open.off"), open);
     const Outcome outcome =
-        run_executable("sdf '" + at("open.off") + "' --method offset --offset auto -o '" + at("x.csv") + "'");
+        run_executable("sdf '" + at("open.off") + "' --method offset --offset auto --replace -o '" + at("x.csv") + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return outcome.errors;
   };

@@ -45,11 +45,13 @@ def test_leaks_are_warned_of(tmp_path):
     sg.write(tmp_path / "open.off", VERTICES, OPEN)
     shape = sg.read(tmp_path / "open.off")
     for offset in (0.02, "auto"):
-        told = program("sdf", tmp_path / "open.off", "--method", "offset", "--offset", offset, "-o", tmp_path / "x.csv")
+        told = program("sdf", tmp_path / "open.off", "--method", "offset", "--offset", offset, "--replace", "-o",
+                       tmp_path / "x.csv")
         _, found = warned(lambda: sg.sdf(shape, offset=offset))
         assert found == [in_python(sentence) for sentence in commands_warnings(told)]
         assert any("leaks" in sentence for sentence in found)
-        told = program("normals", tmp_path / "open.off", "--offset", offset, "-o", tmp_path / "x.xyz")
+        told = program("normals", tmp_path / "open.off", "--offset", offset, "--replace", "-o",
+                       tmp_path / "x.xyz")
         _, found = warned(lambda: sg.normals(shape, offset))
         assert found == [in_python(sentence) for sentence in commands_warnings(told)]
         assert any("both sides" in sentence for sentence in found)
@@ -76,13 +78,15 @@ def test_the_offset_that_was_chosen_is_told(tmp_path):
 
 
 def test_ties_are_counted_and_bounded():
-    # All distances are equal: FT is what the order of equals makes of it.
+    # All distances but one are equal: FT is what the order of equals makes of it.
     labels = [0, 0, 0, 1, 1, 1]
-    scores, found = warned(lambda: sg.evaluate(1 - np.eye(6), labels))
+    distances = 1 - np.eye(6)
+    distances[0, 1] = distances[1, 0] = 2
+    scores, found = warned(lambda: sg.evaluate(distances, labels))
     assert scores.queries_with_ties == 6
     tied = [sentence for sentence in found if "equal distance" in sentence]
     assert len(tied) == 1 and "6 of 6 queries" in tied[0] and "ties='index'" in tied[0]
-    assert "FT is 0.0 to 100.0" in tied[0]
+    assert "FT is 0.0 to 83.3" in tied[0]
     _, found = warned(lambda: sg.evaluate(*toy()))
     assert len(found) == 1 and "3 of 7 queries" in found[0] and "FT" not in found[0]  # their order changes no FT
     _, found = warned(lambda: sg.evaluate(*untied()))

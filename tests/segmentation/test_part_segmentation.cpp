@@ -109,15 +109,25 @@ TEST(PartSegmentation, ComponentsAreDifferentParts) {
 }
 
 TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
-  // Every triangle a little smaller than its place, so that none touches another, and with a back of its own.
+  // Every triangle a little smaller than its place, so that none touches another, and with an apex inside: closed.
   Shape scales = test::soup(test::sphere(1, 4));
-  for (Eigen::Index v = 0; v < scales.vertices.rows(); v += 3) {
-    const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(v).colwise().mean();
-    for (Eigen::Index k = v; k < v + 3; ++k) scales.vertices.row(k) = 0.1 * middle + 0.9 * scales.vertices.row(k);
-  }
   const Eigen::Index fronts = scales.triangles.rows();
-  scales.triangles.conservativeResize(2 * fronts, 3);
-  scales.triangles.bottomRows(fronts) = scales.triangles.topRows(fronts).rowwise().reverse();
+  Points apexes(fronts, 3);
+  Triangles sides(3 * fronts, 3);
+  for (Eigen::Index f = 0; f < fronts; ++f) {
+    const Eigen::RowVector3d middle = scales.vertices.middleRows<3>(3 * f).colwise().mean();
+    apexes.row(f) = 0.97 * middle;
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::RowVector3d corner = scales.vertices.row(3 * f + k);
+      scales.vertices.row(3 * f + k) = 0.1 * middle + 0.9 * corner;
+      sides.row(3 * f + k) << scales.triangles(f, (k + 1) % 3), scales.triangles(f, k),
+          static_cast<std::int32_t>(3 * fronts + f);
+    }
+  }
+  scales.vertices.conservativeResize(4 * fronts, 3);
+  scales.vertices.bottomRows(fronts) = apexes;
+  scales.triangles.conservativeResize(4 * fronts, 3);
+  scales.triangles.bottomRows(3 * fronts) = sides;
   EXPECT_EQ(count_of(part_segmentation(scales, {.samples = 200})), 5120U);
 }
 

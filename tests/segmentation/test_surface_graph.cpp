@@ -153,19 +153,6 @@ TEST(SurfaceGraph, PointsOfACloudAreLinkedByDistanceAndWidth) {
   }
 }
 
-TEST(SurfaceGraph, OfSharedEdgesTheLongestIsTheLink) {
-  // Front and back of a triangle with sides 3, 4 and 5.
-  Shape leaf;
-  leaf.vertices.resize(3, 3);
-  leaf.vertices << 0, 0, 0, 3, 0, 0, 0, 4, 0;
-  leaf.triangles.resize(2, 3);
-  leaf.triangles << 0, 1, 2, 0, 2, 1;
-  const SurfaceGraph graph = surface_graph(leaf);
-  EXPECT_THAT(link_counts(graph, 2), testing::ElementsAre(1, 1));
-  EXPECT_EQ(graph.links_of(0).front().length, 5);
-  EXPECT_EQ(graph.links_of(1).front().length, 5);
-}
-
 TEST(SurfaceGraph, RefusesAnEmptyShape) { EXPECT_THROW(surface_graph(Shape{}), InputError); }
 
 }  // namespace

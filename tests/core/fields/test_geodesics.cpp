@@ -141,9 +141,12 @@ TEST(Geodesics, UnusedVerticesHaveNoDistance) {
 
 TEST(Geodesics, HeatAndExactRefuseWhatIsNotOneManifold) {
   const Shape two = joined({sphere(1, 1), transformed(sphere(1, 1), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
-  Shape fin = sphere(1, 1);
+  Shape fin = sphere(1, 1);  // with a third triangle on an edge
+  fin.vertices.conservativeResize(fin.vertices.rows() + 1, 3);
+  fin.vertices.bottomRows<1>() << 5, 5, 5;
   fin.triangles.conservativeResize(fin.triangles.rows() + 1, 3);
-  fin.triangles.bottomRows<1>() = fin.triangles.topRows<1>();
+  fin.triangles.bottomRows<1>() << fin.triangles(0, 0), fin.triangles(0, 1),
+      static_cast<std::int32_t>(fin.vertices.rows() - 1);
   for (const GeodesicMethod method : {GeodesicMethod::heat, GeodesicMethod::exact}) {
     for (const Shape& shape : {two, fin, cloud_of(two)}) {
       EXPECT_THROW(geodesic_distances(shape, by(method)), InputError);
