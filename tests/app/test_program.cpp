@@ -142,7 +142,9 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   const std::vector<Call> calls = {
       {"evaluate " + quoted("d.csv") + " --labels " + quoted("l.txt"), 0, true},
       {"normals " + quoted("data/T0.off") + " -o " + quoted("x.npy") + " --replace", 0, false},
-      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " -o " + quoted("sdfs/") + " --replace", 1, false},
+      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " --method cone -o " + quoted("sdfs/") +
+           " --replace",
+       1, false},
       {"dataset info " + quoted("data"), 0, true},
       {"run " + quoted("absent.json"), 2, false},
       {"runn", 2, false},
