@@ -72,9 +72,8 @@ TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
   fs::copy_file(at("data/T3.off"), at("data/T4.off"), fs::copy_options::overwrite_existing);
   const Outcome outcome = replay();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(
-      outcome.errors,
-      HasSubstr("shapegauge: warning: input: model 4 is not the recorded one: its file holds other bytes\n"));
+  EXPECT_THAT(outcome.errors,
+              HasSubstr("shapegauge: warning: input: model 4 is not the recorded one: its file holds other bytes\n"));
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("input         model 4 is not the recorded one"));
   EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 14 outputs are not the same bytes as recorded; 1 of its "

@@ -258,7 +258,7 @@ TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
   expect_near(diffused(distances, options), mean_with_transposed(expected), 1e-9);
   expect_near(diffused_by_rows(distances, options), expected, 2e-6);
   const auto infinite = (expected.array() == no_neighbour).count();
-  EXPECT_GT(infinite, 2 * 59);                                   // the model 7, and between the halves
+  EXPECT_GT(infinite, 2 * 59);                                       // the model 7, and between the halves
   EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks join some
 }
 
