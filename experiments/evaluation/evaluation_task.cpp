@@ -117,10 +117,13 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
                                       coverage.answered)));
   }
   if (coverage.incomplete > 0) {
-    task.warnings.push_back(fmt::format(
-        "{} of {} lists have fewer models than are relevant (lists of {} to {} models): relevant models that are not "
-        "in a list count as not found, so that no order of such a list reaches the best score",
-        coverage.incomplete, coverage.answered, coverage.shortest, coverage.longest));
+    const std::string lengths = coverage.shortest == coverage.longest
+                                    ? fmt::format("lists of {} models", coverage.longest)
+                                    : fmt::format("lists of {} to {} models", coverage.shortest, coverage.longest);
+    task.warnings.push_back(
+        fmt::format("{} of {} lists have fewer models than are relevant ({}): relevant models that are not "
+                    "in a list count as not found, so that no order of such a list reaches the best score",
+                    coverage.incomplete, coverage.answered, lengths));
   }
 }
 

@@ -322,6 +322,7 @@ constexpr std::array formats = {
     Format{".npz", without_ids<read_npz>, npz_table},
     Format{".mat", without_ids<read_square_mat>, mat_table},
     Format{".csv", read_csv_matrix, csv_table},
+    Format{".tsv", read_csv_matrix, csv_table},
     Format{".txt", without_ids<read_text_matrix>, text_table},
     Format{".dat", without_ids<read_text_matrix>, text_table},
 };

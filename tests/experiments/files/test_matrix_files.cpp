@@ -77,6 +77,12 @@ TEST(CsvMatrix, MayHaveSemicolonsOrTabsForCommas) {
   EXPECT_THAT(read_csv("id,T;1,T2\nT;1,0,1.5\nT2,-2.25,inf\n").ids, ElementsAre("T;1", "T2")) << "commas as before";
 }
 
+TEST(CsvMatrix, ATableOfTabsMayBeATsvFile) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder.path() / "m.tsv", "\tT1\tT2\nT1\t0\t1.5\nT2\t-2.25\tinf\n");
+  EXPECT_EQ(read_distance_matrix(folder.path() / "m.tsv").distances, example());
+}
+
 TEST(CsvMatrix, DecimalCommasAreAnError) {
   EXPECT_THAT(csv_error("0;1,5\n2,5;0\n"), AllOf(HasSubstr("m.csv:1: \"1,5\""), HasSubstr("decimal points")));
 }
