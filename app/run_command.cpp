@@ -405,8 +405,9 @@ int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
   InterruptionNotice notice(ranks, interruption_text(*cache_for(arguments)));
   try {
     return run_request(arguments, ranks);
-  } catch (const SharedError&) {
-    if (ranks.rank() == 0) throw;
+  } catch (const SharedError& error) {
+    if (ranks.rank() == 0) print_error(error.what());
+    ranks.broadcast({});  // a process that ends with an error is reason to kill the others: not before it is said
     return exit_unusable_input;
   } catch (const Interrupted&) {
     notice.end();
