@@ -20,10 +20,10 @@ struct ChosenOffset {
 /// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Whether the shape has gaps too wide for any offset that is chosen automatically.
+/// Whether an automatically chosen offset leaves gaps open that are too wide for it.
 bool leaves_gaps_open(const ChosenOffset& chosen);
 
-/// The warning about an offset below the gaps of the shape, if it is.
+/// The warning about an offset that is smaller than the gaps of the shape; nothing for any other.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience);
 
 /// The warning about samples whose two sides are about equally far from the outside: their SDF is below half the
