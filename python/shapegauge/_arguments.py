@@ -96,7 +96,7 @@ def plain(value, name):
     """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists."""
     if value is None or isinstance(value, (str, bool, _numpy.bool_)):
         return bool(value) if isinstance(value, _numpy.bool_) else value
-    if isinstance(value, _numbers.Integral):
+    if isinstance(value, _numbers.Integral) and abs(int(value)) < 2**63:
         return int(value)
     if isinstance(value, _numbers.Real):
         return finite_number(value, name)
