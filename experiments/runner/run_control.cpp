@@ -71,7 +71,7 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
         },
         tbb::simple_partitioner());
   });
-  if (control.interrupted()) throw Interrupted();
+  if (control.interrupted() || interruption_requested()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;
