@@ -196,8 +196,8 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
   return options;
 }
 
-/// Every model a query to all others. Labels below 0 stand for no class: such a model is no query, and relevant to
-/// none.
+/// The task of every model as a query to all others. A model with a label below 0 has no class: it is no query, and
+/// relevant to none.
 RetrievalTask task_of(const std::vector<int>& labels) {
   RetrievalTask task = leave_one_out(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {

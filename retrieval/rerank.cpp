@@ -78,7 +78,7 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A power of two by which distances are multiplied where their sums or quotients might over- or underflow, else 1.
+/// A power of two that keeps sums and quotients of distances up to `largest` from over- and underflow; 1 if not needed.
 double safe_factor(double largest) {
   if (largest > 0x1p960) return 0x1p-64;
   return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;

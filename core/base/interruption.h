@@ -11,15 +11,15 @@
 
 namespace shapegauge {
 
-/// Thrown where work is interrupted. The message says what it leaves behind.
+/// Thrown where work is interrupted. The message says what is left behind.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& message = "interrupted; no results were written")
       : std::runtime_error(message) {}
 };
 
-/// Whether the work that the calling thread takes part in is cancelled: by a Cancellation, or because another part of
-/// the same parallel loop failed. Costs a few nanoseconds.
+/// Whether the calling thread's work is cancelled: by a Cancellation, or because another part of the same parallel loop
+/// failed. Costs a few nanoseconds.
 inline bool interruption_requested() { return tbb::is_current_task_group_canceling(); }
 
 /// Throws Interrupted where interruption_requested(). For long serial loops; those of parallel.h check by themselves.
