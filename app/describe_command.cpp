@@ -4,6 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -91,7 +92,7 @@ Described described(const DescriptorChoice& choice, const Shape& given, bool den
   return result;
 }
 
-/// Describes the shapes, which are those of the files, by what is learnt from all of them.
+/// Describes the shapes of the files by what is learnt from all of them.
 void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
                         std::vector<std::optional<Described>>& shapes) {
   const Shape none;
@@ -111,12 +112,13 @@ void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
   }
 }
 
-/// The ids of the rows: the files' names, with so much of their paths as tells them apart.
+/// The ids of the rows: the shortest ends of the files' paths that distinguish them.
 std::vector<std::string> ids_of(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> paths;
+  std::set<fs::path> known;
   for (const fs::path& input : inputs) {
     paths.push_back(input.lexically_normal());
-    if (std::ranges::count(paths, paths.back()) == 1) continue;
+    if (known.insert(paths.back()).second) continue;
     throw InputError(fmt::format("{} is given twice; two rows would have the same id", input.string()));
   }
   return distinguishing_ends(paths);

@@ -66,7 +66,7 @@ nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
   return json;
 }
 
-// On what scores of ranked lists rest, as JSON.
+// Coverage of ranked lists as JSON.
 nlohmann::ordered_json coverage_json(const ListCoverage& coverage, const std::string& missing_queries) {
   return {{"queries", coverage.queries},        {"answered", coverage.answered},
           {"missing_queries", missing_queries}, {"shortest_list", coverage.shortest},
@@ -169,7 +169,7 @@ EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const
   }
 }
 
-/// Throws InputError for files to write that cannot be, before any work.
+/// Throws InputError for unusable output files, before any work.
 void check_outputs(const EvaluateArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
   const std::vector<fs::path> inputs{arguments.distances, files.labels, files.targets, files.qrels, files.ids};

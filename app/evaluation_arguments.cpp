@@ -1,7 +1,6 @@
 #include "app/evaluation_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
 #include <stdexcept>

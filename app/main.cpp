@@ -17,7 +17,6 @@
 #include "app/commands.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
-#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
@@ -200,12 +199,12 @@ int run_command(std::span<const std::string> arguments) {
 }
 
 /// The program. Results go to standard output or files, messages and progress to standard error. Results that do not
-/// reach standard output (a full disk) are an error like any other; of a closed pipe the status says it.
+/// reach standard output (a full disk) are an error like any other; a closed pipe only sets the status.
 int run_program(std::span<const std::string> arguments) {
   const int status = run_command(arguments);
   const int error = output_error();
   if (error == 0 || status == exit_unusable_input) return status;
-  if (error == EPIPE) return exit_unusable_input;  // whoever read it has seen enough, as `head` has
+  if (error == EPIPE) return exit_unusable_input;  // the reader needs no more, as `head`
   return report("cannot write to standard output: " + std::generic_category().message(error), exit_unusable_input);
 }
 
@@ -225,9 +224,9 @@ int interruption_status() { return 128 + received_signal; }
 int main(int argc, char** argv) {
   shapegauge::hold_standard_streams();
   shapegauge::keep_memory();
-  // A limit of the size of files is met as a full disk is: by an error where the file is written.
+  // A limit of the size of files gives an error where the file is written, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
-  std::signal(SIGPIPE, SIG_IGN);  // and a pipe that nobody reads like a full device
+  std::signal(SIGPIPE, SIG_IGN);  // likewise a closed pipe
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   return shapegauge::run_program(arguments);
 }

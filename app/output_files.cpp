@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names under these folders stand for devices and open files: /dev/stdout, /proc/self/fd/1.
+/// Whether the path names a device or an open file: /dev/stdout, /proc/self/fd/1.
 bool is_system_path(const fs::path& path) {
   const std::string name = path.lexically_normal().string();
   return name.starts_with("/dev/") || name.starts_with("/proc/");

@@ -338,7 +338,7 @@ int run_parts(const RunArguments& arguments, const RequestedRun& request) {
                printable(folder.string()), printable((folder / report_name).string()));
   if (const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons); count > 0) {
     note(
-        fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a row for "
+        fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a line for "
                     "each face of the file, the part with most of its area",
                     count, results.shapes.size()));
   }

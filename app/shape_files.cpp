@@ -1,8 +1,6 @@
 #include "app/shape_files.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
@@ -16,7 +14,6 @@
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/shape/polygons.h"
@@ -88,7 +85,7 @@ Shape read_input(const fs::path& input, const std::string& format) {
   if (!format.empty()) return read_shape(bytes, name + "." + format);
   if (is_recognised_shape(bytes, name)) return read_shape(bytes, name);
   throw InputError(
-      fmt::format("{}: neither its name nor its first bytes tell its format; name it by --input-format ({})", name,
+      fmt::format("{}: unknown format: neither the name nor the content identifies it; use --input-format ({})", name,
                   fmt::join(input_formats(), ", ")));
 }
 
@@ -138,7 +135,8 @@ void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& 
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks) {
   const std::optional<std::string> polygons = polygon_note(shape);
   if (site != SampleSite::faces || !polygons) return;
-  remarks.notes.push_back(*polygons + ": values are by triangle, and the column polygon of a .csv says of which face");
+  remarks.notes.push_back(*polygons +
+                          ": values are by triangle, and the column polygon of .csv files has the index of the face");
 }
 
 fs::path output_name(const ShapeFiles& files) {

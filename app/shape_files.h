@@ -25,7 +25,7 @@ struct ShapeFiles {
   std::filesystem::path output = {};  ///< a file, "-" (standard output), or a folder; empty: the command has none
   std::string output_format = {};     ///< an extension without the point, for folders and "-"
   bool replace = false;               ///< outputs may exist, and take the place of inputs
-  std::vector<OutputFile> others{};   ///< outputs of the command besides, checked with those of the shapes
+  std::vector<OutputFile> others{};   ///< further outputs of the command, checked with those of the shapes
   int threads = 0;
 };
 
@@ -45,7 +45,7 @@ struct Remarks {
   std::vector<std::string> warnings;
 };
 
-/// Adds a note where the samples of a mesh are its triangles, but the faces of its file are polygons.
+/// Adds a note where values are by triangle, but the faces of the mesh's file are polygons.
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks);
 
 /// One of the shapes, and where its result goes.

@@ -8,8 +8,8 @@
 
 namespace shapegauge {
 
-/// Puts an unusable file in place of each standard stream that is closed. Otherwise the next file to be opened would
-/// get its number, and messages would be written into results. To be called first of all.
+/// Opens an unusable file in place of each standard stream that is closed. Otherwise the next file to be opened would
+/// get its descriptor, and messages would be written into results. Call at start-up.
 void hold_standard_streams();
 
 bool is_standard_stream(const std::filesystem::path& path);

@@ -22,7 +22,7 @@ constexpr const char* wipe = "\r\x1b[K";
 
 int first_output_error = 0;
 
-/// Writes to standard error. Where that fails there is nobody left to tell.
+/// Writes to standard error; failures cannot be reported anywhere.
 void write_message(std::string_view text) {
   [[maybe_unused]] const std::size_t written = std::fwrite(text.data(), 1, text.size(), stderr);
 }

@@ -10,8 +10,8 @@
 #include <thread>
 #include <utility>
 
-/// What the user sees: output, messages, and how far a long job is. Nothing here throws where a stream cannot be
-/// written to, as a full device or a closed one: a message that nobody can read is no reason to lose results.
+/// Output, messages and progress. Nothing here throws where a stream cannot be written to (full or closed), so that no
+/// results are lost for want of a reader.
 
 namespace shapegauge {
 
@@ -24,14 +24,14 @@ enum class Verbosity {
 /// Writes the text to standard output; failures are remembered for output_error().
 void write_output(std::string_view text);
 
-/// Flushes standard output. Returns the reason (errno) why not all of the program's output was written, or 0.
+/// Flushes standard output. Returns the error (errno) that kept output of the program from being written, or 0.
 int output_error();
 
 /// Applies to everything below from now on; normal before.
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
 
-/// Writes formatted text to standard output. Never throws: output_error() says at the end what went wrong.
+/// Writes formatted text to standard output; failures are remembered for output_error().
 template <typename... Values>
 void print_output(fmt::format_string<Values...> format, Values&&... values) {
   write_output(fmt::format(format, std::forward<Values>(values)...));

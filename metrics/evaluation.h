@@ -27,7 +27,7 @@ struct EvaluationOptions {
   int minimum_class_size = 2;
 };
 
-/// Mean first tier (FT) over the queries by the order of tied models: the relevant ones last, and first.
+/// Mean first tier (FT) over the queries with tied relevant models last (pessimistic) and first (optimistic).
 struct FirstTierBounds {
   double pessimistic = 0;
   double optimistic = 0;
@@ -51,7 +51,7 @@ struct Evaluation {
   std::vector<PrecisionRecallCurve> class_curves;  ///< by classes
   Eigen::Index models_left_out = 0;                ///< rows that would be queries but have too few relevant models
   Eigen::Index queries_with_ties = 0;              ///< queries with relevant and other models at equal distance
-  FirstTierBounds first_tier_bounds;               ///< whatever the measures are; equal where ties change nothing
+  FirstTierBounds first_tier_bounds;               ///< independent of `measures`; equal where ties change nothing
 };
 
 /// Evaluates a distance matrix against the models' classes, every model a query to all others

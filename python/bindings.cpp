@@ -1,8 +1,7 @@
-// The native half of the Python package: arrays in, arrays out. What is comfortable about the package is Python and
-// stands in shapegauge/__init__.py.
+// The native half of the Python package: arrays in, arrays out. Checks of arguments, defaults and docstrings are in
+// shapegauge/*.py.
 #include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -56,7 +55,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Does the work without the interpreter's lock, on at most so many threads (0: all), until Ctrl-C.
+/// Runs the work without the interpreter's lock on at most so many threads (0: all). Ctrl-C stops it.
 template <typename Work>
 auto compute(int threads, const Work& work) {
   std::optional<decltype(work())> result;
@@ -95,7 +94,7 @@ std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& val
   const auto given = field.settings.find("offset");
   if (given == field.settings.end()) return std::nullopt;
   ChosenOffset chosen = choose_offset(given->is_number() ? given->get<double>() : values.offset.value(), shape);
-  // Which gaps and noise they were is of no interest here: the offset is the one that was chosen.
+  // Chosen by the field already: only that it was chosen matters to leak_warning(), not by which gaps and noise.
   if (!given->is_number()) chosen.automatic.emplace();
   return chosen;
 }
@@ -197,8 +196,8 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
   return options;
 }
 
-/// Every model a query to all others. Labels below 0 stand for no class: such a model is no query, and relevant to
-/// none.
+/// The task of every model as a query to all others. A model with a label below 0 has no class: it is no query, and
+/// relevant to none.
 RetrievalTask task_of(const std::vector<int>& labels) {
   RetrievalTask task = leave_one_out(labels);
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -207,7 +206,7 @@ RetrievalTask task_of(const std::vector<int>& labels) {
   return task;
 }
 
-/// An evaluation, and what a user should know of the matrix.
+/// An evaluation, and warnings about the matrix.
 struct EvaluatedMatrix {
   std::shared_ptr<Evaluation> evaluation;
   std::vector<std::string> warnings;
@@ -350,7 +349,7 @@ py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::s
   }));
 }
 
-/// What became of a run.
+/// Results of a run as Python has them.
 struct FinishedRun {
   std::string summary;
   std::vector<std::string> warnings;

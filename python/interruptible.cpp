@@ -10,17 +10,17 @@ namespace shapegauge {
 
 namespace {
 
-constexpr std::chrono::milliseconds between_looks{50};
+constexpr std::chrono::milliseconds polling_interval{50};
 
-/// Whether a signal has come whose handler raises; the exception is then the calling thread's.
+/// Runs the handlers of pending signals; whether one raised, which sets the calling thread's exception.
 bool signal_raised() {
   const py::gil_scoped_acquire acquired;
   return PyErr_CheckSignals() != 0;
 }
 
-/// Waits for the work, or for a signal; whether a signal came.
+/// Waits for the end of the work or for a signal whose handler raises; whether it was the signal.
 bool signal_before_end(const std::future<void>& done) {
-  while (done.wait_for(between_looks) != std::future_status::ready) {
+  while (done.wait_for(polling_interval) != std::future_status::ready) {
     if (signal_raised()) return true;
   }
   return false;

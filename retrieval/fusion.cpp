@@ -54,30 +54,32 @@ std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   return distances;
 }
 
-double mean_of_different(const DistanceMatrix& matrix) {
-  const Eigen::Index size = matrix.rows();
-  const double mean = (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
-  if (std::isfinite(mean)) return mean;
-  const std::vector<double> distances = finite_distances(matrix);
+/// Mean of distances whose sum may overflow.
+double overflow_safe_mean(const std::vector<double>& distances) {
   const auto count = static_cast<double>(distances.size());
-  const double careful = std::accumulate(distances.begin(), distances.end(), 0.0,
-                                         [&](double sum, double distance) { return sum + distance / count; });
-  return std::min(careful, std::numeric_limits<double>::max());
+  const double mean = std::accumulate(distances.begin(), distances.end(), 0.0,
+                                      [&](double sum, double distance) { return sum + distance / count; });
+  return std::min(mean, std::numeric_limits<double>::max());
 }
 
 /// Median (of an even number, the greater of the middle two) or mean of the finite distances between different models;
 /// 1 where there are none.
 double scale_of(const DistanceMatrix& matrix, DistanceScale scale) {
-  if (scale == DistanceScale::none || matrix.rows() < 2) return 1;
+  const Eigen::Index size = matrix.rows();
+  if (scale == DistanceScale::none || size < 2) return 1;
+  if (scale == DistanceScale::mean) {
+    const double mean = (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
+    if (std::isfinite(mean)) return mean;
+  }
   std::vector<double> distances = finite_distances(matrix);
   if (distances.empty()) return 1;
-  if (scale == DistanceScale::mean) return mean_of_different(matrix);
+  if (scale == DistanceScale::mean) return overflow_safe_mean(distances);
   const auto middle = distances.begin() + std::ssize(distances) / 2;
   std::ranges::nth_element(distances, middle);
   return *middle;
 }
 
-/// Makes what is not finite in a sum of distances infinite where one of those added is, else the largest number.
+/// Replaces sums that are not finite: by infinity where a summand is infinite, otherwise by the largest number.
 void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const double> weights, DistanceMatrix& sum) {
   for (Eigen::Index i = 0; i < sum.rows(); ++i) {
     for (Eigen::Index j = 0; j < sum.cols(); ++j) {

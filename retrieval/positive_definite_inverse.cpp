@@ -9,8 +9,8 @@ namespace shapegauge {
 
 namespace {
 
-/// Replaces the lower triangle by that of the Cholesky factor: Eigen's own blocks and steps, between which it can be
-/// interrupted.
+/// Replaces the lower triangle by that of the Cholesky factor, in the blocks and steps of Eigen's LLT. Can be
+/// interrupted between blocks.
 void factorise(Eigen::MatrixXd& matrix) {
   using Steps = Eigen::internal::llt_inplace<double, Eigen::Lower>;
   const Eigen::Index size = matrix.rows();

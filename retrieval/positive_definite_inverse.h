@@ -4,9 +4,8 @@
 
 namespace shapegauge {
 
-/// The inverse of a symmetric positive definite matrix by its Cholesky factorisation. The same bits as Eigen's
-/// matrix.llt().solve(identity) for any number of threads, but in parallel where possible, and can be interrupted.
-/// Throws Interrupted.
+/// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
+/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
 Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix);
 
 }  // namespace shapegauge

@@ -9,7 +9,6 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <tbb/blocked_range.h>
 #include <utility>
 #include <vector>
 
@@ -79,7 +78,7 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A power of two by which distances are multiplied where their sums or quotients might over- or underflow, else 1.
+/// A power of two that keeps sums and quotients of distances up to `largest` from over- and underflow; 1 if not needed.
 double safe_factor(double largest) {
   if (largest > 0x1p960) return 0x1p-64;
   return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;
@@ -104,7 +103,7 @@ NearestModels multiplied(NearestModels nearest, double factor) {
   return nearest;
 }
 
-/// The original distances in the new ones.
+/// What the original distances add to the new ones.
 struct OriginalShare {
   double factor = 1;   ///< safe_factor()
   double share = 0;    ///< of distances that are multiplied by the factor
@@ -123,7 +122,8 @@ struct OriginalShare {
   }
 };
 
-/// Sets the new distances in place of infinite ones, to joined(row, column), and limits what has overflown.
+/// Sets new distances to joined(row, column) where the original ones are infinite; elsewhere limits those that overflow
+/// to the largest number.
 template <typename Joined>
 void settle_infinite(const DistanceMatrix& distances, const Joined& joined, DistanceMatrix& result) {
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
@@ -235,7 +235,7 @@ double affinity_of(double distance, double scale_a, double scale_b) {
   return std::exp(-std::exp(2 * std::log(distance) - std::log(scale_a) - std::log(scale_b)));
 }
 
-/// By model the number of its part of the graph, between whose models a walk can go.
+/// By model, the number of its connected component of the graph.
 std::vector<Eigen::Index> parts_of(const Graph& graph) {
   std::vector<Eigen::Index> leaders(static_cast<std::size_t>(graph.rows()));
   std::iota(leaders.begin(), leaders.end(), Eigen::Index{0});
@@ -254,7 +254,7 @@ std::vector<Eigen::Index> parts_of(const Graph& graph) {
   return parts;
 }
 
-/// A set of models under diffusion, but for the walks themselves.
+/// The graph of a diffusion, and the distances that follow from affinities on it.
 struct Diffusion {
   DiffusionOptions options;
   Graph graph;

@@ -13,8 +13,8 @@ namespace shapegauge {
 /// The labels' numbers replaced by 0, 1, ... in the order in which they first occur.
 std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
 
-/// Labels of the distinct triangles, for all triangles of their mesh: doubles have that of their first. Those of a
-/// cloud stay as they are.
+/// Extends labels of the distinct triangles to all triangles of their mesh: doubles have the label of their first.
+/// Labels of a cloud stay as they are.
 std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels);
 
 /// The connected parts of each label: nodes have the same number where links lead from one to the other within their

@@ -6,7 +6,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Length of the UTF-8 character that the text begins with; 0 where it begins with none.
+/// Length of the UTF-8 character at the beginning of the text; 0 for an invalid one.
 std::size_t length_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned lead = byte(0);
@@ -15,7 +15,7 @@ std::size_t length_of_character(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80) return 0;
   }
-  // Longer than need be, halves of surrogate pairs, and beyond the last character.
+  // Overlong encodings, surrogates, and values beyond U+10FFFF.
   const bool wrong = (lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) ||
                      (lead == 0xF0 && byte(1) < 0x90) || (lead == 0xF4 && byte(1) > 0x8F);
   return wrong ? 0 : length;

@@ -7,14 +7,13 @@
 
 namespace shapegauge {
 
-/// Text from a file, or the name of one, as it may be shown on a terminal and in a one-line message. Control
-/// characters, which a terminal would obey, and bytes that are not UTF-8 become `?`. What exceeds `longest` bytes
-/// becomes `...`.
+/// Sanitises text from a file, or the name of one, for a terminal and a one-line message. Control characters, which a
+/// terminal would obey, and bytes that are not UTF-8 become `?`. What exceeds `longest` bytes becomes `...`.
 std::string printable(std::string_view text, std::size_t longest = std::string_view::npos);
 
 /// Unusable input: a file, a configuration, an argument. The message is one line that says what, where and what to do,
 /// for example "models/T3.off:12: vertex 4 has a coordinate that is not a finite number; repair or remove the file". It
-/// is printable(), whatever the names in it.
+/// is sanitised by printable().
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view message) : std::runtime_error(printable(message)) {}

@@ -1,23 +1,36 @@
 #include "shapegauge/core/base/interruption.h"
 
-#include <memory>
 #include <tbb/parallel_for.h>
 
 namespace shapegauge {
 
-void Cancellation::run(const std::function<void()>& work) {
-  // Contexts of loops within the work are bound to this one, which hands the cancellation down to all of them.
-  tbb::task_group_context context(tbb::task_group_context::isolated);
-  {
-    const std::scoped_lock lock(mutex_);
-    if (requested_) throw Interrupted();
-    running_.push_back(&context);
+/// Lets cancel() reach a context while this lives.
+class Cancellation::Registration {
+ public:
+  Registration(Cancellation& cancellation, tbb::task_group_context& context)
+      : cancellation_(cancellation), context_(context) {
+    const std::scoped_lock lock(cancellation_.mutex_);
+    if (cancellation_.requested_) throw Interrupted();
+    cancellation_.running_.push_back(&context_);
   }
-  const auto forget = [&](const Cancellation*) {
-    const std::scoped_lock lock(mutex_);
-    std::erase(running_, &context);
-  };
-  const std::unique_ptr<Cancellation, decltype(forget)> at_the_end(this, forget);
+  Registration(const Registration&) = delete;
+  Registration& operator=(const Registration&) = delete;
+  Registration(Registration&&) = delete;
+  Registration& operator=(Registration&&) = delete;
+  ~Registration() {
+    const std::scoped_lock lock(cancellation_.mutex_);
+    std::erase(cancellation_.running_, &context_);
+  }
+
+ private:
+  Cancellation& cancellation_;
+  tbb::task_group_context& context_;
+};
+
+void Cancellation::run(const std::function<void()>& work) {
+  // Contexts of loops within the work are bound to this one, which passes its cancellation on to them.
+  tbb::task_group_context context(tbb::task_group_context::isolated);
+  const Registration registration(*this, context);
   tbb::parallel_for(
       0, 1, [&](int) { work(); }, context);
   if (requested_) throw Interrupted();

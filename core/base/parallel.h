@@ -6,7 +6,7 @@
 
 #include "shapegauge/core/base/interruption.h"
 
-/// TBB's loops that can be interrupted. One of TBB itself that is cancelled returns as if it were done, with a part of
+/// Interruptible versions of TBB's loops. A cancelled loop of TBB returns as if it were complete, with only a part of
 /// its results; these throw Interrupted.
 
 namespace shapegauge {
@@ -39,7 +39,7 @@ void parallel_for_parts(const Range& range, const Body& body) {
   check_interruption();
 }
 
-/// Joins what body(part, value so far) returns for the parts that TBB splits the range into. Throws as above.
+/// Joins the results of body(part, value so far) for the parts that TBB splits the range into. Throws as above.
 template <typename Range, typename Value, typename Body, typename Join>
 Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
   const Value result = tbb::parallel_reduce(range, identity, body, join);

@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// Who reads a message, and therefore how it names a setting.
+/// Reader of a message, which determines how settings are spelled in it.
 enum class Audience {
   command_line,  ///< --minimum-size 3
   python         ///< minimum_size=3

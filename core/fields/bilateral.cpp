@@ -140,7 +140,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   const double spatial_width = options.spatial_width * std::sqrt(field.weights.sum());
   if (options.iterations == 0 || !(value_width > 0) || !(spatial_width > 0)) return field;
   const Adjacency adjacency = adjacency_of(shape, samples);
-  // Doubles are nobody's neighbours: they get the values of their first.
+  // Doubled triangles have no neighbours; each gets the value of the first of its set.
   const std::vector<std::int32_t> doubles_of_faces =
       samples.site == SampleSite::faces && !is_cloud(shape)
           ? first_of_doubles(shape.triangles, merged_by_place(shape.vertices))

@@ -29,10 +29,10 @@ using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 ///
 /// `graph` joins the vertices along the edges, and across each edge with two triangles along the straight segment in
 /// the two triangles' unfolded plane, where it crosses the edge. Vertices at the same place are one, doubled triangles
-/// count once. A point cloud's
-/// points are joined to their nearest neighbours. Where the graph has several components they are joined, so that every
-/// distance is finite: vertices of different components that are among each other's nearest neighbours first, then each
-/// remaining component with the nearest of the others (nearest among 64 vertices of each).
+/// count once. A point cloud's points are joined to their nearest neighbours. Where the graph has several components
+/// they are joined, so that every distance is finite: vertices of different components that are among each other's
+/// nearest neighbours first, then each remaining component with the nearest of the others (nearest among 64 vertices of
+/// each).
 ///
 /// Throws InputError for options out of range, an unusable shape (require_usable()), a shape without vertices, and,
 /// with `heat` and `exact`, for what is not one connected manifold mesh.

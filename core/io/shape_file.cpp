@@ -49,7 +49,7 @@ const ShapeFormat* format_by_content(std::string_view bytes) {
   return found == format_registry().end() ? nullptr : &*found;
 }
 
-/// Null where neither the extension nor the bytes tell the format.
+/// The format by extension and, failing that, by content; null for an unknown one.
 const ShapeFormat* find_format(const fs::path& path, std::string_view bytes) {
   const ShapeFormat* const by_extension = format_by_extension(lower_case(path.extension().string()));
   return by_extension != nullptr ? by_extension : format_by_content(bytes);

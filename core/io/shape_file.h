@@ -25,7 +25,7 @@ Shape read_shape(const std::filesystem::path& path);
 /// The same for the bytes of a file that were read already; `path` tells the format and is what messages call it.
 Shape read_shape(const std::string& bytes, const std::filesystem::path& path);
 
-/// Whether the extension of the name or the bytes tell the format.
+/// Whether the format can be determined from the extension or from the bytes.
 bool is_recognised_shape(const std::string& bytes, const std::filesystem::path& path);
 
 /// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format in
@@ -47,8 +47,8 @@ struct ShapeFormat {
   /// Extensions that are read as this format too, but may belong to anything: a file that has one is not taken for a
   /// shape unless it is named as one.
   std::span<const std::string_view> ambiguous_extensions = {};
-  /// Whether a file with these bytes, all of it or its beginning, is plainly of this format; null where no bytes say
-  /// so.
+  /// Whether the bytes, of a whole file or of its beginning, are recognisably of this format; null for a format that
+  /// cannot be recognised.
   bool (*begins_like)(std::string_view bytes) = nullptr;
   /// Throws InputError where the bytes, the beginning of a file or all of it, do not begin like this format. `name`
   /// stands in front of messages.

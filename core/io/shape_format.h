@@ -50,7 +50,7 @@ class SoupBuilder {
   /// Corners of the face begun last.
   [[nodiscard]] std::size_t corners() const { return corners_; }
 
-  /// The shape so far, whose corners have their vertices now.
+  /// The shape so far. The vertices of all corners must have been added.
   [[nodiscard]] Shape shape();
 
  private:
@@ -62,10 +62,10 @@ class SoupBuilder {
 
   void number_polygons();
 
-  /// Triangulates the polygons anew that their fans do not cover.
+  /// Replaces the fans that do not cover their polygons.
   void replace_fans();
 
-  /// The triangles of the polygon whose fan they are now; never more of them.
+  /// The triangles of the polygon whose fan is `begin` to `end`; at most as many as the fan has.
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> polygon_triangles(std::size_t begin, std::size_t end) const;
 
   std::vector<std::array<double, 3>> vertices_;
@@ -78,7 +78,7 @@ class SoupBuilder {
   std::int32_t previous_ = 0;
 };
 
-/// The first line that is neither blank nor a comment that `#` begins, without blanks around it.
+/// The first line that is neither blank nor a comment (`#`), trimmed.
 std::string_view first_line_of_data(std::string_view text);
 
 /// What is wrong with a file, in the same words for every format: the part of the message behind file and line.

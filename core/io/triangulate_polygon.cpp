@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Largest area, of a polygon with an extent of 1, that is taken for rounding.
+/// Areas up to this, of a polygon with an extent of 1, are attributed to rounding.
 constexpr double negligible_area = 1e-11;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -69,7 +69,7 @@ bool fan_covers(std::span<const Eigen::Vector2d> corners) {
   return turned < 2 * std::numbers::pi * (1 + 1e-9);
 }
 
-/// Whether the triangles have the polygon's area: less where loops of it wind twice about the same place.
+/// Whether the triangles have the polygon's area. They have less where the polygon winds twice about a place.
 bool have_area_of(std::span<const PolygonTriangle> triangles, std::span<const Eigen::Vector2d> corners) {
   double polygon = 0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) polygon += cross(corners[i], corners[i + 1]);

@@ -37,7 +37,7 @@ using Triangulation =
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
-/// An edge between two corners, whichever way it goes.
+/// Key of an edge in either direction.
 std::uint64_t edge_key(Vertex a, Vertex b) {
   const auto [low, high] = std::minmax(a->info().corner, b->info().corner);
   return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
@@ -86,7 +86,7 @@ class PolygonTriangulator {
       Vertex a = vertices_[i];
       Vertex b = vertices_[(i + 1) % vertices_.size()];
       if (a == b) continue;
-      // The edges about the first of the two are searched: there are many where many corners meet.
+      // CGAL walks round the first of the two, so that is the one where fewer corners meet.
       if (a->info().corners > b->info().corners) std::swap(a, b);
       triangulation_.insert_constraint(a, b);
       edges_.emplace_back(a, b);
@@ -94,7 +94,7 @@ class PolygonTriangulator {
     for (const auto& [a, b] : edges_) count_uses(a, b);
   }
 
-  /// Counts how often the polygon goes along the edges from a to b: several where corners lie on its edge.
+  /// Counts a use of each edge between a and b: of several where corners lie on the polygon's edge.
   void count_uses(Vertex a, Vertex b) {
     while (a != b) {
       const Vertex next = triangulation_.is_edge(a, b) ? b : next_on_edge(a, b);

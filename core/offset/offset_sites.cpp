@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <tbb/blocked_range.h>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/offset/block_distances.h"

@@ -202,8 +202,8 @@ bool Solver::is_on_surface(const Sample& sample, NearbyPoints& nearby) const {
          touches(surface.left_out, p, near_enough, nearby);
 }
 
-/// In double precision: single precision loses the middle of a triangle that is a thousand times as long as wide. Its
-/// sides tell of those so thin that not even double precision finds the middle.
+/// In double precision: single precision loses the middle of a triangle that is a thousand times as long as wide. Where
+/// a triangle is too thin even for double precision, the distances to its edges decide.
 bool Solver::is_on_own_triangle(const Sample& sample, double near_enough) const {
   if (is_cloud(shape_)) return false;
   const auto is_near = [&](const Eigen::Vector3d& x) { return (x - sample.p).norm() <= near_enough; };

@@ -11,8 +11,7 @@ inline constexpr int diagnostics_version = 2;
 
 /// Defects and properties of a shape before it is measured. For edges and components, vertices at exactly the same
 /// place are one vertex, and a triangle whose corners are not at three places has no edges. Doubled triangles are
-/// counted, and play no further part (distinct_triangles()). Nothing depends on the
-/// order of vertices and triangles.
+/// counted, and play no further part (distinct_triangles()). Nothing depends on the order of vertices and triangles.
 struct ShapeDiagnostics {
   std::size_t vertices = 0;
   std::size_t unreferenced_vertices = 0;  ///< of a mesh: vertices that no triangle uses

@@ -44,7 +44,7 @@ void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
   }
 }
 
-/// Samples of the mesh as samples of its distinct triangles: at faces those of the first of each set of doubles.
+/// The samples of the mesh on its distinct triangles. At faces, each set of doubles has the sample of its first.
 Samples on_distinct(const Samples& samples, const DistinctTriangles& mesh) {
   Samples result = samples;
   for (std::int32_t& triangle : result.triangles) triangle = mesh.triangle_of[static_cast<std::size_t>(triangle)];
@@ -59,8 +59,8 @@ Samples on_distinct(const Samples& samples, const DistinctTriangles& mesh) {
   return result;
 }
 
-/// The values at distinct triangles for all samples of the mesh.
-void carry_to_doubles(Eigen::VectorXd& values, SampleSite site, const DistinctTriangles& mesh) {
+/// Extends values at the faces of the distinct triangles to all faces of the mesh.
+void extend_to_doubles(Eigen::VectorXd& values, SampleSite site, const DistinctTriangles& mesh) {
   if (site == SampleSite::faces) values = values(mesh.triangle_of).eval();
 }
 
@@ -73,7 +73,7 @@ ConeSdfResult cone_sdf(const Shape& shape, const Samples& samples, const ConeSdf
   ConeSdfResult result = options.engine == ConeSdfEngine::cgal
                              ? cone_sdf_cgal(mesh.shape, options)
                              : cone_sdf_embree(mesh.shape, on_distinct(samples, mesh), options);
-  carry_to_doubles(result.values, samples.site, mesh);
+  extend_to_doubles(result.values, samples.site, mesh);
   result.missing = static_cast<std::size_t>(result.values.array().isNaN().count());
   return result;
 }

@@ -50,8 +50,8 @@ double cells_per_offset(OffsetAccuracy accuracy) {
   }
 }
 
-/// Gives each sample the answer of another one, or its own.
-void carry(OffsetAnswers& answers, const std::vector<std::int32_t>& from) {
+/// Gives each sample the value, direction and outcome of sample from[i].
+void copy_answers(OffsetAnswers& answers, const std::vector<std::int32_t>& from) {
   answers.values = answers.values(from).eval();
   answers.directions = answers.directions(from, Eigen::all).eval();
   const std::vector<OffsetOutcome> outcomes = answers.outcomes;
@@ -80,7 +80,7 @@ OffsetSdfSolver::OffsetSdfSolver(const Shape& shape) : frame_(unit_frame_of(shap
   build_seconds_ = seconds_since(start);
 }
 
-/// By sample the distinct triangle that it lies on; empty where the solver finds that by itself.
+/// By sample, the distinct triangle that it lies on; empty where the solver determines it.
 std::vector<std::int32_t> OffsetSdfSolver::triangles_of(const Samples& samples) const {
   std::vector<std::int32_t> triangles = samples.triangles;
   for (std::int32_t& triangle : triangles) triangle = mesh_.triangle_of[static_cast<std::size_t>(triangle)];
@@ -97,7 +97,8 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
       mesh_.shape, points, samples.normals,
       {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel},
       triangles_of(samples));
-  if (mesh_.has_doubles() && samples.site == SampleSite::vertices) carry(answers, mesh_.vertex_of);
+  const bool all_vertices = samples.site == SampleSite::vertices && points.rows() == std::ssize(mesh_.vertex_of);
+  if (mesh_.has_doubles() && all_vertices) copy_answers(answers, mesh_.vertex_of);
   OffsetSdfResult result;
   result.values = answers.values * frame_.diagonal;
   result.outcomes = count(answers, options.offset);

@@ -10,15 +10,15 @@ namespace shapegauge {
 
 namespace {
 
-/// The numbers from 0 on.
-std::vector<std::int32_t> counted_up(Eigen::Index size) {
+/// 0, 1, ..., size - 1.
+std::vector<std::int32_t> indices_up_to(Eigen::Index size) {
   std::vector<std::int32_t> numbers(static_cast<std::size_t>(size));
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
 }
 
-/// By vertex: itself, or where only doubles use it that of the first of them at the same place.
-/// - first: by triangle, as by first_of_doubles()
+/// DistinctTriangles::vertex_of.
+/// - first: result of first_of_doubles()
 std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const std::int32_t> merged,
                                             std::span<const std::int32_t> first) {
   std::vector<bool> settled(merged.size());
@@ -26,7 +26,7 @@ std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const s
     if (first[f] != static_cast<std::int32_t>(f)) continue;
     for (const std::int32_t vertex : mesh.triangles.row(first[f])) settled[static_cast<std::size_t>(vertex)] = true;
   }
-  std::vector<std::int32_t> result = counted_up(mesh.vertices.rows());
+  std::vector<std::int32_t> result = indices_up_to(mesh.vertices.rows());
   for (std::size_t f = 0; f < first.size(); ++f) {
     for (const std::int32_t vertex : mesh.triangles.row(static_cast<Eigen::Index>(f))) {
       const auto v = static_cast<std::size_t>(vertex);
@@ -45,7 +45,7 @@ std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const s
 DistinctTriangles distinct_triangles(Shape shape) {
   DistinctTriangles result{.shape = std::move(shape), .triangle_of = {}, .vertex_of = {}};
   Shape& mesh = result.shape;
-  result.vertex_of = counted_up(mesh.vertices.rows());
+  result.vertex_of = indices_up_to(mesh.vertices.rows());
   if (is_cloud(mesh)) return result;
   const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
   const std::vector<std::int32_t> first = first_of_doubles(mesh.triangles, merged);
@@ -65,6 +65,7 @@ DistinctTriangles distinct_triangles(Shape shape) {
   kept.resize(count);
   result.vertex_of = vertices_of_first(mesh, merged, first);
   mesh.triangles = mesh.triangles(kept, Eigen::all).eval();
+  mesh.polygons = {};
   return result;
 }
 

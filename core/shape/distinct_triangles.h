@@ -11,9 +11,9 @@ namespace shapegauge {
 /// the same place taken as one; the first of them, in the order of the shape, stands for all
 /// (docs/definitions.md#doubled-triangles).
 struct DistinctTriangles {
-  Shape shape;                            ///< the vertices of the mesh, and those of its triangles that are no doubles
-  std::vector<std::int32_t> triangle_of;  ///< by triangle of the mesh: the one of `shape` that it is or doubles
-  /// By vertex: itself, or where only doubles use it the one at the same place that the first of them uses.
+  Shape shape;                            ///< all vertices of the mesh, and its triangles without the doubles
+  std::vector<std::int32_t> triangle_of;  ///< by triangle of the mesh: its index, or that of its first, in `shape`
+  /// By vertex: itself or, where only doubles use it, the vertex of their first at the same place.
   std::vector<std::int32_t> vertex_of;
 
   [[nodiscard]] bool has_doubles() const { return shape.triangles.rows() < std::ssize(triangle_of); }
@@ -22,7 +22,7 @@ struct DistinctTriangles {
 /// Separates a mesh, which is usable, from its doubled triangles. A cloud stays as it is.
 DistinctTriangles distinct_triangles(Shape shape);
 
-/// The mesh without its doubled triangles alone.
+/// Returns the mesh without its doubled triangles.
 Shape without_doubles(Shape shape);
 
 }  // namespace shapegauge

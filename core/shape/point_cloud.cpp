@@ -22,7 +22,7 @@ namespace {
 /// The points as nanoflann asks for them. Building a tree can be interrupted.
 struct PointSource {
   const Points& points;
-  bool building = true;  ///< by one thread; queries, of many, change nothing
+  bool building = true;  ///< in one thread; queries run in many and do not check
   SparseInterruptionCheck check{};
 
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return static_cast<std::size_t>(points.rows()); }
@@ -39,7 +39,7 @@ struct PointSource {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointSource>, PointSource, 3,
                                                  std::int32_t>;
 
-/// A tree of points, and the source that it refers to.
+/// A tree of points with the source that it refers to.
 struct PointTree {
   explicit PointTree(const Points& points) : source{points}, tree(3, source) { source.building = false; }
   PointTree(const PointTree&) = delete;

@@ -58,8 +58,7 @@ std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<cons
 
 std::optional<std::string> polygon_note(const Shape& shape) {
   if (!has_polygons(shape)) return std::nullopt;
-  return fmt::format("the file's {} faces are polygons, which became {} triangles", polygon_count(shape),
-                     shape.triangles.rows());
+  return fmt::format("the {} faces of the file became {} triangles", polygon_count(shape), shape.triangles.rows());
 }
 
 }  // namespace shapegauge

@@ -13,7 +13,7 @@
 
 namespace shapegauge {
 
-/// Whether the triangles of a mesh are not the polygons of its file, one each in the file's order.
+/// Whether the triangles of a mesh differ from the faces of its file: triangle i is not face i.
 inline bool has_polygons(const Shape& shape) { return !shape.polygons.of_triangle.empty(); }
 
 /// Number of polygons of the file that the mesh was read from, also those without a triangle; for a mesh that was not
@@ -29,14 +29,14 @@ inline std::int32_t polygon_of(const Shape& shape, Eigen::Index triangle) {
 /// Weight of each triangle if every polygon has a weight of 1, shared evenly by its triangles.
 std::vector<double> polygon_shares(const Shape& shape);
 
-/// Labels of the polygons: of the labels of a polygon's triangles the one with the largest area. Of equal areas the
-/// smallest label wins; polygons without a triangle have the label 0.
+/// Labels of the polygons: each has the label with the largest area among its triangles. Of equal areas the smallest
+/// label wins; polygons without a triangle have the label 0.
 std::vector<std::int32_t> labels_of_polygons(const Shape& shape, std::span<const std::int32_t> of_triangles);
 
 /// Labels of the triangles: each has that of its polygon. Takes polygon_count() labels.
 std::vector<std::int32_t> labels_of_triangles(const Shape& shape, std::span<const std::int32_t> of_polygons);
 
-/// Note for users about values or labels of a mesh that has_polygons(); nothing for any other shape.
+/// Beginning of a note to users on values or labels of a mesh that has_polygons(); nothing for any other shape.
 std::optional<std::string> polygon_note(const Shape& shape);
 
 }  // namespace shapegauge

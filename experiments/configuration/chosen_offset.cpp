@@ -51,9 +51,8 @@ std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience aud
 }
 
 std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset) {
-  if (is_watertight(shape)) return std::nullopt;
   const Eigen::Index count = (values.array() < 0.5 * offset * bounding_box_diagonal(shape)).count();
-  if (count == 0) return std::nullopt;
+  if (count == 0 || is_watertight(shape)) return std::nullopt;
   return fmt::format(
       "{} of {} samples have the outside about as near on both sides: which way their normals point is left to the "
       "input's orientation or to chance",

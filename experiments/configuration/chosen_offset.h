@@ -20,16 +20,16 @@ struct ChosenOffset {
 /// The given offset or, without one, automatic_offset(). Throws InputError where the shape has no extent.
 ChosenOffset choose_offset(std::optional<double> given, const Shape& shape);
 
-/// Whether the shape has gaps too wide for any offset that is chosen automatically.
+/// Whether an automatically chosen offset leaves gaps open that are too wide for it.
 bool leaves_gaps_open(const ChosenOffset& chosen);
 
-/// The warning about an offset below the gaps of the shape, if it is.
+/// The warning about an offset that is smaller than the gaps of the shape; nothing for any other.
 std::optional<std::string> leak_warning(const ChosenOffset& chosen, Audience audience);
 
-/// The warning about samples with the outside about as near on both sides: less than half the offset more to go on the
-/// other one. Which of the two is taken for outward is left to the input's orientation or to chance. So it is where an
-/// offset leaks into a shape (of clouds of random points, this counts 99 % of the samples) and on sheets; never on a
-/// closed mesh. `values` are the offset SDF's, `offset` is a fraction of the diagonal.
+/// The warning about samples whose two sides are about equally far from the outside: their SDF is below half the
+/// offset. The input's orientation, or chance, then decides which side counts as outward. This happens where the offset
+/// surface leaks into a shape (99 % of the samples of random point clouds) and on sheets, but never on closed meshes.
+/// `values` are those of the offset SDF; `offset` is a fraction of the diagonal.
 std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::VectorXd& values, double offset);
 
 }  // namespace shapegauge

@@ -83,11 +83,10 @@ struct FieldValues {
 /// arena; the values may not depend on it.
 using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bool parallel)>;
 
-/// Physical dimension of a field's values: what a change of the shape's scale does to them. Its number is the power of
-/// the scale that they change by.
+/// Physical dimension of a field's values: they change with this power of the shape's scale.
 enum class FieldDimension { none = 0, length = 1, area = 2 };
 
-/// `length` to the power of the dimension: what a value of 1 becomes where the unit of length changes by that factor.
+/// `length` to the power of the dimension: the factor of values where lengths change by the factor `length`.
 double unit_of(FieldDimension dimension, double length);
 
 /// A scalar field that a configuration asks for: where its samples are and how its values are computed.

@@ -31,18 +31,18 @@ struct Dataset {
 /// anything, and is not counted.
 bool is_model_file(const std::filesystem::path& path);
 
-/// Whether the path is a folder, or a link to one. False where that cannot be found out.
+/// Whether the path is a folder, or a link to one. False where the path cannot be examined.
 bool is_folder(const std::filesystem::path& path);
 
-/// Whether the path is a symbolic link to nothing, or one that goes round in a circle.
+/// Whether the path is a broken symbolic link, or one in a circle of links.
 bool leads_nowhere(const std::filesystem::path& path);
 
-/// What has the name of a shape file right in the folder, in natural order of the names. It need not be a file that can
-/// be read, or a file at all: check_models says so. Throws InputError where the folder cannot be read.
+/// The entries of the folder that are named like shape files, in natural order. They need not be readable, or files:
+/// check_models reports those. Throws InputError where the folder cannot be read.
 std::vector<std::filesystem::path> model_files(const std::filesystem::path& folder);
 
-/// The folders right in the folder that are not hidden, in natural order of their names; with them links without an
-/// extension that lead nowhere, since they may have led to a folder. Throws InputError where the folder cannot be read.
+/// The folders right in the folder that are not hidden, in natural order of their names, and broken links without an
+/// extension, which may have led to a folder. Throws InputError where the folder cannot be read.
 std::vector<std::filesystem::path> subfolders(const std::filesystem::path& folder);
 
 }  // namespace shapegauge

@@ -103,7 +103,7 @@ bool is_readable(const fs::path& folder) {
   return !failure;
 }
 
-/// The models in the folder; where it cannot be read, the folder itself in place of a model.
+/// The models in the folder or, where it cannot be read, the folder itself as a model that fails.
 std::vector<fs::path> models_or_itself(const fs::path& folder) {
   return is_readable(folder) ? model_files(folder) : std::vector{folder};
 }
@@ -136,7 +136,7 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
     for (const fs::path& file : files) {
-      // A folder that stands for the models in it may have a name with a dot.
+      // An unreadable folder may have a name with a dot.
       const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
       const std::string id = named.lexically_relative(location.root).generic_string();
       if (!ids.insert(id).second) {

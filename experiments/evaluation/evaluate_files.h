@@ -38,7 +38,7 @@ struct EvaluationData {
   EvaluationTask task;
 };
 
-/// How many pairs of entries of an asymmetric matrix differ, and by how much.
+/// Describes how many pairs of entries of an asymmetric matrix differ, and by how much.
 std::string asymmetry_text(const MatrixFindings& found);
 
 /// What a user should know of a matrix, a sentence each. `ids` name its rows; `negated`: it was of similarities.
@@ -46,7 +46,7 @@ std::vector<std::string> matrix_warnings(const MatrixFindings& found, std::span<
                                          Audience audience = Audience::command_line);
 
 /// The warning about queries with relevant and other models at equal distance, and how far their order moves FT.
-/// Nothing where all such queries are rows of equal distances, of which matrix_warnings() tells.
+/// Nothing where all such queries are rows of equal distances, which matrix_warnings() reports.
 std::optional<std::string> ties_warning(const Evaluation& evaluation, const MatrixFindings& found,
                                         Audience audience = Audience::command_line);
 
@@ -64,7 +64,7 @@ EvaluationData open_evaluation_files(const EvaluationFiles& files);
 struct EvaluatedFiles {
   EvaluationData data;
   Evaluation evaluation;
-  MatrixFindings findings;            ///< of the matrix; none of ranked lists
+  MatrixFindings findings;            ///< of the matrix; empty for ranked lists
   std::vector<std::string> warnings;  ///< what a user should know of the files, a sentence each
 };
 

@@ -104,7 +104,7 @@ void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& t
   if (count > 0) task.warnings.push_back(fmt::format("{} {}: left out of all scores", count, what));
 }
 
-// Says what the scores rest on where that is not all queries, or lists too short to be right.
+// Warns where some queries have no list, or lists are too short for the best score.
 void warn_of_coverage(std::string_view queries, Unanswered unanswered, EvaluationTask& task) {
   const ListCoverage& coverage = task.coverage.value();
   if (const std::size_t missing = coverage.queries - coverage.answered; missing > 0) {
@@ -127,7 +127,7 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
   }
 }
 
-// Of the first `answered` rows, which have lists, and as many queries as are missing besides.
+// Coverage by the first `answered` rows, which have lists, and `missing` queries without one.
 ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::size_t missing) {
   const RetrievalTask& task = ranked.task.retrieval;
   const std::vector<std::size_t> relevant = relevant_counts(task);

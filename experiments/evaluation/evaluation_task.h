@@ -25,7 +25,7 @@ struct MatrixSize {
   Eigen::Index columns = 0;
 };
 
-/// On how many queries, and how long ranked lists, scores rest.
+/// Coverage of ranked lists: the number of queries and the lengths of lists that scores are based on.
 struct ListCoverage {
   std::size_t queries = 0;     ///< labelled or judged queries
   std::size_t answered = 0;    ///< queries with a list, among them

@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 #include <map>
 #include <optional>
-#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -33,7 +32,7 @@ void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
                   source));
 }
 
-// A hundredth of the number, read as it is written: divided by 100 it would be rounded again.
+// A hundredth of the number in the cell, by its exponent: a division by 100 would round again.
 std::optional<double> fraction_of_percent(const std::string& cell) {
   if (const auto fraction = parse_number(cell + "e-2")) return fraction;
   const auto percent = parse_number(cell);

@@ -26,7 +26,7 @@ using Archive = std::unique_ptr<archive, FreeArchive>;
   throw InputError(fmt::format("{}: {}: {}", source, what, reason != nullptr ? reason : "the file is damaged"));
 }
 
-// What the entry that the archive stands at holds. `packed`: size of the archive.
+// The contents of the archive's current entry. `packed`: size of the archive.
 std::string entry_bytes(archive* opened, std::size_t packed, const std::string& source, std::string_view what) {
   const std::size_t most = most_unpacked_bytes(packed);
   std::string bytes;
@@ -56,8 +56,8 @@ std::size_t most_unpacked_bytes(std::size_t packed) {
 
 void fail_unpacking(const std::string& source, std::size_t packed) {
   throw InputError(fmt::format(
-      "{}: its {} bytes unpack to more than {} MiB, which is no table of numbers; unpack it yourself if it is", source,
-      packed, most_unpacked_bytes(packed) >> 20U));
+      "{}: its {} bytes unpack to more than {} MiB, too much for a table of numbers; if it is one, unpack it first",
+      source, packed, most_unpacked_bytes(packed) >> 20U));
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {

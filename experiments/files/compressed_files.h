@@ -10,11 +10,11 @@ namespace shapegauge {
 /// The extension that tells a file's format, in lower case: that of the name, without `.gz`.
 std::string format_extension(const std::filesystem::path& path);
 
-/// Largest number of bytes that so many bytes of a file may unpack to: 256 MiB, or 50 times as many where that is more,
-/// but never more than 16 GiB. Tables of numbers shrink to a half or a tenth; a file that claims more is not one.
+/// Largest number of bytes that a file of `packed` bytes may unpack to: 256 MiB, or 50 times `packed` where that is
+/// more, but at most 16 GiB. Tables of numbers shrink to a half or a tenth of their size.
 std::size_t most_unpacked_bytes(std::size_t packed);
 
-/// Throws InputError that says so, for a file of so many bytes.
+/// Throws InputError for a file that unpacks to more than most_unpacked_bytes().
 [[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
 
 /// The bytes of a file; where its name ends in `.gz`, what is compressed in it. Throws InputError as read_file_bytes,

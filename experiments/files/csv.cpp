@@ -110,7 +110,7 @@ std::string_view first_line(std::string_view text) {
   return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
 }
 
-/// Without what stands in quotation marks and without decimal commas.
+/// The line without quoted text and without decimal commas.
 std::string separators_only(std::string_view line) {
   std::string rest;
   bool quoted = false;

@@ -19,12 +19,12 @@ struct CsvRow {
 /// InputError "<source>:<line>: ..." where quotation marks are not closed or something follows them.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator = ',');
 
-/// The first of tab, semicolon and comma that the first line of the text that is not blank has; nothing where it has
-/// none.
+/// The separator of a table: the first of tab, semicolon and comma that occurs in the first line that is not blank;
+/// nothing where none does.
 std::optional<char> first_separator(std::string_view text);
 
-/// The separator of a table of numbers, with names in quotation marks or without: a comma, unless its first line has
-/// tabs or semicolons and no commas but those in quotation marks and, as a decimal comma, between digits.
+/// The separator of a table of numbers, with or without names in quotation marks: a comma, unless the first line has
+/// tabs or semicolons but no other commas than those in quotation marks and decimal ones (between digits).
 char number_separator(std::string_view text);
 
 /// The text as a cell that parse_csv reads back: in quotation marks where it needs them.

@@ -52,9 +52,9 @@ DistanceMatrix read_psb_matrix(const std::filesystem::path& path);
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source);
 
 /// Reads a square matrix of numbers between blanks, one row a line, as numpy.savetxt writes it; where its first row has
-/// semicolons or, failing that, commas, those separate the numbers. Empty lines and lines
-/// that begin with `#` are passed over; `inf` is a number. Throws InputError: absent or unreadable file, something that
-/// is not a number, a row of another length, not as many rows as columns.
+/// semicolons or, failing that, commas, those separate the numbers. Empty lines and lines that begin with `#` are
+/// passed over; `inf` is a number. Throws InputError: absent or unreadable file, something that is not a number, a row
+/// of another length, not as many rows as columns.
 DistanceMatrix read_text_matrix(const std::filesystem::path& path);
 
 /// The same for the text of a file; `source` stands in front of messages. With TableShape::any the rows need only be of

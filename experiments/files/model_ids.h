@@ -17,8 +17,8 @@ bool natural_less(std::string_view a, std::string_view b);
 /// "12". Other ids stay as they are.
 std::string canonical_model_id(std::string_view id);
 
-/// The shortest ends of paths that tell them apart, without their extensions where these do not matter: "x" and "y" of
-/// a/x.off and b/y.off, "x.off" and "x.obj" of a/x.off and b/x.obj. Paths that are equal stay so.
+/// The shortest ends of paths that distinguish them, without extensions where these are not needed: "x" and "y" for
+/// a/x.off and b/y.off, "x.off" and "x.obj" for a/x.off and b/x.obj. Equal paths have equal ends.
 std::vector<std::string> distinguishing_ends(const std::vector<std::filesystem::path>& paths);
 
 }  // namespace shapegauge

@@ -317,7 +317,7 @@ void append_utf8(std::string& text, std::uint32_t character) {
   append(0x80U | (character & 0x3FU));
 }
 
-/// One string of `format.length` characters, without the zeros behind it; nothing where it holds no characters.
+/// One string of `format.length` characters, without trailing zeros; nothing for invalid Unicode.
 std::optional<std::string> decoded_string(std::string_view bytes, const StringFormat& format) {
   if (!format.unicode) return std::string(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
   std::u32string characters;
@@ -380,8 +380,8 @@ std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes
   for (std::size_t begin = header.data_begin; begin < bytes.size(); begin += item) {
     std::optional<std::string> string = decoded_string(bytes.substr(begin, item), *format);
     if (!string) {
-      throw InputError(fmt::format("{}: entry {} (counted from 0) holds what is no character; the file is damaged",
-                                   source, strings.size()));
+      throw InputError(fmt::format("{}: entry {} (counted from 0) is not valid Unicode; the file is damaged", source,
+                                   strings.size()));
     }
     strings.push_back(*std::move(string));
   }

@@ -14,7 +14,7 @@ struct Emphasis {
   std::string mark;
 };
 
-/// The number with so many decimals, without the sign of what is rounded to 0.
+/// The number with so many decimals, without "-0.00".
 std::string decimal_text(double number, int decimals);
 
 /// A table of text cells, numbers already formatted. Every row has as many cells as the header.

@@ -38,8 +38,8 @@ void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const 
   }
 }
 
-/// A fraction in percent with all its digits: its shortest text with the point moved, as multiplied by 100 it would be
-/// rounded.
+/// A fraction from 0 to 1 in percent with all its digits: its shortest text with the decimal point moved, since a
+/// multiplication by 100 would round.
 std::string exact_percent(double fraction) {
   std::array<char, 400> buffer = {};  // the longest text of a double
   const auto [end, error] =

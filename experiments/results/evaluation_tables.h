@@ -25,7 +25,7 @@ std::string score_text(double fraction, const ScoreStyle& style);
 /// Of tables in files: percent, to a hundredth of what a query of 10,000 is worth.
 inline constexpr ScoreStyle csv_style{.percent = true, .decimals = 4};
 
-/// Of tables that are read again.
+/// Of tables that are read back.
 inline constexpr ScoreStyle exact_style{.percent = true, .decimals = all_decimals};
 
 /// How confidence intervals are made (bootstrap_intervals).

@@ -32,7 +32,7 @@ std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
   return all;
 }
 
-/// By method and protocol: how many queries have ties that matter, and FT in percent by the order of the tied.
+/// By method and protocol: the number of tied queries, and FT in percent with tied relevant models last and first.
 OrderedJson ties_json(std::span<const NamedEvaluation> evaluations) {
   OrderedJson rows = OrderedJson::array();
   for (const NamedEvaluation& named : evaluations) {

@@ -50,16 +50,16 @@ struct PlacedValues {
 };
 
 /// The values at samples that have one and that stand for some area, in units of the shape's file: lengths are
-/// multiplied by `unit`, and values by its power that their dimension asks for.
+/// multiplied by `unit`, and values by unit_of(dimension, unit).
 PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
                            double unit);
 
 /// How far a field is from that of the reference: quantiles of |value - reference's value at its sample nearest by|,
 /// each sample counting once.
 struct ValueErrors {
-  double median = 0;                  ///< of lengths as a fraction of the reference's diagonal, of areas of its square;
-                                      ///< of values without a dimension as it is
-  double percentile_90 = 0;           ///< likewise
+  double median = 0;                  ///< of lengths as fractions of the reference's diagonal, of areas as fractions of
+                                      ///< its square, of values without a dimension unscaled
+  double percentile_90 = 0;           ///< as above
   double relative_median = 0;         ///< of the errors, each divided by the magnitude of the reference's value
   double relative_percentile_90 = 0;  ///< of those
 };

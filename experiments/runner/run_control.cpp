@@ -49,8 +49,7 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex);
       failures.push_back({.model = model, .message = error.what()});
-      // Not by cancelling the group: that would also cancel what the shapes under way do in parallel, down to a tree
-      // that Embree is building, and give them wrong values.
+      // Not by cancelling the group: that would also interrupt the shapes under way, which would count as failures.
       if (stop_at_failure) jobs.stop();
     }
     const std::scoped_lock lock(mutex);
@@ -72,7 +71,7 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
         },
         tbb::simple_partitioner());
   });
-  if (control.interrupted()) throw Interrupted();
+  if (control.interrupted() || interruption_requested()) throw Interrupted();
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;

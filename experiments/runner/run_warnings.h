@@ -7,9 +7,8 @@
 
 namespace shapegauge {
 
-/// Sentences about the results of a run that its user should know: field_warnings(), and for each method with tied
-/// queries (relevant and other models at equal distance) how many there are, and between which bounds the order of the
-/// tied models moves FT.
+/// Warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and other
+/// models at equal distance) their number and the range of FT over the orders of tied models.
 std::vector<std::string> run_warnings(const ExperimentResults& results);
 
 }  // namespace shapegauge

@@ -6,7 +6,7 @@ or with ``points`` (Open3D) does as well, and then stands alone: what follows th
 faces is a point cloud.
 
 Unusable input raises InputError, a ValueError that says what is wrong. Values are the same bytes as the command line's,
-for any number of threads, and what the command line warns of is a Python warning. Ctrl-C stops whatever is computed.
+for any number of threads, and what the command line warns of is a Python warning. Ctrl-C stops computations.
 """
 
 from . import _native

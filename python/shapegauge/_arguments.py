@@ -1,4 +1,4 @@
-"""Checks what the functions of the package are given, and makes NumPy arrays and JSON of it."""
+"""Validates the arguments of the package's functions, and converts them to NumPy arrays and JSON."""
 
 import collections.abc as _abc
 import functools as _functools
@@ -66,9 +66,13 @@ def switch(value, name):
 def finite_number(value, name):
     """A float."""
     is_number = isinstance(value, _numbers.Real) and not isinstance(value, bool)
-    if not is_number or not _math.isfinite(value):
+    try:
+        number = float(value) if is_number else _math.nan
+    except OverflowError:  # of a large int
+        number = _math.inf
+    if not _math.isfinite(number):
         raise InputError(f"{name} is {_shown(value)}; it must be a finite number")
-    return float(value)
+    return number
 
 
 def words(values, name):
@@ -92,7 +96,7 @@ def plain(value, name):
     """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists."""
     if value is None or isinstance(value, (str, bool, _numpy.bool_)):
         return bool(value) if isinstance(value, _numpy.bool_) else value
-    if isinstance(value, _numbers.Integral):
+    if isinstance(value, _numbers.Integral) and abs(int(value)) < 2**63:
         return int(value)
     if isinstance(value, _numbers.Real):
         return finite_number(value, name)
@@ -140,8 +144,11 @@ def _numbers_of_objects(array, what):
         if isinstance(value, (bool, _numpy.bool_)) or not isinstance(value, _numbers.Real):
             where = f"entry {', '.join(map(str, place))} (counted from 0)"
             raise InputError(f"{what} must be real numbers; {where} is {_shown(value)}")
-    whole = all(isinstance(value, _numbers.Integral) for value in array.flat)
-    return array.astype(_numpy.int64 if whole and array.size > 0 else _numpy.float64)
+    whole = array.size > 0 and all(isinstance(value, _numbers.Integral) for value in array.flat)
+    try:
+        return array.astype(_numpy.int64 if whole else _numpy.float64)
+    except OverflowError:
+        raise InputError(f"{what} have a number that is too large") from None
 
 
 def _shape_text(array):

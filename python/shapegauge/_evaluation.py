@@ -151,8 +151,8 @@ def evaluate(distances, labels, protocol="psb", *, measures=(), ties="index", mi
     labels: whole numbers or text. protocol: "psb", "paper" or "trec". measures: a name such as "FT" or "P@10", or a
     list; none: the protocol's own. ties: the order of models at equal distance, "index", "optimistic", "pessimistic" or
     "expected". similarity: larger means more alike. missing_labels: what is done where a label is None, NaN or empty:
-    "error", or "no_class" (the model is no query, and relevant to none). What is odd about the matrix is warned of.
-    Returns Scores.
+    "error", or "no_class" (the model is no query, and relevant to none). Warns of anomalies of the matrix. Returns
+    Scores.
 
     >>> scores = sg.evaluate(distances, labels)
     >>> scores["FT"], scores.macro["NN"], scores.per_query["DCG"].mean()
@@ -244,7 +244,7 @@ def compare(methods, labels, protocol="psb", *, measures=(), test="randomization
 
 
 def rerank(distances, method="diffusion", *, threads=0, **settings):
-    """Distances, improved by what they say of the whole set; no labels are used. The result is n x n.
+    """Distances re-ranked by those of the whole set, without labels. The result is n x n.
 
     method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion".
 

@@ -67,8 +67,8 @@ bool learns(const Descriptor& one, const DescriptorSettings& settings);
 /// The settings' defaults, for so many fields.
 DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0);
 
-/// Computes the features of one shape, from what was learnt before where the descriptor learns. Throws InputError for
-/// features that are none or not all finite numbers, and what `describe` throws. Call this rather than `describe`.
+/// Computes the features of one shape; `learnt` is for descriptors that learn. Checks what `describe` returns: throws
+/// InputError where there are no features or some are not finite, and what `describe` throws.
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
                                  const DescriptorSettings& settings);
 

@@ -120,6 +120,8 @@ CALLS = [
     (lambda: sg.read("nul\0byte.off"), "path"),
     (lambda: sg.read(""), "path"),
     (lambda: sg.write(3, MESH), "path"),
+    (lambda: sg.sdf([[10**400, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]), "too large"),
+    (lambda: sg.sdf(MESH, offset=10**400), "finite"),
     # Distances.
     (lambda: sg.evaluate(np.zeros((3, 4)), [0, 0, 1]), "n x n"),
     (lambda: sg.evaluate(DISTANCES[0], LABELS), "squareform"),

@@ -26,7 +26,7 @@ using testing::IsEmpty;
 
 using Corners = std::vector<Eigen::Vector3d>;
 
-/// A U of area 30: 10 by 5 with a slot of 4 by 5 taken out of it.
+/// A U: 10 by 5 with a slot of 4 by 4.5 taken out of it.
 Corners u_profile() {
   return {{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {7, 5, 0}, {7, 0.5, 0}, {3, 0.5, 0}, {3, 5, 0}, {0, 5, 0}};
 }

@@ -115,6 +115,22 @@ TEST_P(DoubledTriangles, DoNotChangeTheConventionalSdf) {
   }
 }
 
+TEST(OffsetSdfOfSomeVertices, TakesDoubledTriangles) {
+  const Shape torus = test::torus(1, 0.35, 16, 24);
+  const Eigen::VectorXd expected =
+      offset_sdf(torus, sample_shape(torus, SampleSite::vertices), {.offset = 0.02}).values.head(10);
+  for (const test::DoubledShape& doubled : test::doublings(torus)) {
+    SCOPED_TRACE(doubled.name);
+    Samples some = sample_shape(doubled.shape, SampleSite::vertices);
+    some.points.conservativeResize(10, Eigen::NoChange);
+    some.normals.conservativeResize(10, Eigen::NoChange);
+    some.weights.conservativeResize(10);
+    const OffsetSdfResult found = offset_sdf(doubled.shape, some, {.offset = 0.02});
+    ASSERT_EQ(found.values.size(), 10);
+    EXPECT_TRUE(found.values.isApprox(expected, 1e-3));
+  }
+}
+
 TEST(ConeSdfWithCgal, TakesDoubledTriangles) {
   const Shape torus = test::torus(1, 0.35, 8, 12);
   const ConeSdfOptions options{.engine = ConeSdfEngine::cgal, .rays = 9};

@@ -48,6 +48,14 @@ TEST(DistinctTriangles, OfAMeshWithoutDoublesAreAll) {
   }
 }
 
+TEST(DistinctTriangles, OfAMeshWithPolygonsHaveNone) {
+  Shape shape{places(), Triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
+  shape.polygons = {.of_triangle = {0, 0, 1}, .count = 2};
+  EXPECT_TRUE(without_doubles(shape).polygons.of_triangle.empty()) << "they are those of a list of other triangles";
+  shape.triangles.row(2) << 1, 2, 3;
+  EXPECT_EQ(without_doubles(shape).polygons.of_triangle, (Indices{0, 0, 1}));
+}
+
 TEST(DistinctTriangles, OfACloudAreNone) {
   const DistinctTriangles found = distinct_triangles({places(), {}});
   EXPECT_FALSE(found.has_doubles());
