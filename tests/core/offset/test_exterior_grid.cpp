@@ -56,7 +56,8 @@ TEST(ExteriorGrid, IsWhatIsFartherThanTheOffsetFromASphere) {
 TEST(ExteriorGrid, KnowsTheNearestTriangleOfAllCellsAroundThePlacesOfTheOffsetSurface) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
-  for (const auto& direction : test::sphere(1, 5).vertices.rowwise()) {
+  const Points directions = test::sphere(1, 5).vertices;
+  for (const auto& direction : directions.rowwise()) {
     const Eigen::Vector3d x = (1 + r) * direction.transpose();
     EXPECT_EQ(cells_around(flooded.exterior, flooded.grid.to_cells(x)).count, 8) << x.transpose();
   }
