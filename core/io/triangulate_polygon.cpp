@@ -1,5 +1,6 @@
 #include "shapegauge/core/io/triangulate_polygon.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

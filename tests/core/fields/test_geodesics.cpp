@@ -62,6 +62,16 @@ TEST(Geodesics, SegmentsAcrossEdgesShortenTheWorstCase) {
   EXPECT_NEAR(found[n * (n + 1)], std::sqrt(2.0), 1e-9);
 }
 
+TEST(Geodesics, PathsGoRoundTheEndsOfAnEdge) {
+  // The straight line between the corners opposite the edge passes beyond its upper end, or its lower one.
+  for (const double sign : {1.0, -1.0}) {
+    Shape kite{.vertices = Points{{0, -0.5, 0}, {0, 0.5, 0}, {-1, 1.5, 0}, {1, 2.5, 0}}, .triangles = {}};
+    kite.vertices.col(1) *= sign;
+    kite.triangles = Triangles{{0, 1, 2}, {1, 0, 3}};
+    EXPECT_NEAR(geodesic_distances(kite)(2)[3], std::sqrt(2.0) + std::sqrt(5.0), 1e-12) << sign;
+  }
+}
+
 TEST(Geodesics, HeatAndExactAgreeWithTheSphere) {
   const Shape shape = sphere(1, 3);
   const Eigen::VectorXd exact = great_circles(shape, 3);

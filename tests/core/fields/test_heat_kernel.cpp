@@ -134,6 +134,36 @@ TEST(HeatKernel, MeanOfTheWaveKernelByAreaIsOne) {
   EXPECT_LT((mean.array() - 1).abs().maxCoeff(), 1e-6);
 }
 
+/// The definition, spelled out: the squares of the eigenfunctions, weighed by a Gaussian of the logarithms of their
+/// eigenvalues.
+double wave_kernel_by_definition(const Spectrum& spectrum, Eigen::Index vertex, double area, double at, double width) {
+  double sum = 0;
+  double weights = 0;
+  for (Eigen::Index k = 1; k < spectrum.eigenvalues.size(); ++k) {
+    const double steps = (at - std::log(spectrum.eigenvalues[k])) / width;
+    const double weight = std::exp(-steps * steps / 2);
+    sum += weight * std::pow(spectrum.eigenvectors(vertex, k), 2);
+    weights += weight;
+  }
+  return area * sum / weights;
+}
+
+TEST(HeatKernel, WaveKernelSignatureIsWhatTheDefinitionSays) {
+  const Shape shape = test::capsule(0.3, 2, 12, 8);
+  const Spectrum spectrum = spectrum_of(shape, 20);
+  const double area = surface_area(shape);
+  const Eigen::MatrixXd found = wave_kernel_signature(spectrum, area, {.energies = 5, .width_steps = 4});
+  const double lowest = std::log(spectrum.eigenvalues[1]);
+  const double range = std::log(spectrum.eigenvalues[19]) - lowest;
+  for (const Eigen::Index vertex : {0, 17, 60}) {
+    for (int k = 0; k < 5; ++k) {
+      // Two widths of 4 % of the range keep off either end.
+      const double at = lowest + range * (0.08 + 0.84 * k / 4);
+      EXPECT_NEAR(found(vertex, k), wave_kernel_by_definition(spectrum, vertex, area, at, 0.04 * range), 1e-9) << k;
+    }
+  }
+}
+
 TEST(HeatKernel, RefusesOptionsOutOfRange) {
   const Spectrum spectrum = spectrum_of(sphere(1, 1), 8);
   EXPECT_THROW(heat_kernel_signature(spectrum, 1, {.first_time = 0}), InputError);

@@ -53,6 +53,16 @@ TEST(ExteriorGrid, IsWhatIsFartherThanTheOffsetFromASphere) {
   }
 }
 
+TEST(ExteriorGrid, KnowsTheNearestTriangleOfAllCellsAroundThePlacesOfTheOffsetSurface) {
+  const double r = 0.2;
+  const Flooded flooded(test::sphere(1, 4), r, 0.05);
+  const Points directions = test::sphere(1, 5).vertices;
+  for (const auto& direction : directions.rowwise()) {
+    const Eigen::Vector3d x = (1 + r) * direction.transpose();
+    EXPECT_EQ(cells_around(flooded.exterior, flooded.grid.to_cells(x)).count, 8) << x.transpose();
+  }
+}
+
 TEST(ExteriorGrid, HasNoVoidsAndNoCavitiesWithANarrowMouth) {
   const Shape hollow = test::joined({test::sphere(1, 3), test::sphere(0.6, 3)});
   EXPECT_FALSE(Flooded(hollow, 0.1, 0.025).is_exterior({0, 0, 0}));

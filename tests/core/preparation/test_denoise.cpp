@@ -288,6 +288,16 @@ TEST(Denoise, BringsTheVerticesOfANoisySphereCloserToIt) {
   }
 }
 
+TEST(Denoise, SmoothsTheMoreTheMoreNoiseThereIs) {
+  // 0.025 / (noise in edge lengths); an edge is 0.0107 of the diagonal long.
+  const Shape sphere = test::sphere(1, 5);
+  for (const auto& [noise, pass_band] : {std::pair(0.0025, 0.107), {0.005, 0.0535}, {0.05, 0.02}}) {
+    RandomNumbers random(1);
+    const Shape noisy = vertex_noise(sphere, {.amplitude = noise, .distribution = NoiseDistribution::gaussian}, random);
+    EXPECT_NEAR(denoised(noisy).pass_band, pass_band, 0.15 * pass_band) << noise;
+  }
+}
+
 TEST(Denoise, LeavesCleanShapesAndCloudsBitForBit) {
   for (const Shape& shape : {test::sphere(1, 4), test::torus(2, 0.7, 30, 60), test::box({1, 2, 3}, 12),
                              test::capsule(0.5, 400, 48, 12), test::random_points(test::sphere(1, 4), 3000, 1)}) {

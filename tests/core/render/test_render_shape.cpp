@@ -129,6 +129,20 @@ TEST(RenderShape, ColoursBelongToTheirTriangles) {
   EXPECT_EQ(pixel(back, 60, 45)[1], 0);
 }
 
+TEST(RenderShape, OfCrossingSheetsTheNearerIsSeen) {
+  RenderOptions options = small_transparent();
+  options.towards_viewer = {0, 0, 1};
+  const Shape sheets{
+      .vertices =
+          Points{{-1, -1, -1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, 1}},
+      .triangles = Triangles{{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+  const Image image = render_shape(sheets, {red, red, green, green}, SampleSite::faces, options);
+  for (const int row : {20, 40, 70}) {
+    EXPECT_GT(pixel(image, 80, row)[0], pixel(image, 80, row)[1]) << "red rises to the right; row " << row;
+    EXPECT_GT(pixel(image, 40, row)[1], pixel(image, 40, row)[0]) << "green rises to the left; row " << row;
+  }
+}
+
 TEST(RenderShape, ColoursOfVerticesBlend) {
   RenderOptions options = small_transparent();
   options.towards_viewer = {0, 0, 1};

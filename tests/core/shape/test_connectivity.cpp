@@ -102,6 +102,14 @@ TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {
   EXPECT_TRUE(is_watertight(test::joined({sphere, test::torus(3, 1, 12, 8)})));
 }
 
+TEST(Closedness, HoldsWhereTwoBodiesShareAnEdge) {
+  Shape pair{.vertices = Points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 1, 0}, {-1, 0, 0}, {-1, -1, 0}}, .triangles = {}};
+  pair.triangles = Triangles{{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 4}, {0, 1, 5}, {0, 4, 5}, {1, 4, 5}};
+  EXPECT_TRUE(is_watertight(pair)) << "four triangles meet at the edge from 0 to 1";
+  pair.triangles.conservativeResize(7, Eigen::NoChange);
+  EXPECT_FALSE(is_watertight(pair));
+}
+
 TEST(Closedness, EndsWithOneTriangle) {
   Shape sphere = test::sphere(1, 2);
   sphere.triangles.conservativeResize(sphere.triangles.rows() - 1, Eigen::NoChange);

@@ -245,7 +245,7 @@ TEST(ReadDistanceMatrix, GoesByTheExtension) {
 TEST(ReadDistanceMatrix, AnotherExtensionIsAnErrorThatSaysWhatIsKnown) {
   for (const char* const name : {"m.xyz", "m", "npy"}) {
     EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(name); }),
-                AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .txt, .dat")));
+                AllOf(HasSubstr(name), HasSubstr(".matrix, .npy, .npz, .mat, .csv, .tsv, .txt, .dat")));
   }
 }
 

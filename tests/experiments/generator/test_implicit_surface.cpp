@@ -56,6 +56,14 @@ TEST(ImplicitSurface, OfAFlattenedLimbIsThinAlongItsAxis) {
   EXPECT_GT(surface({0, 0, 0.15}), 0);
 }
 
+TEST(SmoothMinimum, TakesAQuarterOfTheWidthOffEqualsAndNothingBeyondIt) {
+  EXPECT_DOUBLE_EQ(smooth_minimum(1, 1, 0.4), 0.9);
+  EXPECT_DOUBLE_EQ(smooth_minimum(1, 1.2, 0.4), 0.975);
+  EXPECT_DOUBLE_EQ(smooth_minimum(1.2, 1, 0.4), 0.975);
+  EXPECT_EQ(smooth_minimum(1, 1.4, 0.4), 1);
+  EXPECT_EQ(smooth_minimum(3, 1, 0.4), 1);
+}
+
 TEST(ImplicitSurface, BlendOnlyAddsAndOnlyNearby) {
   const Skeleton s = class_skeleton(0);
   const ImplicitSurface surface(s);
