@@ -95,6 +95,9 @@ void check_output_files(std::span<const fs::path> inputs, std::span<const Output
       throw InputError(fmt::format("{} would overwrite the input {}; give it another name{}", output.what,
                                    input->second.string(), output.may_be_input ? ", or use --replace" : ""));
     }
+    if (!replace && fs::is_directory(output.path, unknown)) {
+      throw InputError(fmt::format("{}: {} is a folder; name a file", output.what, output.path.string()));
+    }
     if (!replace) {
       throw InputError(fmt::format("{}: {} exists; give another name, or overwrite it with --replace", output.what,
                                    output.path.string()));
