@@ -63,6 +63,41 @@ TEST(ExteriorGrid, KnowsTheNearestTriangleOfAllCellsAroundThePlacesOfTheOffsetSu
   }
 }
 
+/// A box from -1 to 1 without one of its sides.
+Shape open_box(Eigen::Index axis, double side) {
+  Shape box = test::box({2, 2, 2}, 1);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index f = 0; f < box.triangles.rows(); ++f) {
+    const Eigen::Vector3d along = box.vertices(box.triangles.row(f), axis);
+    if ((along.array() != side).any()) kept.push_back(f);
+  }
+  box.triangles = Triangles(box.triangles(kept, Eigen::all));
+  return box;
+}
+
+TEST(ExteriorGrid, FillsABoxToTheBottomFromEachSide) {
+  for (const double r : {0.2, 0.23, 0.26}) {
+    for (int side = 0; side < 6; ++side) {
+      const Shape box = open_box(side / 2, side % 2 == 0 ? -1 : 1);
+      ASSERT_EQ(box.triangles.rows(), 10);
+      const Flooded flooded(box, r, 0.05);
+      const std::vector<bool> cells = exterior_cells(flooded.exterior);
+      std::size_t i = 0;
+      for (std::size_t index = 0; index < flooded.grid.block_count(); ++index) {
+        const Eigen::Vector3i block = flooded.grid.block_at(index);
+        for (int bit = 0; bit < cells_per_block; ++bit, ++i) {
+          const Eigen::Vector3d cell =
+              (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
+          const Eigen::Vector3d place = flooded.grid.origin + flooded.grid.cell * cell;
+          if (place.cwiseAbs().maxCoeff() < 1 - 1.03 * r) {
+            EXPECT_TRUE(cells[i]) << place.transpose();
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(ExteriorGrid, HasNoVoidsAndNoCavitiesWithANarrowMouth) {
   const Shape hollow = test::joined({test::sphere(1, 3), test::sphere(0.6, 3)});
   EXPECT_FALSE(Flooded(hollow, 0.1, 0.025).is_exterior({0, 0, 0}));

@@ -92,6 +92,18 @@ TEST_P(JudgedDistances, AreThoseOfTheWholeMatrixOnAnyNumberOfRanks) {
 
 INSTANTIATE_TEST_SUITE_P(Ranks, JudgedDistances, testing::Values(1, 2, 3, 4));
 
+TEST(LargestOfFirst, IsThatOfAllRanksWhicheverHasIt) {
+  for (const Eigen::Index far : {1, 3, 5}) {
+    Signatures signatures = Signatures::Constant(6, 1, 1);
+    signatures(0, 0) = 0;
+    signatures(far, 0) = 8;
+    test::on_thread_ranks(3, [&](Communicator& ranks) {
+      const SharedSignatures shared{.rows = part_of(signatures, ranks), .all = 6};
+      EXPECT_EQ(largest_of_first(distance_named("l1"), shared, ranks), 8) << far;
+    });
+  }
+}
+
 TEST(VisitDistances, ASignatureWithoutADistanceIsAnErrorOfAllRanks) {
   Signatures signatures = signatures_of(10);
   signatures(8, 3) = std::numeric_limits<float>::infinity();
