@@ -282,7 +282,8 @@ TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
   const auto evaluate = [&](const std::string& more) { return evaluate_toy("--format json " + more, "two.lists"); };
   const Outcome skipped = evaluate("");
   EXPECT_THAT(skipped.errors, HasSubstr("warning: 3 of 7 queries have no answer"));
-  EXPECT_THAT(skipped.errors, HasSubstr("warning: 1 of 4 lists have fewer models than are relevant (lists of 2 models)"));
+  EXPECT_THAT(skipped.errors,
+              HasSubstr("warning: 1 of 4 lists have fewer models than are relevant (lists of 2 models)"));
   const auto of_skipped = nlohmann::json::parse(skipped.output);
   EXPECT_EQ(of_skipped["lists"], nlohmann::json({{"queries", 7},
                                                  {"answered", 4},
