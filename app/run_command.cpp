@@ -34,7 +34,6 @@
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "shapegauge/experiments/runner/run_warnings.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 

@@ -8,7 +8,7 @@
 
 namespace shapegauge {
 
-/// Opens an unusable file in place of each standard stream that is closed. Otherwise the next file to be opened would
+/// Opens an unusable file for each standard stream that is closed. Otherwise the next file to be opened would
 /// get its descriptor, and messages would be written into results. Call at start-up.
 void hold_standard_streams();
 

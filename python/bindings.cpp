@@ -38,7 +38,6 @@
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "shapegauge/experiments/runner/run_warnings.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 #include "shapegauge/metrics/evaluation.h"

@@ -141,7 +141,8 @@ SurfaceGraph surface_graph(const Shape& shape) {
   SurfaceGraph graph;
   graph.samples = sample_shape(shape, SampleSite::faces);
   std::vector<Pair> pairs = is_cloud(shape) ? pairs_of_cloud(graph.samples) : pairs_of_mesh(shape, graph.samples);
-  // Two triangles may share two edges: the longer one is kept. Those that share one need no link over a gap.
+  // Two triangles that touch at a vertex of a gap may have several links over it: the longest is kept. Those that share
+  // an edge need none.
   const SparseInterruptionCheck check;
   std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
     check();

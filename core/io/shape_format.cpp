@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numeric>
-#include <ranges>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -41,29 +40,34 @@ void SoupBuilder::number_polygons() {
   std::iota(polygons_.begin(), polygons_.end(), 0);
 }
 
-std::vector<std::array<std::int32_t, 3>> SoupBuilder::polygon_triangles(std::size_t begin, std::size_t end) const {
-  std::vector<std::array<std::int32_t, 3>> triangles(triangles_.begin() + static_cast<std::ptrdiff_t>(begin),
-                                                     triangles_.begin() + static_cast<std::ptrdiff_t>(end));
-  if (triangles.size() < 2) return triangles;
-  std::vector<std::int32_t> corners = {triangles[0][0], triangles[0][1]};
-  for (const std::array<std::int32_t, 3>& triangle : triangles) corners.push_back(triangle[2]);
+std::vector<std::array<std::int32_t, 3>> SoupBuilder::fan_replacement(std::size_t begin, std::size_t end) const {
+  if (end - begin < 2) return {};
+  std::vector<std::int32_t> corners = {triangles_[begin][0], triangles_[begin][1]};
+  for (std::size_t f = begin; f < end; ++f) corners.push_back(triangles_[f][2]);
   std::vector<Eigen::Vector3d> positions;
+  positions.reserve(corners.size());
   for (const std::int32_t corner : corners) positions.emplace_back(vertices_[static_cast<std::size_t>(corner)].data());
   std::vector<PolygonTriangle> others = triangles_in_place_of_fan(positions);
-  if (others.empty() || others.size() > triangles.size()) return triangles;
-  for (std::int32_t& corner : others | std::views::join) corner = corners[static_cast<std::size_t>(corner)];
+  if (others.size() > end - begin) return {};
+  for (PolygonTriangle& triangle : others) {
+    for (std::int32_t& corner : triangle) corner = corners[static_cast<std::size_t>(corner)];
+  }
   return others;
 }
 
 void SoupBuilder::replace_fans() {
   std::size_t kept = 0;
+  const auto keep = [&](const std::array<std::int32_t, 3>& triangle, std::int32_t polygon) {
+    triangles_[kept] = triangle;
+    polygons_[kept++] = polygon;
+  };
   for (std::size_t begin = 0, end = 0; begin < triangles_.size(); begin = end) {
     const std::int32_t polygon = polygons_[begin];
     while (end < triangles_.size() && polygons_[end] == polygon) ++end;
-    for (const std::array<std::int32_t, 3>& triangle : polygon_triangles(begin, end)) {
-      triangles_[kept] = triangle;
-      polygons_[kept++] = polygon;
-    }
+    const std::vector<std::array<std::int32_t, 3>> others = fan_replacement(begin, end);
+    for (const std::array<std::int32_t, 3>& triangle : others) keep(triangle, polygon);
+    if (!others.empty()) continue;
+    for (std::size_t f = begin; f < end; ++f) keep(triangles_[f], polygon);
   }
   triangles_.resize(kept);
   polygons_.resize(kept);

@@ -65,8 +65,8 @@ class SoupBuilder {
   /// Replaces the fans that do not cover their polygons.
   void replace_fans();
 
-  /// The triangles of the polygon whose fan is `begin` to `end`; at most as many as the fan has.
-  [[nodiscard]] std::vector<std::array<std::int32_t, 3>> polygon_triangles(std::size_t begin, std::size_t end) const;
+  /// The triangles that replace the fan from `begin` to `end`, at most as many; none where the fan covers its polygon.
+  [[nodiscard]] std::vector<std::array<std::int32_t, 3>> fan_replacement(std::size_t begin, std::size_t end) const;
 
   std::vector<std::array<double, 3>> vertices_;
   std::vector<std::array<double, 3>> normals_;

@@ -211,7 +211,7 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
 }
 
 void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids, std::vector<std::string>& warnings) {
-  auto repeated = found.equal_rows;  // rows of one distance only are told as such
+  auto repeated = found.equal_rows;  // constant rows have a warning of their own
   std::erase_if(repeated,
                 [&](const auto& rows) { return std::ranges::binary_search(found.constant_rows, rows.first); });
   if (!repeated.empty()) {

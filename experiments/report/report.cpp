@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/experiments/runner/run_warnings.h"
+#include "shapegauge/experiments/runner/run_experiment.h"
 
 namespace shapegauge {
 

@@ -98,4 +98,8 @@ ExperimentResults run_experiment(const Configuration& configuration, const std::
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control);
 
+/// Warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and other
+/// models at equal distance) their number and the range of FT over the orders of tied models.
+std::vector<std::string> run_warnings(const ExperimentResults& results);
+
 }  // namespace shapegauge

@@ -237,8 +237,8 @@ def shape_arrays(vertices, faces, normals):
 
 
 def of_shape(leading=0):
-    """Decorates a function of a shape's arrays and settings: it is called with vertices and faces in place of the
-    arrays, or with one object in place of both. `leading`: so many arguments come before.
+    """Decorates a function of a shape's arrays and settings, so that callers pass vertices and faces, or one object
+    that has both. `leading`: number of arguments before the shape.
 
     Arguments are bound once for both forms: what follows the shape is the same, and what is left over is an error.
     """

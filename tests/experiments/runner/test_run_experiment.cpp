@@ -12,7 +12,6 @@
 #include "shapegauge/experiments/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
-#include "shapegauge/experiments/runner/run_warnings.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
