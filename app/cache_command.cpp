@@ -9,7 +9,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 
 namespace shapegauge {
 

@@ -13,7 +13,7 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/configuration/nearest_word.h"
-#include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 #include "shapegauge/experiments/runner/run_control.h"

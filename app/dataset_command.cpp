@@ -6,9 +6,9 @@
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/datasets/layouts.h"
-#include "shapegauge/experiments/files/table.h"
-#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/datasets/files/table.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {

@@ -19,9 +19,9 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/files/model_ids.h"
-#include "shapegauge/experiments/files/npy.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {

@@ -16,9 +16,9 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
-#include "shapegauge/experiments/files/matrix_files.h"
-#include "shapegauge/experiments/files/npy.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/rerank.h"
 

@@ -24,7 +24,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/results/manifest.h"

@@ -1,33 +1,54 @@
-# shapegauge_add_library(NAME FOLDER [SEPARATELY] [SOURCES sources...] [USES targets...] [USES_PRIVATELY targets...]): the
-# library shapegauge_NAME, alias shapegauge::NAME, from a folder of the project, and its installation. SEPARATELY: its
-# sources are never compiled in batches, since they compute long or share little.
+# shapegauge_add_library(NAME FOLDER [SEPARATELY] [INTERNAL] [SOURCES sources...] [USES targets...]
+# [USES_PRIVATELY targets...] [PRIVATE_HEADERS headers...]): the library shapegauge_NAME, alias shapegauge::NAME, of
+# sources in a folder of the project and those below it, and its installation. SEPARATELY: its sources are never compiled
+# in batches, since they compute long or share little. INTERNAL: it is not installed. PRIVATE_HEADERS: headers that only
+# its own sources and tests include; they are not installed.
 #
-# A library sees the headers of the libraries that it uses and no others: each one's headers are reachable only through
-# an include directory of its own, <build>/include/NAME, in which shapegauge/FOLDER links to the source folder. An
-# include across a border that docs/architecture.md does not have is therefore a build error.
+# A library has the headers of its sources' folders. It sees those of the libraries that it uses and no others: each
+# library's headers are reachable only through an include directory of its own, <build>/include/NAME, which has a link
+# to each. An include across a border that docs/architecture.md does not have is therefore a build error
+# (tests/borders).
 function(shapegauge_add_library name folder)
-  cmake_parse_arguments(arg "SEPARATELY" "" "SOURCES;USES;USES_PRIVATELY" ${ARGN})
+  cmake_parse_arguments(arg "SEPARATELY;INTERNAL" "" "SOURCES;USES;USES_PRIVATELY;PRIVATE_HEADERS" ${ARGN})
   add_library(shapegauge_${name} STATIC)
   add_library(shapegauge::${name} ALIAS shapegauge_${name})
+  set(source_folders ${PROJECT_SOURCE_DIR}/${folder})
   foreach(source IN LISTS arg_SOURCES)
-    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder})
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} NORMALIZE)
     target_sources(shapegauge_${name} PRIVATE ${source})
+    cmake_path(GET source PARENT_PATH source_folder)
+    list(APPEND source_folders ${source_folder})
   endforeach()
   target_link_libraries(shapegauge_${name} PUBLIC ${arg_USES} PRIVATE ${arg_USES_PRIVATELY})
-  set(include_root ${PROJECT_BINARY_DIR}/include/${name})
-  cmake_path(GET folder PARENT_PATH parent)
-  file(MAKE_DIRECTORY ${include_root}/shapegauge/${parent})
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${include_root}/shapegauge/${folder} SYMBOLIC)
-  target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
-                                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   set_target_properties(shapegauge_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
   shapegauge_configure_target(shapegauge_${name})
   if(arg_SEPARATELY)
     set_target_properties(shapegauge_${name} PROPERTIES UNITY_BUILD OFF)
   endif()
-  install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${folder}
-          COMPONENT development FILES_MATCHING PATTERN "*.h")
+
+  set(include_root ${PROJECT_BINARY_DIR}/include/${name})
+  file(REMOVE_RECURSE ${include_root})
+  file(MAKE_DIRECTORY ${include_root})
+  target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
+                                                       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  list(REMOVE_DUPLICATES source_folders)
+  foreach(source_folder IN LISTS source_folders)
+    file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${source_folder}/*.h)
+    foreach(header IN LISTS headers)
+      cmake_path(GET header PARENT_PATH header_folder)
+      file(MAKE_DIRECTORY ${include_root}/shapegauge/${header_folder})
+      file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${header} ${include_root}/shapegauge/${header} SYMBOLIC)
+      cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${folder} OUTPUT_VARIABLE header_in_library)
+      if(NOT arg_INTERNAL AND NOT header_in_library IN_LIST arg_PRIVATE_HEADERS)
+        install(FILES ${PROJECT_SOURCE_DIR}/${header} COMPONENT development
+                DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${header_folder})
+      endif()
+    endforeach()
+  endforeach()
+  if(NOT arg_INTERNAL)
+    install(TARGETS shapegauge_${name} EXPORT shapegauge ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            COMPONENT development)
+  endif()
 endfunction()
 # What all of our own targets share: the language standard, the warnings, the sanitizers, and sources compiled in
 # batches where that is wanted. Names in anonymous namespaces must therefore differ within a target.

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double most_deviations = 4;
 
-#include "shapegauge/segmentation/part_model_weights.inc"
+#include "part_model_weights.inc"
 
 constexpr Eigen::Index row_size = region_features + 2;  ///< features, bias, output
 

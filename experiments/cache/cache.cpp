@@ -7,7 +7,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/datasets/files/sha256.h"
 
 namespace shapegauge {
 

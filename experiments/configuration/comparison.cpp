@@ -12,7 +12,7 @@
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

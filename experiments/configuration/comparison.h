@@ -10,7 +10,7 @@
 
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

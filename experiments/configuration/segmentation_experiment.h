@@ -12,8 +12,8 @@
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/experiments/datasets/dataset.h"
-#include "shapegauge/experiments/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

@@ -10,9 +10,9 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/experiments/datasets/labels.h"
-#include "shapegauge/experiments/files/compressed_files.h"
-#include "shapegauge/experiments/files/ranked_answers.h"
+#include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"

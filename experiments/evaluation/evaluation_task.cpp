@@ -12,7 +12,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/experiments/files/model_ids.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 

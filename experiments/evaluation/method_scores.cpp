@@ -11,9 +11,9 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/experiments/files/compressed_files.h"
-#include "shapegauge/experiments/files/csv.h"
-#include "shapegauge/experiments/files/model_ids.h"
+#include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "shapegauge/datasets/files/model_ids.h"
 
 namespace shapegauge {
 

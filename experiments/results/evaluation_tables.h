@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
 

@@ -5,7 +5,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/version.h"
-#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/runner/build_information.h"
 #include "shapegauge/experiments/runner/cache_records.h"

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "shapegauge/core/preparation/diagnostics.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 
 namespace shapegauge {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/files/sha256.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"

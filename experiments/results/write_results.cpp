@@ -8,7 +8,7 @@
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/manifest.h"

@@ -14,7 +14,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/runner/build_information.h"
 #include "shapegauge/experiments/view/coarse_view.h"
 

@@ -7,7 +7,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"

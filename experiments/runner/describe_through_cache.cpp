@@ -12,7 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/files/sha256.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/experiments/runner/model_picture.h"
 #include "shapegauge/experiments/runner/model_view.h"

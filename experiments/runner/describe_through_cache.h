@@ -5,7 +5,7 @@
 
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 
 namespace shapegauge {

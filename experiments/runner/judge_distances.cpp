@@ -8,7 +8,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 
 namespace shapegauge {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/interruption.h"
-#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 
 namespace shapegauge {

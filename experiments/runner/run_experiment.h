@@ -8,7 +8,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/fields.h"
-#include "shapegauge/experiments/datasets/dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
 #include "shapegauge/experiments/runner/run_control.h"

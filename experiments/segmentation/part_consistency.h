@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 
 namespace shapegauge {

@@ -14,8 +14,8 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/experiments/datasets/dataset.h"
-#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 
 namespace shapegauge {
 

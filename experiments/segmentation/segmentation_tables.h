@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/metrics/segmentation_errors.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"

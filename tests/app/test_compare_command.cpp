@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 

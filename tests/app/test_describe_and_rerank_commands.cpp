@@ -6,8 +6,8 @@
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
-#include "shapegauge/experiments/files/matrix_files.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/rerank.h"
 #include "tests/app/program.h"

@@ -4,9 +4,9 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
-#include "tests/experiments/files/write_matrix.h"
+#include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

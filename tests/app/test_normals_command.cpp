@@ -6,7 +6,7 @@
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/offset_normals.h"
-#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/datasets/files/csv.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"

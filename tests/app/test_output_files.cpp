@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shapegauge/core/io/off.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"

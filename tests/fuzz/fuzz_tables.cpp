@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "shapegauge/experiments/files/classification.h"
-#include "shapegauge/experiments/files/matrix_files.h"
-#include "shapegauge/experiments/files/npy.h"
-#include "shapegauge/experiments/files/ranked_answers.h"
+#include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"

@@ -1,42 +1,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
-#include <stdexcept>
-#include <vector>
 
-#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/part_model.h"
-#include "shapegauge/segmentation/part_model_training.h"
 
 namespace shapegauge {
 namespace {
-
-/// Of random features; together where the first two have the same sign, which no linear model can tell.
-std::vector<PartExample> examples(int count, std::uint64_t seed) {
-  RandomNumbers random(seed);
-  std::vector<PartExample> result(static_cast<std::size_t>(count));
-  for (PartExample& example : result) {
-    for (double& x : example.features) x = random.uniform(-1, 1);
-    example.together = example.features[0] * example.features[1] > 0 ? 1 : 0;
-    example.weight = 1;
-  }
-  return result;
-}
-
-TEST(PartModel, LearnsWhatIsNotLinear) {
-  const PartModel model = train_part_model(examples(4000, 1), {.networks = 2, .epochs = 40});
-  int right = 0;
-  const std::vector<PartExample> others = examples(1000, 2);
-  for (const PartExample& example : others) {
-    right += (model.probability(example.features) > 0.5) == (example.together > 0.5) ? 1 : 0;
-  }
-  EXPECT_GT(right, 750);  // a linear model is right for half of them
-}
-
-TEST(PartModel, LearnsShares) {
-  std::vector<PartExample> same = examples(500, 1);
-  for (PartExample& example : same) example.together = 0.3;
-  EXPECT_NEAR(train_part_model(same, {.epochs = 100}).probability(same[0].features), 0.3, 0.05);
-}
 
 TEST(PartModel, IsALogisticFunctionOfItsHiddenUnits) {
   PartModel model;
@@ -58,54 +26,11 @@ TEST(PartModel, IsALogisticFunctionOfItsHiddenUnits) {
   EXPECT_NEAR(model.probability(features), 1 / (1 + std::exp(-other)), 1e-15);
 }
 
-TEST(PartModel, TrainingIsRepeatable) {
-  const PartModel first = train_part_model(examples(500, 1), {});
-  const PartModel second = train_part_model(examples(500, 1), {});
-  EXPECT_EQ(first.hidden, second.hidden);
-  EXPECT_EQ(first.output_bias, second.output_bias);
-}
-
-TEST(PartModel, TrainingRefusesNothingToLearn) {
-  EXPECT_THROW(train_part_model({}, {}), std::invalid_argument);
-  EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), std::invalid_argument);
-}
-
 TEST(PartModel, TrainedAnswersWithAProbabilityWhateverTheFeatures) {
   for (const double value : {0.0, 1e9, -1e9}) {
     const double p = trained_part_model().probability(RegionFeatures::Constant(value));
     EXPECT_TRUE(p >= 0 && p <= 1) << p;
   }
-}
-
-TEST(PartExamples, SayHowManyPairsPeoplePutTogether) {
-  const std::vector<std::int32_t> patch = {0, 0, 1, 1, 1};
-  const Eigen::MatrixXd together = pairs_together(patch, 2, {{7, 7, 7, 7, 9}, {1, 2, 2, 2, 2}});
-  EXPECT_DOUBLE_EQ(together(0, 1), (4 + 3) / 2.0);
-  EXPECT_DOUBLE_EQ(together(1, 0), together(0, 1));
-  EXPECT_DOUBLE_EQ(together(0, 0), (2 + 0) / 2.0);
-  EXPECT_DOUBLE_EQ(together(1, 1), (2 + 6) / 2.0);
-}
-
-TEST(PartExamples, FollowMerges) {
-  // Four regions of one node in a row; people put 0 and 1, and 2 and 3 together.
-  Regions regions(4);
-  for (std::int32_t i = 0; i < 4; ++i) {
-    RegionSum sum;
-    sum.nodes = 1;
-    sum.area = 0.25;
-    regions.add(i, sum);
-    if (i > 0) regions.make_neighbours(i - 1, i);
-  }
-  const std::vector<std::int32_t> patch = {0, 1, 2, 3};
-  const std::vector<PartExample> met = part_examples(regions, pairs_together(patch, 4, {{0, 0, 1, 1}}), nullptr);
-  std::vector<double> shares;
-  double weights = 0;
-  for (const PartExample& example : met) {
-    shares.push_back(example.together);
-    weights += example.weight;
-  }
-  EXPECT_EQ(shares, (std::vector<double>{1, 0, 1, 0, 0}));
-  EXPECT_NEAR(weights, 1, 1e-12);
 }
 
 TEST(PartModel, FeaturesBeyondFourDeviationsCountAsFour) {

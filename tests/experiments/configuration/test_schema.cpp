@@ -9,7 +9,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/datasets/layouts.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/support/test_files.h"

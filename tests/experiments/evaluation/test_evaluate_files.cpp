@@ -5,9 +5,9 @@
 
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "tests/experiments/files/write_matrix.h"
+#include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

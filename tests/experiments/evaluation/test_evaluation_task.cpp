@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
-#include "shapegauge/experiments/files/npy.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/support/test_files.h"
 

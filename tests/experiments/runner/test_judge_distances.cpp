@@ -8,7 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/files/matrix_files.h"
+#include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/experiments/runner/judge_distances.h"
 #include "tests/support/test_files.h"
 #include "tests/support/thread_ranks.h"

@@ -4,7 +4,7 @@
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "tests/support/test_files.h"

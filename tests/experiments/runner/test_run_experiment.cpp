@@ -9,7 +9,7 @@
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/files/csv.h"
+#include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/results/write_results.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 #include "tests/support/small_dataset.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "shapegauge/core/version.h"
-#include "shapegauge/experiments/files/model_ids.h"
+#include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

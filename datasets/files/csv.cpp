@@ -1,0 +1,162 @@
+#include "shapegauge/datasets/files/csv.h"
+
+#include <algorithm>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+
+namespace shapegauge {
+
+namespace {
+
+class CsvParser {
+ public:
+  CsvParser(std::string_view text, const std::string& source, char separator)
+      : rest_(without_byte_order_mark(text)), source_(source), separator_(separator), cell_ends_({separator, '\n'}) {}
+
+  std::vector<CsvRow> rows() {
+    std::vector<CsvRow> rows;
+    while (!rest_.empty()) {
+      CsvRow row = take_row();
+      const bool blank = row.cells.size() == 1 && row.cells.front().empty() && !quoted_;
+      if (!blank) rows.push_back(std::move(row));
+    }
+    return rows;
+  }
+
+ private:
+  CsvRow take_row() {
+    CsvRow row{.cells = {}, .line = line_};
+    quoted_ = false;
+    while (true) {
+      skip_blanks();
+      row.cells.push_back(rest_.starts_with('"') ? take_quoted_cell() : take_plain_cell());
+      const bool more = rest_.starts_with(separator_);
+      if (!more) ++line_;
+      rest_.remove_prefix(rest_.empty() ? 0 : 1);
+      if (!more) return row;
+    }
+  }
+
+  void skip_blanks() {
+    while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
+  }
+
+  // Blanks that are the separator are none.
+  [[nodiscard]] bool is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
+
+  // Up to the separator or the line end behind it, which stays.
+  std::string_view take_to_cell_end() {
+    std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
+    rest_.remove_prefix(cell.size());
+    const bool line_ends = rest_.empty() || rest_.front() == '\n';
+    if (line_ends && cell.ends_with('\r')) cell.remove_suffix(1);
+    while (!cell.empty() && is_blank(cell.back())) cell.remove_suffix(1);
+    return cell;
+  }
+
+  std::string take_plain_cell() { return std::string(take_to_cell_end()); }
+
+  std::string take_quoted_cell() {
+    quoted_ = true;
+    const std::size_t first_line = line_;
+    std::string cell;
+    while (true) {
+      const std::size_t quote = rest_.find('"', 1);
+      if (quote == std::string_view::npos) {
+        fail(first_line,
+             "the quotation mark in front of " + quoted_word(cell.empty() ? rest_.substr(1) : cell) + " is not closed");
+      }
+      const std::string_view part = rest_.substr(1, quote - 1);
+      cell += part;
+      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
+      rest_.remove_prefix(quote + 1);
+      if (!rest_.starts_with('"')) break;
+      cell += '"';
+    }
+    skip_blanks();
+    const std::string_view behind = take_to_cell_end();
+    if (!behind.empty()) {
+      fail(line_, quoted_word(behind) + " follows a closing quotation mark; put a separator between them");
+    }
+    return cell;
+  }
+
+  [[noreturn]] void fail(std::size_t line, const std::string& message) const {
+    throw InputError(source_ + ':' + std::to_string(line) + ": " + message);
+  }
+
+  std::string_view rest_;
+  const std::string& source_;
+  char separator_;
+  std::string cell_ends_;
+  std::size_t line_ = 1;
+  bool quoted_ = false;  // the row that is being read has a quoted cell
+};
+
+}  // namespace
+
+std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator) {
+  return CsvParser(text, source, separator).rows();
+}
+
+namespace {
+
+std::string_view first_line(std::string_view text) {
+  text = without_byte_order_mark(text);
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  // A line that begins with a tab has an empty cell in front.
+  const std::size_t line_begin = text.substr(0, begin).rfind('\n') + 1;
+  return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
+}
+
+/// The line without quoted text and without decimal commas.
+std::string separators_only(std::string_view line) {
+  std::string rest;
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '"') quoted = !quoted;
+    const bool between_digits = i > 0 && i + 1 < line.size() && is_digit(line[i - 1]) && is_digit(line[i + 1]);
+    if (!quoted && !(line[i] == ',' && between_digits)) rest += line[i];
+  }
+  return rest;
+}
+
+}  // namespace
+
+std::optional<char> first_separator(std::string_view text) {
+  const std::string_view line = first_line(text);
+  for (const char separator : {'\t', ';', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return std::nullopt;
+}
+
+char number_separator(std::string_view text) {
+  std::string_view line = first_line(text);
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  const std::string separators = separators_only(line);
+  for (const char separator : {',', '\t', ';'}) {
+    if (separators.find(separator) != std::string::npos) return separator;
+  }
+  return ',';
+}
+
+std::string csv_cell(std::string_view text) {
+  const bool plain = text.find_first_of(",\"\r\n") == std::string_view::npos && text == trim(text);
+  if (plain) return std::string(text);
+  std::string cell = "\"";
+  for (const char c : text) cell.append(c == '"' ? 2 : 1, c);
+  return cell + '"';
+}
+
+std::string csv_line(const std::vector<std::string>& cells) {
+  std::string line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front()) line += ',';
+    line += csv_cell(cell);
+  }
+  return line + '\n';
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,417 @@
+#include "shapegauge/datasets/files/npy.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fmt/format.h>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/scanner.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::string_view magic = "\x93NUMPY";
+constexpr std::size_t alignment = 64;  // of the data, as NumPy has it
+
+// Reads the dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }: of the Python literals only those
+// that such a header can have, keys in any order.
+class DictionaryReader {
+ public:
+  DictionaryReader(std::string_view text, std::size_t begin, const std::string& source)
+      : text_(text), begin_(begin), source_(source) {}
+
+  NpyHeader read() {
+    NpyHeader header;
+    expect('{');
+    while (!take('}')) {
+      read_entry(header);
+      if (!take(',') && peek() != '}') fail("expected , or } in the header");
+    }
+    if (peek() != '\0') fail("something follows the dictionary in the header");
+    if (!has_type_ || !has_order_ || !has_shape_) {
+      fail("the header must have the keys 'descr', 'fortran_order' and 'shape'");
+    }
+    return header;
+  }
+
+ private:
+  void read_entry(NpyHeader& header) {
+    const std::string_view key = read_string();
+    expect(':');
+    if (key == "descr") {
+      if (peek() == '[') fail("the file holds records; save a plain matrix of float32 or float64");
+      header.type = read_string();
+      has_type_ = true;
+    } else if (key == "fortran_order") {
+      header.column_by_column = read_boolean();
+      has_order_ = true;
+    } else if (key == "shape") {
+      header.shape = read_shape();
+      has_shape_ = true;
+    } else {
+      fail(fmt::format("the header has an unknown key {}", quoted_word(key)));
+    }
+  }
+
+  std::string_view read_string() {
+    const char quote = peek();
+    if (quote != '\'' && quote != '"') fail("expected a string in the header");
+    const std::size_t end = text_.find(quote, position_ + 1);
+    if (end == std::string_view::npos) fail("a string in the header does not end");
+    const std::string_view string = text_.substr(position_ + 1, end - position_ - 1);
+    position_ = end + 1;
+    return string;
+  }
+
+  bool read_boolean() {
+    peek();
+    for (const auto& [word, value] : {std::pair<std::string_view, bool>{"True", true}, {"False", false}}) {
+      if (!text_.substr(position_).starts_with(word)) continue;
+      position_ += word.size();
+      return value;
+    }
+    fail("expected True or False in the header");
+  }
+
+  std::vector<std::uint64_t> read_shape() {
+    std::vector<std::uint64_t> shape;
+    expect('(');
+    while (!take(')')) {
+      shape.push_back(read_whole_number());
+      if (!take(',') && peek() != ')') fail("expected , or ) in the shape");
+    }
+    return shape;
+  }
+
+  std::uint64_t read_whole_number() {
+    peek();
+    std::uint64_t value = 0;
+    const char* const first = text_.data() + position_;
+    const auto [stop, error] = std::from_chars(first, text_.data() + text_.size(), value);
+    if (error != std::errc()) fail("expected a whole number in the shape");
+    position_ += static_cast<std::size_t>(stop - first);
+    take('L');  // written by Python 2
+    return value;
+  }
+
+  // The next character that is not white space, '\0' at the end. It stays.
+  char peek() {
+    while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n')) ++position_;
+    return position_ < text_.size() ? text_[position_] : '\0';
+  }
+
+  bool take(char wanted) {
+    if (peek() != wanted) return false;
+    ++position_;
+    return true;
+  }
+
+  void expect(char wanted) {
+    if (!take(wanted)) fail(fmt::format("expected {} in the header", wanted));
+  }
+
+  [[noreturn]] void fail(std::string_view message) const {
+    throw InputError(fmt::format("{}: byte {}: {}", source_, begin_ + position_, message));
+  }
+
+  std::string_view text_;
+  std::size_t begin_;
+  const std::string& source_;
+  std::size_t position_ = 0;
+  bool has_type_ = false;
+  bool has_order_ = false;
+  bool has_shape_ = false;
+};
+
+}  // namespace
+
+NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
+  if (!bytes.starts_with(magic)) {
+    throw InputError(source + ": this is no .npy file, which begins with the byte 147 and \"NUMPY\"");
+  }
+  ByteScanner scanner(bytes.substr(magic.size()), std::endian::little);
+  std::uint8_t major = 0;
+  std::uint8_t minor = 0;
+  std::uint32_t length = 0;
+  std::uint16_t short_length = 0;
+  bool complete = scanner.read(major) && scanner.read(minor);
+  if (complete && (major < 1 || major > 3)) {
+    throw InputError(fmt::format("{}: version {}.{} of .npy is not known, only 1 to 3 are", source, major, minor));
+  }
+  if (complete && major == 1) {
+    complete = scanner.read(short_length);
+    length = short_length;
+  } else if (complete) {
+    complete = scanner.read(length);
+  }
+  if (!complete || scanner.remaining() < length) {
+    throw InputError(fmt::format("{}: the file ends after {} bytes, within its header", source, bytes.size()));
+  }
+  const std::size_t begin = bytes.size() - scanner.remaining();
+  NpyHeader header = DictionaryReader(bytes.substr(begin, length), begin, source).read();
+  header.data_begin = begin + length;
+  return header;
+}
+
+namespace {
+
+std::string header_of_shape(const std::string& shape) {
+  std::string dictionary = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({}), }}", shape);
+  const std::size_t fixed = magic.size() + 2 + sizeof(std::uint16_t);
+  while ((fixed + dictionary.size() + 1) % alignment != 0) dictionary += ' ';
+  dictionary += '\n';
+  std::string header(magic);
+  header.append({'\x01', '\x00'});
+  append_number(header, static_cast<std::uint16_t>(dictionary.size()));
+  return header + dictionary;
+}
+
+}  // namespace
+
+std::string npy_header_of_matrix(std::size_t rows, std::size_t columns) {
+  return header_of_shape(fmt::format("{}, {}", rows, columns));
+}
+
+std::string npy_header_of_vector(std::size_t size) { return header_of_shape(fmt::format("{},", size)); }
+
+namespace {
+
+std::string shape_as_text(const NpyHeader& header) {
+  return fmt::format("({})", printable(fmt::format("{}", fmt::join(header.shape, ", ")), 60));
+}
+
+template <typename Number, std::endian order>
+void decode(const char* bytes, std::size_t count, double* numbers) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<char, sizeof(Number)> raw;
+    std::memcpy(raw.data(), bytes + i * sizeof(Number), sizeof(Number));
+    if constexpr (order != std::endian::native) std::ranges::reverse(raw);
+    numbers[i] = static_cast<double>(std::bit_cast<Number>(raw));
+  }
+}
+
+template <typename Number>
+NumberFormat format_in(std::endian order) {
+  return {.bytes = sizeof(Number),
+          .decode = order == std::endian::big ? decode<Number, std::endian::big> : decode<Number, std::endian::little>};
+}
+
+// IEEE 754 binary16.
+struct Half {
+  std::uint16_t bits = 0;
+
+  explicit operator double() const {
+    const int exponent = (bits >> 10) & 0x1F;
+    const int fraction = bits & 0x3FF;
+    const double sign = (bits >> 15) != 0 ? -1.0 : 1.0;
+    if (exponent == 0x1F) {
+      return fraction == 0 ? sign * std::numeric_limits<double>::infinity() : std::numeric_limits<double>::quiet_NaN();
+    }
+    return sign * (exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(fraction + 0x400, exponent - 25));
+  }
+};
+
+NumberFormat number_format_of(const NpyHeader& header, const std::string& source) {
+  struct Kind {
+    std::string_view name;
+    NumberFormat (*format)(std::endian);
+  };
+  static constexpr std::array kinds = {
+      Kind{"f8", format_in<double>},        Kind{"f4", format_in<float>},         Kind{"f2", format_in<Half>},
+      Kind{"i1", format_in<std::int8_t>},   Kind{"i2", format_in<std::int16_t>},  Kind{"i4", format_in<std::int32_t>},
+      Kind{"i8", format_in<std::int64_t>},  Kind{"u1", format_in<std::uint8_t>},  Kind{"u2", format_in<std::uint16_t>},
+      Kind{"u4", format_in<std::uint32_t>}, Kind{"u8", format_in<std::uint64_t>}, Kind{"b1", format_in<std::uint8_t>},
+  };
+  const std::string_view type = header.type;
+  const auto* const kind = std::ranges::find(kinds, type.substr(std::min<std::size_t>(1, type.size())), &Kind::name);
+  const bool known_order = type.find_first_of("<>|=") == 0;
+  if (known_order && kind != kinds.end()) {
+    return kind->format(type.starts_with('>')   ? std::endian::big
+                        : type.starts_with('=') ? std::endian::native
+                                                : std::endian::little);
+  }
+  if (type.ends_with('O')) {
+    throw InputError(
+        fmt::format("{}: the array holds Python objects, which are not read; save numbers as float64, and labels as "
+                    "numpy.array(labels, dtype=str)",
+                    source));
+  }
+  throw InputError(
+      fmt::format("{}: numbers of type {} are not supported; save the array as float64", source, quoted_word(type)));
+}
+
+void check_shape(const NpyHeader& header, bool square, const std::string& source) {
+  const std::vector<std::uint64_t>& shape = header.shape;
+  if (square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
+    throw InputError(
+        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
+  }
+  const bool table = shape.size() == 1 || shape.size() == 2;
+  if (!table || std::ranges::find(shape, std::uint64_t{0}) != shape.end()) {
+    throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
+                                 shape_as_text(header)));
+  }
+}
+
+std::uint64_t columns_of(const NpyHeader& header) { return header.shape.size() == 1 ? 1 : header.shape[1]; }
+
+void check_data_size(const NpyHeader& header, std::size_t item, std::size_t file_size, const std::string& source) {
+  const std::size_t data_bytes = file_size - header.data_begin;
+  const std::uint64_t rows = header.shape[0];
+  const std::uint64_t columns = columns_of(header);
+  // Compared by division: the claimed size may be so large that the product does not fit into a number.
+  if (rows <= data_bytes / item / columns && rows * columns * item == data_bytes) return;
+  throw InputError(
+      fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
+                  "type {} has; the file is cut off or damaged",
+                  source, data_bytes, shape_as_text(header), printable(header.type, 40)));
+}
+
+/// How the strings of an array lie in its file.
+struct StringFormat {
+  bool unicode = false;  ///< a character has four bytes, not one
+  std::endian order = std::endian::little;
+  std::size_t length = 0;  ///< in characters; shorter ones are followed by zeros
+};
+
+/// Nothing for a type that is not of strings.
+std::optional<StringFormat> string_format_of(std::string_view type) {
+  if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) return std::nullopt;
+  if (type[1] != 'U' && type[1] != 'S') return std::nullopt;
+  StringFormat format{
+      .unicode = type[1] == 'U',
+      .order = type[0] == '>' ? std::endian::big : (type[0] == '=' ? std::endian::native : std::endian::little)};
+  const char* const end = type.data() + type.size();
+  const auto [stop, error] = std::from_chars(type.data() + 2, end, format.length);
+  constexpr std::size_t longest = 1 << 20;
+  if (error != std::errc() || stop != end || format.length == 0 || format.length > longest) return std::nullopt;
+  return format;
+}
+
+void append_utf8(std::string& text, std::uint32_t character) {
+  const auto append = [&](std::uint32_t byte) { text += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (character < 0x80) return append(character);
+  if (character < 0x800) {
+    append(0xC0U | (character >> 6U));
+  } else {
+    if (character < 0x10000) {
+      append(0xE0U | (character >> 12U));
+    } else {
+      append(0xF0U | (character >> 18U));
+      append(0x80U | ((character >> 12U) & 0x3FU));
+    }
+    append(0x80U | ((character >> 6U) & 0x3FU));
+  }
+  append(0x80U | (character & 0x3FU));
+}
+
+/// One string of `format.length` characters, without trailing zeros; nothing for invalid Unicode.
+std::optional<std::string> decoded_string(std::string_view bytes, const StringFormat& format) {
+  if (!format.unicode) return std::string(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
+  std::u32string characters;
+  ByteScanner scanner(bytes, format.order);
+  for (std::uint32_t character = 0; scanner.read(character);) {
+    if (character > 0x10FFFF || (character >= 0xD800 && character < 0xE000)) return std::nullopt;
+    characters += static_cast<char32_t>(character);
+  }
+  characters.erase(characters.find_last_not_of(U'\0') + 1);
+  std::string text;
+  for (const char32_t character : characters) append_utf8(text, character);
+  return text;
+}
+
+DistanceMatrix decoded(std::string_view bytes, const NpyTable& table) {
+  const bool turned = table.column_by_column;
+  DistanceMatrix matrix(turned ? table.columns : table.rows, turned ? table.rows : table.columns);
+  table.numbers.decode(bytes.data() + table.data_begin, static_cast<std::size_t>(matrix.size()), matrix.data());
+  if (turned) matrix.transposeInPlace();
+  return matrix;
+}
+
+}  // namespace
+
+NumberFormat float32_format() { return format_in<float>(std::endian::little); }
+
+NpyTable parse_npy_table_header(std::string_view beginning, std::size_t file_size, bool square,
+                                const std::string& source) {
+  const NpyHeader header = parse_npy_header(beginning, source);
+  check_shape(header, square, source);
+  const NumberFormat numbers = number_format_of(header, source);
+  check_data_size(header, numbers.bytes, file_size, source);
+  return {.rows = static_cast<Eigen::Index>(header.shape[0]),
+          .columns = static_cast<Eigen::Index>(columns_of(header)),
+          .numbers = numbers,
+          .column_by_column = header.column_by_column,
+          .data_begin = header.data_begin};
+}
+
+DistanceMatrix parse_npy(std::string_view bytes, const std::string& source) {
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), true, source));
+}
+
+DistanceMatrix parse_npy_table(std::string_view bytes, const std::string& source) {
+  return decoded(bytes, parse_npy_table_header(bytes, bytes.size(), false, source));
+}
+
+std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes, const std::string& source) {
+  const NpyHeader header = parse_npy_header(bytes, source);
+  const std::optional<StringFormat> format = string_format_of(header.type);
+  if (!format) return std::nullopt;
+  check_shape(header, false, source);
+  if (header.shape[0] != 1 && columns_of(header) != 1) {
+    throw InputError(fmt::format("{}: expected strings in one dimension, but this array has the shape {}", source,
+                                 shape_as_text(header)));
+  }
+  const std::size_t item = format->length * (format->unicode ? 4 : 1);
+  check_data_size(header, item, bytes.size(), source);
+  std::vector<std::string> strings;
+  for (std::size_t begin = header.data_begin; begin < bytes.size(); begin += item) {
+    std::optional<std::string> string = decoded_string(bytes.substr(begin, item), *format);
+    if (!string) {
+      throw InputError(fmt::format("{}: entry {} (counted from 0) is not valid Unicode; the file is damaged", source,
+                                   strings.size()));
+    }
+    strings.push_back(*std::move(string));
+  }
+  return strings;
+}
+
+std::string npy_numbers(std::span<const double> numbers) {
+  std::string bytes;
+  bytes.reserve(numbers.size_bytes());
+  for (const double number : numbers) append_number(bytes, number);
+  return bytes;
+}
+
+namespace {
+
+void write_numbers(const std::filesystem::path& path, std::string header, std::span<const double> numbers) {
+  write_file_atomically(path, header.append(npy_numbers(numbers)));
+}
+
+}  // namespace
+
+void write_npy(const std::filesystem::path& path, const DistanceMatrix& matrix) {
+  write_numbers(path,
+                npy_header_of_matrix(static_cast<std::size_t>(matrix.rows()), static_cast<std::size_t>(matrix.cols())),
+                {matrix.data(), static_cast<std::size_t>(matrix.size())});
+}
+
+void write_npy_vector(const std::filesystem::path& path, const Eigen::VectorXd& values) {
+  const auto size = static_cast<std::size_t>(values.size());
+  write_numbers(path, npy_header_of_vector(size), {values.data(), size});
+}
+
+}  // namespace shapegauge

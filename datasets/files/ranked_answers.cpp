@@ -1,0 +1,157 @@
+#include "shapegauge/datasets/files/ranked_answers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/files/compressed_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(separators), line.size()));
+    if (line.empty()) return words;
+    words.push_back(line.substr(0, line.find_first_of(separators)));
+    line.remove_prefix(words.back().size());
+  }
+}
+
+// The words of each line that is not blank, with where it is.
+struct WordLine {
+  std::vector<std::string_view> words;
+  std::string where;
+};
+
+std::vector<WordLine> word_lines(std::string_view text, const std::string& source, std::string_view separators) {
+  std::vector<WordLine> lines;
+  std::size_t number = 0;
+  for (const std::string_view line : split_lines(text)) {
+    ++number;
+    std::vector<std::string_view> words = words_of(line, separators);
+    if (!words.empty()) lines.push_back({std::move(words), fmt::format("{}:{}", source, number)});
+  }
+  if (lines.empty()) throw InputError(fmt::format("{}: there are no lines to read", source));
+  return lines;
+}
+
+void expect_words(const WordLine& line, std::size_t count, std::string_view form) {
+  if (line.words.size() == count) return;
+  throw InputError(fmt::format("{}: {} words where a line is \"{}\"", line.where, line.words.size(), form));
+}
+
+// Whether the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
+bool begins_like_a_run(std::string_view text) {
+  const std::vector<std::string_view> words = words_of(text.substr(0, text.find('\n')), " \t\r");
+  return words.size() == 6 && (words[1] == "Q0" || words[1] == "q0");
+}
+
+// Gives each query its place, and refuses a model that a query has already.
+class Queries {
+ public:
+  // The place of the query; the next free one where it is new.
+  std::size_t place_of(std::string_view query) {
+    return places_.emplace(std::string(query), places_.size()).first->second;
+  }
+
+  void add_model(std::size_t place, std::string_view model, const std::string& where) {
+    if (place >= models_.size()) models_.resize(place + 1);
+    if (models_[place].emplace(model).second) return;
+    throw InputError(fmt::format("{}: the model {} occurs twice for this query", where, quoted_word(model)));
+  }
+
+ private:
+  std::unordered_map<std::string, std::size_t> places_;
+  std::vector<std::unordered_set<std::string>> models_;
+};
+
+}  // namespace
+
+RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
+  RankedAnswers result;
+  Queries queries;
+  std::set<std::string> tags;
+  for (const WordLine& line : word_lines(text, source, " \t")) {
+    expect_words(line, 6, "query Q0 model rank score tag");
+    const auto score = parse_number(line.words[4]);
+    if (!score || !std::isfinite(*score)) {
+      throw InputError(fmt::format("{}: the score {} is no finite number", line.where, quoted_word(line.words[4])));
+    }
+    const std::size_t place = queries.place_of(line.words[0]);
+    queries.add_model(place, line.words[2], line.where);
+    if (place == result.answers.size()) result.answers.push_back({std::string(line.words[0]), {}});
+    result.answers[place].models.emplace_back(line.words[2], -*score);
+    tags.emplace(line.words[5]);
+  }
+  if (tags.size() == 1) result.name = *tags.begin();
+  return result;
+}
+
+RankedAnswers parse_ranked_lists(std::string_view text, const std::string& source) {
+  RankedAnswers result;
+  Queries queries;
+  for (const WordLine& line : word_lines(text, source, " \t,")) {
+    if (line.words.size() < 2) throw InputError(fmt::format("{}: the query has no models", line.where));
+    const std::size_t place = queries.place_of(line.words[0]);
+    if (place < result.answers.size()) {
+      throw InputError(fmt::format("{}: the query {} has a line already", line.where, quoted_word(line.words[0])));
+    }
+    result.answers.push_back({std::string(line.words[0]), {}});
+    for (std::size_t rank = 1; rank < line.words.size(); ++rank) {
+      queries.add_model(place, line.words[rank], line.where);
+      result.answers[place].models.emplace_back(line.words[rank], static_cast<double>(rank));
+    }
+  }
+  return result;
+}
+
+Judgements parse_qrels(std::string_view text, const std::string& source) {
+  Judgements result;
+  Queries queries;
+  for (const WordLine& line : word_lines(text, source, " \t")) {
+    expect_words(line, 4, "query iteration model grade");
+    int grade = 0;
+    const std::string_view digits = line.words[3];
+    const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), grade);
+    if (error != std::errc() || stop != digits.data() + digits.size()) {
+      throw InputError(fmt::format("{}: the grade {} is no whole number", line.where, quoted_word(digits)));
+    }
+    const std::size_t place = queries.place_of(line.words[0]);
+    queries.add_model(place, line.words[2], line.where);
+    if (place == result.queries.size()) result.queries.push_back({std::string(line.words[0]), {}, {}, {}});
+    Judgements::Judged& judged = result.queries[place];
+    if (grade > 0) {
+      judged.relevant.emplace_back(line.words[2]);
+      judged.grades.push_back(grade);
+    } else {
+      judged.irrelevant.emplace_back(line.words[2]);
+    }
+    result.graded = result.graded || grade > 1;
+  }
+  return result;
+}
+
+bool is_ranked_answers_file(const std::filesystem::path& path) {
+  const std::string extension = format_extension(path);
+  if (extension == ".run" || extension == ".trec" || extension == ".lists") return true;
+  return extension == ".txt" && begins_like_a_run(read_plain_bytes(path));
+}
+
+RankedAnswers read_ranked_answers(const std::filesystem::path& path) {
+  const std::string text = read_plain_bytes(path);
+  return format_extension(path) == ".lists" ? parse_ranked_lists(text, path.string())
+                                            : parse_trec_run(text, path.string());
+}
+
+Judgements read_qrels(const std::filesystem::path& path) { return parse_qrels(read_plain_bytes(path), path.string()); }
+
+}  // namespace shapegauge

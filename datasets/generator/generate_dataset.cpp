@@ -1,0 +1,259 @@
+#include "shapegauge/datasets/generator/generate_dataset.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/format.h>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/generator/articulated_body.h"
+#include "shapegauge/datasets/generator/class_skeletons.h"
+#include "shapegauge/datasets/generator/mesh_solid.h"
+#include "shapegauge/datasets/generator/object_classes.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr Parameter seed_parameter{.name = "seed",
+                                   .kind = ParameterKind::integer,
+                                   .default_value = std::int64_t{1},
+                                   .bounds = seed_bounds,
+                                   .description = "The same seed makes the same shapes."};
+
+constexpr Parameter faces_parameter{.name = "faces",
+                                    .kind = ParameterKind::integer,
+                                    .default_value = std::int64_t{GeneratorOptions{}.faces},
+                                    .bounds = {.low = 1000, .high = 100'000},
+                                    .description = "Triangles of a model, approximately."};
+
+constexpr int most_models = 1000;
+
+/// The classes' names, in their order: articulated bodies, then objects.
+const std::vector<std::string>& class_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (std::size_t c = 0; c < class_count(); ++c) all.push_back(class_skeleton(c).name);
+    for (const ObjectClass& objects : object_classes()) all.push_back(objects.name);
+    return all;
+  }();
+  return names;
+}
+
+/// Draws objects of a class until one can be meshed.
+SolidMesh draw_object(const ObjectClass& objects, int faces, RandomNumbers& random) {
+  constexpr int attempts = 10;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (std::optional<SolidMesh> mesh = mesh_solid(objects.draw(random), faces)) return *std::move(mesh);
+  }
+  throw std::runtime_error(
+      fmt::format("no object of the generated class {} can be meshed; raise the number of faces", objects.name));
+}
+
+/// Draws the models of a class, each with random numbers of its own.
+class ClassModels {
+ public:
+  ClassModels(std::size_t class_index, int faces, std::uint64_t seed)
+      : class_index_(class_index), faces_(faces), seed_(seed) {
+    if (class_index < class_count()) body_ = make_body(class_skeleton(class_index), faces);
+  }
+
+  /// An individual in a pose, or an object.
+  [[nodiscard]] SolidMesh draw(std::size_t model) const {
+    RandomNumbers random(seed_, (class_index_ << 32U) + model);
+    if (body_) return {draw_model(*body_, random), body_->labels};
+    return draw_object(object_classes()[class_index_ - class_count()], faces_, random);
+  }
+
+ private:
+  std::size_t class_index_;
+  int faces_;
+  std::uint64_t seed_;
+  std::optional<ArticulatedBody> body_;
+};
+
+/// The names of a class's parts, by label.
+std::vector<std::string> part_names(std::size_t class_index) {
+  if (class_index >= class_count()) return object_classes()[class_index - class_count()].parts;
+  std::vector<std::string> names;
+  for (const Limb& limb : class_skeleton(class_index).limbs) names.push_back(part_name(limb));
+  return names;
+}
+
+void check_options(const GeneratorOptions& options) {
+  require_in_bounds("the number of classes", options.classes,
+                    {.low = 1, .high = static_cast<double>(class_names().size())});
+  require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
+  require_in_bounds("the number of faces", options.faces, faces_parameter.bounds);
+}
+
+bool belongs_to_dataset(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  if (name == "test.cla" || name == "parts.json") return true;
+  const std::string stem = file.stem().string();
+  const bool numbered =
+      stem.size() > 1 && stem[0] == 'T' && stem.find_first_not_of("0123456789", 1) == std::string::npos;
+  return numbered && (file.extension() == ".off" || file.extension() == ".seg");
+}
+
+// Makes the folder and sees to it that it holds no data set.
+void prepare_folder(const std::filesystem::path& folder, bool force) {
+  try {
+    std::filesystem::create_directories(folder);
+    std::vector<std::filesystem::path> old_files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (belongs_to_dataset(entry.path())) old_files.push_back(entry.path());
+    }
+    if (!old_files.empty() && !force) {
+      throw InputError(fmt::format("{} holds a data set already ({}); choose another folder, or --force to replace it",
+                                   folder.string(),
+                                   std::min_element(old_files.begin(), old_files.end())->filename().string()));
+    }
+    for (const std::filesystem::path& file : old_files) std::filesystem::remove(file);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw InputError(fmt::format("cannot write a data set to {}: {}", folder.string(), error.code().message()));
+  }
+}
+
+// The numbers 0, 1, ... of all models in random order (Fisher-Yates); class c has those from c * models_per_class on.
+std::vector<int> scattered_numbers(const GeneratorOptions& options) {
+  std::vector<int> numbers(static_cast<std::size_t>(options.classes) *
+                           static_cast<std::size_t>(options.models_per_class));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  RandomNumbers random(options.seed, ~std::uint64_t{0});
+  for (std::size_t i = numbers.size(); i > 1; --i) std::swap(numbers[i - 1], numbers[random.below(i)]);
+  return numbers;
+}
+
+std::string segmentation_text(const Eigen::VectorXi& labels) {
+  std::string text;
+  for (const int label : labels) text += std::to_string(label) + '\n';
+  return text;
+}
+
+class ProgressCounter {
+ public:
+  ProgressCounter(const GeneratorProgress& progress, std::size_t total)
+      : progress_(progress), total_(static_cast<int>(total)) {}
+
+  void count_one() {
+    const std::scoped_lock lock(mutex_);
+    ++done_;
+    if (progress_) progress_(done_, total_);
+  }
+
+ private:
+  const GeneratorProgress& progress_;
+  std::mutex mutex_;
+  int done_ = 0;
+  int total_;
+};
+
+struct Models {
+  std::vector<int> numbers;  // of all classes
+  std::filesystem::path folder;
+};
+
+void write_class(std::size_t class_index, const Models& models, const GeneratorOptions& options,
+                 ProgressCounter& counter) {
+  const ClassModels drawn(class_index, options.faces, options.seed);
+  const auto count = static_cast<std::size_t>(options.models_per_class);
+  parallel_for(std::size_t{0}, count, [&](std::size_t model) {
+    const std::string name = fmt::format("T{}", models.numbers[class_index * count + model]);
+    const SolidMesh made = drawn.draw(model);
+    write_off(models.folder / (name + ".off"), made.mesh);
+    write_file_atomically(models.folder / (name + ".seg"), segmentation_text(made.labels));
+    counter.count_one();
+  });
+}
+
+void write_parts(const std::filesystem::path& folder, std::size_t classes) {
+  nlohmann::ordered_json parts;
+  for (std::size_t c = 0; c < classes; ++c) parts[class_names()[c]] = part_names(c);
+  write_file_atomically(folder / "parts.json", parts.dump(2) + '\n');
+}
+
+Classification classification_of(const std::vector<int>& numbers, const GeneratorOptions& options) {
+  Classification classification;
+  auto number = numbers.begin();
+  for (int c = 0; c < options.classes; ++c) {
+    ModelClass model_class;
+    model_class.name = class_names()[static_cast<std::size_t>(c)];
+    for (int m = 0; m < options.models_per_class; ++m) model_class.models.push_back(std::to_string(*number++));
+    classification.classes.push_back(std::move(model_class));
+  }
+  return classification;
+}
+
+}  // namespace
+
+std::vector<std::string> generated_class_names() { return class_names(); }
+
+std::span<const Parameter> generator_parameters() {
+  const GeneratorOptions usual;
+  static const std::vector<Parameter> parameters{
+      {.name = "classes",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{usual.classes},
+       .bounds = {.low = 1, .high = static_cast<double>(class_names().size())},
+       .description = "Number of classes."},
+      {.name = "models_per_class",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{usual.models_per_class},
+       .bounds = {.low = 1, .high = most_models},
+       .description = "Models of each class."},
+      faces_parameter,
+      seed_parameter};
+  return parameters;
+}
+
+std::span<const Parameter> generated_model_parameters() {
+  static const std::vector<std::string_view> names(class_names().begin(), class_names().end());
+  static const std::vector<Parameter> parameters{
+      {.name = "class", .kind = ParameterKind::choice, .choices = names, .description = "Name of the class."},
+      {.name = "model",
+       .kind = ParameterKind::integer,
+       .default_value = std::int64_t{0},
+       .bounds = {.low = 0, .high = most_models - 1},
+       .description = "Which of the models of its class, from 0."},
+      faces_parameter,
+      seed_parameter};
+  return parameters;
+}
+
+Shape generate_model(const GeneratedModel& wanted) {
+  const auto found = std::ranges::find(class_names(), wanted.model_class);
+  if (found == class_names().end()) {
+    throw InputError(fmt::format("there is no class \"{}\" to generate", wanted.model_class));
+  }
+  require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
+  require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);
+  const auto class_index = static_cast<std::size_t>(found - class_names().begin());
+  return ClassModels(class_index, wanted.faces, wanted.seed).draw(static_cast<std::size_t>(wanted.model)).mesh;
+}
+
+void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
+                      const GeneratorProgress& progress) {
+  check_options(options);
+  prepare_folder(folder, options.force);
+  const Models models{scattered_numbers(options), folder};
+  const auto classes = static_cast<std::size_t>(options.classes);
+  ProgressCounter counter(progress, models.numbers.size());
+  parallel_for(std::size_t{0}, classes, [&](std::size_t c) { write_class(c, models, options, counter); });
+  write_parts(folder, classes);
+  write_classification(folder / "test.cla", classification_of(models.numbers, options));
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,318 @@
+#include "shapegauge/datasets/layouts/labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/npy.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Collects models under the names of their classes and refuses a model that is there already.
+class Collector {
+ public:
+  explicit Collector(const std::string& where) : where_(where) {}
+
+  void add(const std::string& id, const std::string& class_name, const std::string& where) {
+    const auto [known, added] = class_of_model_.emplace(canonical_model_id(id), class_name);
+    if (!added) throw InputError(fmt::format("{}: the model {} occurs twice", where, quoted_word(id)));
+    const auto [position, is_new] = positions_.emplace(class_name, classes_.classes.size());
+    if (is_new) classes_.classes.push_back({.name = class_name, .parent = std::nullopt, .models = {}});
+    classes_.classes[position->second].models.push_back(id);
+  }
+
+  [[nodiscard]] Classification result() const {
+    if (classes_.classes.empty()) throw InputError(fmt::format("{}: there are no models", where_));
+    return classes_;
+  }
+
+ private:
+  std::string where_;
+  Classification classes_;
+  std::map<std::string, std::size_t> positions_;
+  std::unordered_map<std::string, std::string> class_of_model_;
+};
+
+struct Roles {
+  bool query = true;
+  bool target = true;
+};
+
+Roles roles_of(const std::string& split, const std::string& where) {
+  if (split.empty() || split == "both") return {};
+  if (split == "query" || split == "test" || split == "probe") return {.query = true, .target = false};
+  if (split == "target" || split == "train" || split == "gallery") return {.query = false, .target = true};
+  throw InputError(fmt::format("{}: the split is {}; known are query (test, probe), target (train, gallery) and both",
+                               where, quoted_word(split)));
+}
+
+ModelLabels all_are_both(Classification classification, const fs::path& path) {
+  const std::vector<std::string> models = models_in_file_order(classification);
+  return {.classification = std::move(classification),
+          .queries = models,
+          .targets = models,
+          .models = models,
+          .separate_sets = false,
+          .listed = false,
+          .without_ids = false,
+          .source = path.string()};
+}
+
+// Where a table has what.
+struct LabelColumns {
+  std::optional<std::size_t> id;
+  std::optional<std::size_t> name;
+  std::optional<std::size_t> split;
+  bool named = false;  // the first row says so
+};
+
+LabelColumns columns_of(const CsvRow& first, const std::string& source) {
+  static constexpr std::array ids = {"id", "name", "model", "file", "filename"};
+  static constexpr std::array names = {"class", "label", "category"};
+  LabelColumns columns;
+  for (std::size_t i = 0; i < first.cells.size(); ++i) {
+    const std::string cell = lower_case(first.cells[i]);
+    if (!columns.id && std::ranges::find(ids, cell) != ids.end()) columns.id = i;
+    if (!columns.name && std::ranges::find(names, cell) != names.end()) columns.name = i;
+    if (!columns.split && cell == "split") columns.split = i;
+  }
+  columns.named = columns.id || columns.name;
+  const bool two = first.cells.size() == 2;
+  if (!columns.named && two) return {.id = 0, .name = 1, .split = std::nullopt, .named = false};
+  if (columns.id && columns.name) return columns;
+  throw InputError(fmt::format(
+      "{}: the first row must name the columns id and class (and may name split), unless there are two columns only",
+      source));
+}
+
+void check_cells(const CsvRow& row, std::size_t columns, const LabelColumns& where_is, const std::string& where) {
+  if (row.cells.size() != columns) {
+    throw InputError(fmt::format("{}: {} cells where the first row has {}", where, row.cells.size(), columns));
+  }
+  if (row.cells[*where_is.id].empty() || row.cells[*where_is.name].empty()) {
+    throw InputError(fmt::format("{}: the {} is empty", where, row.cells[*where_is.id].empty() ? "id" : "class"));
+  }
+}
+
+ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string& source) {
+  if (rows.empty()) throw InputError(fmt::format("{}: there are no models", source));
+  const LabelColumns columns = columns_of(rows.front(), source);
+  Collector collector(source);
+  ModelLabels labels;
+  for (std::size_t i = columns.named ? 1 : 0; i < rows.size(); ++i) {
+    const std::string where = fmt::format("{}:{}", source, rows[i].line);
+    const std::vector<std::string>& cells = rows[i].cells;
+    check_cells(rows[i], rows.front().cells.size(), columns, where);
+    collector.add(cells[*columns.id], cells[*columns.name], where);
+    labels.models.push_back(cells[*columns.id]);
+    const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
+    if (roles.query) labels.queries.push_back(cells[*columns.id]);
+    if (roles.target) labels.targets.push_back(cells[*columns.id]);
+    if (!roles.query || !roles.target) labels.separate_sets = true;
+  }
+  labels.classification = collector.result();
+  labels.listed = true;
+  labels.source = source;
+  return labels;
+}
+
+// Labels of models that have no ids, in their order.
+ModelLabels labels_in_order(const std::vector<std::string>& names, const std::string& source) {
+  Collector collector(source);
+  ModelLabels labels;
+  for (const std::string& name : names) {
+    labels.models.push_back(std::to_string(labels.models.size()));
+    collector.add(labels.models.back(), name, source);
+  }
+  labels.classification = collector.result();
+  labels.queries = labels.targets = labels.models;
+  labels.listed = true;
+  labels.without_ids = true;
+  labels.source = source;
+  return labels;
+}
+
+ModelLabels string_labels(const std::vector<std::string>& names, const std::string& source) {
+  const auto empty = std::ranges::find(names, std::string());
+  if (empty != names.end()) {
+    throw InputError(
+        fmt::format("{}: entry {} (counted from 0) is empty: every model has a class", source, empty - names.begin()));
+  }
+  return labels_in_order(names, source);
+}
+
+ModelLabels read_label_array(const fs::path& path) {
+  const std::string bytes = read_plain_bytes(path);
+  if (const auto names = parse_npy_strings(bytes, path.string())) return string_labels(*names, path.string());
+  const DistanceMatrix numbers = parse_npy_table(bytes, path.string());
+  if (numbers.rows() != 1 && numbers.cols() != 1) {
+    throw InputError(fmt::format("{}: labels are an array of one dimension, not {} x {}", path.string(), numbers.rows(),
+                                 numbers.cols()));
+  }
+  std::vector<std::string> names;
+  for (Eigen::Index i = 0; i < numbers.size(); ++i) {
+    const double number = numbers.data()[i];
+    if (!(std::abs(number) < 1e15) || number != std::floor(number)) {
+      throw InputError(
+          fmt::format("{}: entry {} (counted from 0) is {}: labels are whole numbers", path.string(), i, number));
+    }
+    names.push_back(fmt::format("{:.0f}", number));
+  }
+  return labels_in_order(names, path.string());
+}
+
+/// Lines "id class" as rows of a table; none where they can also be a list of classes.
+std::vector<CsvRow> rows_of_words(std::string_view text) {
+  std::vector<CsvRow> rows;
+  std::set<std::string> ids;
+  std::set<std::string> names;
+  std::size_t number = 0;
+  for (const std::string_view whole : split_lines(text)) {
+    ++number;
+    const std::string_view line = trim(whole);
+    if (line.empty()) continue;
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    const std::string id(line.substr(0, end));
+    const std::string name(trim(line.substr(end)));
+    const bool header = rows.empty() && lower_case(id) == "id";
+    const bool is_id = header || id.find_first_of("0123456789") != std::string::npos;
+    if (!is_id || name.empty() || !ids.insert(id).second) return {};
+    names.insert(name);
+    rows.push_back({.cells = {id, name}, .line = number});
+  }
+  if (names.size() == rows.size()) return {};
+  return rows;
+}
+
+ModelLabels read_list(const fs::path& path) {
+  if (format_extension(path) == ".npy") return read_label_array(path);
+  const std::string text = read_plain_bytes(path);
+  if (const std::optional<char> separator = first_separator(text)) {
+    return parse_label_table(parse_csv(text, path.string(), *separator), path.string());
+  }
+  if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
+    return parse_label_table(rows, path.string());
+  std::vector<std::string> names;
+  for (const std::string_view line : split_lines(text)) {
+    if (!trim(line).empty()) names.emplace_back(trim(line));
+  }
+  const bool header = !names.empty() && (names.front() == "class" || names.front() == "label");
+  if (header) names.erase(names.begin());
+  return labels_in_order(names, path.string());
+}
+
+Classification read_folders(const fs::path& path) {
+  const Dataset dataset = find_dataset({.layout = "folders", .root = path, .classification = {}, .split = "all"});
+  Classification classification;
+  for (const std::string& name : dataset.classes) {
+    classification.classes.push_back({.name = name, .parent = std::nullopt, .models = {}});
+  }
+  for (const Model& model : dataset.models) {
+    classification.classes[static_cast<std::size_t>(model.label)].models.push_back(model.id);
+  }
+  return classification;
+}
+
+// The classes from the root down to the class itself.
+std::vector<std::size_t> line_of(const Classification& classification, std::size_t position) {
+  std::vector<std::size_t> line = {position};
+  while (classification.classes[line.back()].parent) line.push_back(*classification.classes[line.back()].parent);
+  std::ranges::reverse(line);
+  return line;
+}
+
+Classification at_level(const Classification& classification, std::size_t level, const std::string& source) {
+  if (level == 0) return classification;
+  const bool hierarchy =
+      std::ranges::any_of(classification.classes, [](const ModelClass& known) { return known.parent.has_value(); });
+  if (!hierarchy) {
+    throw InputError(fmt::format("{}: no class has a parent, so there is no level {} to take", source, level));
+  }
+  Collector collector(source);
+  for (std::size_t i = 0; i < classification.classes.size(); ++i) {
+    const std::vector<std::size_t> line = line_of(classification, i);
+    const ModelClass& taken = classification.classes[line[std::min(level, line.size()) - 1]];
+    for (const std::string& model : classification.classes[i].models) collector.add(model, taken.name, source);
+  }
+  return collector.result();
+}
+
+// Models without ids, under ids that no models of another file have.
+ModelLabels told_apart(ModelLabels labels, std::string_view role) {
+  if (!labels.without_ids) return labels;
+  for (std::string& model : labels.models) model = fmt::format("{} {}", role, model);
+  for (ModelClass& known : labels.classification.classes) {
+    for (std::string& model : known.models) model = fmt::format("{} {}", role, model);
+  }
+  return labels;
+}
+
+}  // namespace
+
+ModelLabels read_labels(const fs::path& path, std::size_t level) {
+  if (is_folder(path)) return all_are_both(at_level(read_folders(path), level, path.string()), path);
+  if (lower_case(path.extension().string()) == ".cla") {
+    return all_are_both(at_level(read_classification(path), level, path.string()), path);
+  }
+  ModelLabels labels = read_list(path);
+  labels.classification = at_level(labels.classification, level, labels.source);
+  return labels;
+}
+
+ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path& targets, std::size_t level) {
+  const ModelLabels of_queries = told_apart(read_labels(queries, level), "query");
+  const ModelLabels of_targets = told_apart(read_labels(targets, level), "target");
+  ModelLabels labels{.classification = of_queries.classification,
+                     .queries = of_queries.models,
+                     .targets = of_targets.models,
+                     .models = of_queries.models,
+                     .separate_sets = true,
+                     .listed = of_queries.listed && of_targets.listed,
+                     .without_ids = false,
+                     .source = fmt::format("{} and {}", queries.string(), targets.string())};
+  std::unordered_map<std::string, std::string> class_of_query;
+  for (const ModelClass& known : of_queries.classification.classes) {
+    for (const std::string& model : known.models) class_of_query.emplace(canonical_model_id(model), known.name);
+  }
+  std::vector<ModelClass>& classes = labels.classification.classes;
+  for (const ModelClass& added : of_targets.classification.classes) {
+    auto same = std::ranges::find(classes, added.name, &ModelClass::name);
+    if (same == classes.end()) {
+      classes.push_back({.name = added.name, .parent = std::nullopt, .models = {}});
+      same = std::prev(classes.end());
+    }
+    for (const std::string& model : added.models) {
+      const auto known = class_of_query.find(canonical_model_id(model));
+      if (known == class_of_query.end()) {
+        same->models.push_back(model);
+        labels.models.push_back(model);
+      } else if (known->second != added.name) {
+        throw InputError(fmt::format("{}: model {} is of class {} here and of {} in {}", targets.string(),
+                                     quoted_word(model), quoted_word(added.name), quoted_word(known->second),
+                                     queries.string()));
+      }
+    }
+  }
+  return labels;
+}
+
+}  // namespace shapegauge

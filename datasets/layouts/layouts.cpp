@@ -1,0 +1,258 @@
+#include "shapegauge/datasets/layouts/layouts.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "shapegauge/datasets/files/model_ids.h"
+
+namespace shapegauge {
+
+/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row; paths are
+/// relative to the root. Further columns are allowed. Throws InputError with the line: a table that is absent, empty or
+/// lacks a column, a row of another length, an empty cell, an id that occurs twice.
+Dataset find_csv_dataset(const DatasetLocation& location);
+
+/// The layout "folders": a folder for each class, in it the models, or folders train and test with the models. The id
+/// of a model is its path below the root without the extension. A folder that cannot be read is a model of its class,
+/// which check_models then names. Throws InputError: no class folders, a class without models, two files of one id, a
+/// split that no class has.
+Dataset find_folders_dataset(const DatasetLocation& location);
+
+/// The layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file that says which of them are used
+/// and their classes. A model of the .cla file without a file gets the name that the file should have. Throws
+/// InputError: a .cla file that is absent or wrong, two files for one model.
+Dataset find_shrec11_dataset(const DatasetLocation& location);
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Position of a column by its name in the first row.
+std::size_t column(const CsvRow& header, const std::string& name, const std::string& source) {
+  const auto found = std::ranges::find(header.cells, name);
+  if (found == header.cells.end()) {
+    throw InputError(fmt::format("{}:{}: the first row must name the columns id, path and class; there is no \"{}\"",
+                                 source, header.line, name));
+  }
+  return static_cast<std::size_t>(found - header.cells.begin());
+}
+
+const std::string& cell(const CsvRow& row, std::size_t position, const std::string& name, const std::string& source) {
+  if (row.cells[position].empty()) throw InputError(fmt::format("{}:{}: the {} is empty", source, row.line, name));
+  return row.cells[position];
+}
+
+/// The number of a class, a new one where the name is new.
+int label_of(const std::string& name, Dataset& dataset) {
+  const auto found = std::ranges::find(dataset.classes, name);
+  const auto label = static_cast<int>(found - dataset.classes.begin());
+  if (found == dataset.classes.end()) dataset.classes.push_back(name);
+  return label;
+}
+
+}  // namespace
+
+Dataset find_csv_dataset(const DatasetLocation& location) {
+  const std::string source = location.classification.string();
+  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(location.classification), source);
+  if (rows.size() < 2) throw InputError(fmt::format("{}: no models; expected rows id,path,class", source));
+  const std::size_t id = column(rows[0], "id", source);
+  const std::size_t path = column(rows[0], "path", source);
+  const std::size_t name = column(rows[0], "class", source);
+
+  Dataset dataset;
+  std::map<std::string, std::size_t> lines;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const CsvRow& row = rows[i];
+    if (row.cells.size() != rows[0].cells.size()) {
+      throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
+                                   rows[0].cells.size()));
+    }
+    Model model{.id = cell(row, id, "id", source),
+                .file = location.root / cell(row, path, "path", source),
+                .label = label_of(cell(row, name, "class", source), dataset)};
+    const auto [earlier, added] = lines.emplace(model.id, row.line);
+    if (!added) {
+      throw InputError(
+          fmt::format("{}:{}: the model {} stands in line {} already", source, row.line, model.id, earlier->second));
+    }
+    dataset.models.push_back(std::move(model));
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_readable(const fs::path& folder) {
+  std::error_code failure;
+  const fs::directory_iterator entries(folder, failure);
+  return !failure;
+}
+
+/// The models in the folder or, where it cannot be read, the folder itself as a model that fails.
+std::vector<fs::path> models_or_itself(const fs::path& folder) {
+  return is_readable(folder) ? model_files(folder) : std::vector{folder};
+}
+
+/// The files of a class: those of the split, and with "all" also those right in the class's folder.
+std::vector<fs::path> class_files(const fs::path& folder, const std::string& split) {
+  std::vector<fs::path> files;
+  if (split == "all" || !is_readable(folder)) files = models_or_itself(folder);
+  for (const char* part : {"test", "train"}) {
+    const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
+    if (!there || (split != "all" && split != part)) continue;
+    const std::vector<fs::path> more = models_or_itself(folder / part);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  return files;
+}
+
+}  // namespace
+
+Dataset find_folders_dataset(const DatasetLocation& location) {
+  Dataset dataset;
+  std::set<std::string> ids;
+  for (const fs::path& folder : subfolders(location.root)) {
+    const std::vector<fs::path> files = class_files(folder, location.split);
+    if (files.empty()) {
+      throw InputError(fmt::format(
+          "{}: no models ({}) in this class{}", folder.string(), fmt::join(unambiguous_shape_extensions(), ", "),
+          location.split == "all" ? "" : fmt::format(" for the split \"{}\"", location.split)));
+    }
+    const int label = static_cast<int>(dataset.classes.size());
+    dataset.classes.push_back(folder.filename().string());
+    for (const fs::path& file : files) {
+      // An unreadable folder may have a name with a dot.
+      const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
+      const std::string id = named.lexically_relative(location.root).generic_string();
+      if (!ids.insert(id).second) {
+        throw InputError(fmt::format("{}: another file is the model {} already; keep one", file.string(), id));
+      }
+      dataset.models.push_back({.id = id, .file = file, .label = label});
+    }
+  }
+  if (dataset.classes.empty()) {
+    throw InputError(
+        fmt::format("{}: the layout \"folders\" needs a folder for each class, there is none", location.root.string()));
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The models' files by canonical id.
+std::map<std::string, fs::path> files_by_id(const fs::path& folder) {
+  std::map<std::string, fs::path> files;
+  for (const fs::path& file : model_files(folder)) {
+    const auto [earlier, added] = files.emplace(canonical_model_id(file.filename().string()), file);
+    if (!added) {
+      throw InputError(fmt::format("{}: {} and {} are both the model {}; keep one", folder.string(),
+                                   earlier->second.filename().string(), file.filename().string(), earlier->first));
+    }
+  }
+  return files;
+}
+
+}  // namespace
+
+Dataset find_shrec11_dataset(const DatasetLocation& location) {
+  const Classification classification = read_classification(location.classification);
+  const std::vector<std::string> ids = models_in_natural_order(classification);
+  const std::vector<int> labels = class_labels(classification, ids, location.classification.string());
+  const std::map<std::string, fs::path> files = files_by_id(location.root);
+
+  Dataset dataset;
+  for (const ModelClass& model_class : classification.classes) dataset.classes.push_back(model_class.name);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::string id = canonical_model_id(ids[i]);
+    const auto file = files.find(id);
+    const fs::path expected = location.root / fmt::format("T{}.off", id);
+    dataset.models.push_back({.id = ids[i], .file = file == files.end() ? expected : file->second, .label = labels[i]});
+  }
+  return dataset;
+}
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void require_folder(const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::is_directory(folder, ignored)) return;
+  throw InputError(fmt::format("{}: {}; give the folder that holds the data set", folder.string(),
+                               fs::exists(folder, ignored) ? "is not a folder" : "no such folder"));
+}
+
+}  // namespace
+
+std::span<const DatasetLayout> dataset_layouts() {
+  static constexpr std::array layouts{
+      DatasetLayout{"shrec11", find_shrec11_dataset, "test.cla"},
+      DatasetLayout{"folders", find_folders_dataset, ""},
+      DatasetLayout{"csv", find_csv_dataset, "models.csv"},
+  };
+  return layouts;
+}
+
+const DatasetLayout& dataset_layout(std::string_view name) {
+  for (const DatasetLayout& layout : dataset_layouts()) {
+    if (layout.name == name) return layout;
+  }
+  throw InputError(fmt::format("there is no data set layout \"{}\"", name));
+}
+
+Dataset find_dataset(const DatasetLocation& location) {
+  require_folder(location.root);
+  Dataset dataset = dataset_layout(location.layout).find(location);
+  if (dataset.models.empty()) {
+    throw InputError(fmt::format("{}: no models ({}) in the layout \"{}\"", location.root.string(),
+                                 fmt::join(unambiguous_shape_extensions(), ", "), location.layout));
+  }
+  return dataset;
+}
+
+DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classification) {
+  require_folder(root);
+  if (!classification.empty()) {
+    const bool table = classification.extension() == ".csv";
+    return {.layout = table ? "csv" : "shrec11", .root = root, .classification = classification};
+  }
+  for (const DatasetLayout& layout : dataset_layouts()) {
+    const fs::path usual = root / layout.usual_classification;
+    if (!layout.usual_classification.empty() && fs::exists(usual)) {
+      return {.layout = std::string(layout.name), .root = root, .classification = usual};
+    }
+  }
+  return {.layout = "folders", .root = root, .classification = {}};
+}
+
+std::vector<ModelFailure> check_models(const Dataset& dataset) {
+  std::vector<ModelFailure> failures;
+  for (std::size_t i = 0; i < dataset.models.size(); ++i) {
+    try {
+      check_shape_header(dataset.models[i].file);
+    } catch (const InputError& error) {
+      failures.push_back({.model = i, .message = error.what()});
+    }
+  }
+  return failures;
+}
+
+}  // namespace shapegauge

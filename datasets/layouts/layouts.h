@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "shapegauge/datasets/layouts/dataset.h"
+
+namespace shapegauge {
+
+/// A way in which a data set lies in a folder.
+struct DatasetLayout {
+  std::string_view name;
+  Dataset (*find)(const DatasetLocation&);
+  std::string_view usual_classification;  ///< the file beside the models that says their classes; empty: none
+};
+
+/// All layouts.
+std::span<const DatasetLayout> dataset_layouts();
+
+/// The layout of that name. Throws InputError where there is none.
+const DatasetLayout& dataset_layout(std::string_view name);
+
+/// The data set at the location. Throws InputError: a folder or a classification that is absent or wrong, no models.
+Dataset find_dataset(const DatasetLocation& location);
+
+/// The location in a folder whose layout is told by what is there: a .cla file that is named or the usual one
+/// (shrec11), a table models.csv (csv), else folders. Throws InputError where the folder is absent.
+DatasetLocation recognise_dataset(const std::filesystem::path& root, const std::filesystem::path& classification = {});
+
+/// Something that is wrong with one model.
+struct ModelFailure {
+  std::size_t model = 0;  ///< index in Dataset::models
+  std::string message;
+};
+
+/// Looks at the file of every model: is it there, and does it begin like a shape? Models that fail, in order.
+std::vector<ModelFailure> check_models(const Dataset& dataset);
+
+}  // namespace shapegauge

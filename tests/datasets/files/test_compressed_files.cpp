@@ -1,0 +1,139 @@
+#include <archive.h>
+#include <archive_entry.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/ranked_answers.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+using Entries = std::vector<std::pair<std::string, std::string>>;  // names and contents
+
+// What an archive of these entries is, in a format and with a filter of libarchive.
+std::string packed(const Entries& entries, int (*format)(archive*), int (*filter)(archive*)) {
+  std::string bytes(1 << 20, '\0');
+  std::size_t used = 0;
+  archive* const opened = archive_write_new();
+  format(opened);
+  filter(opened);
+  archive_write_set_bytes_in_last_block(opened, 1);
+  archive_write_open_memory(opened, bytes.data(), bytes.size(), &used);
+  for (const auto& [name, content] : entries) {
+    archive_entry* const entry = archive_entry_new();
+    archive_entry_set_pathname(entry, name.c_str());
+    archive_entry_set_size(entry, static_cast<la_int64_t>(content.size()));
+    archive_entry_set_filetype(entry, AE_IFREG);
+    archive_write_header(opened, entry);
+    archive_write_data(opened, content.data(), content.size());
+    archive_entry_free(entry);
+  }
+  archive_write_free(opened);
+  return bytes.substr(0, used);
+}
+
+std::string gzipped(const std::string& text) {
+  return packed({{"x", text}}, archive_write_set_format_raw, archive_write_add_filter_gzip);
+}
+
+std::string zipped(const Entries& entries) {
+  return packed(entries, archive_write_set_format_zip, archive_write_add_filter_none);
+}
+
+DistanceMatrix small_matrix() { return DistanceMatrix{{0, 1.5}, {2.5, 0}}; }
+
+std::string npy_of(const DistanceMatrix& matrix) {
+  const TemporaryFolder folder;
+  write_npy(folder.path() / "m.npy", matrix);
+  return test::bytes_of(folder.path() / "m.npy");
+}
+
+TEST(CompressedFiles, AreReadAsWhatIsInThem) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_plain_bytes(folder.file("a.txt.gz", gzipped("some text"))), "some text");
+  EXPECT_EQ(read_plain_bytes(folder.file("a.txt", "some text")), "some text");
+  EXPECT_EQ(format_extension("a.CSV.gz"), ".csv");
+  EXPECT_EQ(format_extension("a.Npy"), ".npy");
+  EXPECT_EQ(format_extension("a.gz"), "");
+}
+
+TEST(CompressedFiles, DamagedOnesAreErrors) {
+  const TemporaryFolder folder;
+  const std::string whole = gzipped(std::string(5000, 'x') + "end");
+  const auto error = [&](const std::string& bytes) {
+    return test::input_error_of([&] { read_plain_bytes(folder.file("a.csv.gz", bytes)); });
+  };
+  EXPECT_THAT(error("no gzip at all"), AllOf(HasSubstr("a.csv.gz"), HasSubstr("no gzip file")));
+  EXPECT_THAT(error(whole.substr(0, whole.size() / 2)), HasSubstr("a.csv.gz"));
+}
+
+TEST(CompressedFiles, MayUnpackToALimitThatGrowsWithTheirSize) {
+  constexpr std::size_t mebibyte = std::size_t{1} << 20;
+  EXPECT_EQ(most_unpacked_bytes(1), 256 * mebibyte);
+  EXPECT_EQ(most_unpacked_bytes(100 * mebibyte), 5000 * mebibyte);
+  EXPECT_EQ(most_unpacked_bytes(mebibyte * mebibyte), 16384 * mebibyte);
+}
+
+TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
+  const TemporaryFolder folder;
+  const std::string zeros(std::size_t{4} << 20, '\0');
+  std::string bomb;  // a gzip file may be of several, one behind the other
+  for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;
+  for (const char* const name : {"a.npy.gz", "a.csv.gz", "a.matrix.gz"}) {
+    EXPECT_THAT(test::input_error_of([&] { read_number_table(folder.file(name, bomb)); }),
+                AllOf(HasSubstr(name), HasSubstr("256 MiB")));
+  }
+  std::string content = npy_of(small_matrix());
+  content.resize((std::size_t{256} << 20) + 1);
+  EXPECT_THAT(test::input_error_of([&] {
+                array_in_npz(zipped({{"D.npy", content}}), "a.npz");
+              }),
+              AllOf(HasSubstr("a.npz"), HasSubstr("256 MiB")));
+}
+
+TEST(CompressedFiles, HoldMatricesAndRuns) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_distance_matrix(folder.file("m.txt.gz", gzipped("0 1.5\n2.5 0\n"))).distances, small_matrix());
+  EXPECT_EQ(read_distance_matrix(folder.file("m.npy.gz", gzipped(npy_of(small_matrix())))).distances, small_matrix());
+  const LabelledDistances table = read_distance_matrix(folder.file("m.csv.gz", gzipped("id,a,b\na,0,1.5\nb,2.5,0\n")));
+  EXPECT_EQ(table.distances, small_matrix());
+  EXPECT_THAT(table.ids, ElementsAre("a", "b"));
+  const auto run = folder.file("r.txt.gz", gzipped("q Q0 a 1 2 mine\n"));
+  EXPECT_TRUE(is_ranked_answers_file(run));
+  EXPECT_EQ(read_ranked_answers(run).name, "mine");
+}
+
+TEST(Npz, HasItsOnlyArray) {
+  const TemporaryFolder folder;
+  const auto path = folder.file("m.npz", zipped({{"readme.txt", "hello"}, {"distances.npy", npy_of(small_matrix())}}));
+  EXPECT_EQ(read_distance_matrix(path).distances, small_matrix());
+  EXPECT_EQ(read_number_table(path).numbers, small_matrix());
+}
+
+TEST(Npz, OtherwiseIsAnError) {
+  const std::string array = npy_of(small_matrix());
+  const auto error = [](const std::string& bytes) {
+    return test::input_error_of([&] { array_in_npz(bytes, "m.npz"); });
+  };
+  EXPECT_THAT(error(zipped({{"a.npy", array}, {"b.npy", array}})), HasSubstr("m.npz: the archive has 2 arrays (a, b)"));
+  EXPECT_THAT(error(zipped({{"readme.txt", "hello"}})), HasSubstr("m.npz: the archive has no array"));
+  EXPECT_THAT(error("PK nothing"), HasSubstr("m.npz"));
+  EXPECT_THAT(error(zipped({{"a.npy", array}}).substr(0, 60)), HasSubstr("m.npz"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

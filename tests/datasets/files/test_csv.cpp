@@ -1,0 +1,78 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "shapegauge/datasets/files/csv.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// The cells of a text of one row.
+std::vector<std::string> cells_of(const std::string& text, char separator = ',') {
+  const std::vector<CsvRow> rows = parse_csv(text, "f.csv", separator);
+  return rows.size() == 1 ? rows[0].cells : std::vector<std::string>{"not one row"};
+}
+
+std::string csv_error_of(const std::string& text) {
+  return test::input_error_of([&] { parse_csv(text, "f.csv"); });
+}
+
+TEST(Csv, CellsStandBetweenCommas) {
+  EXPECT_THAT(cells_of("a, b ,,c d"), ElementsAre("a", "b", "", "c d"));
+  EXPECT_THAT(cells_of("a,"), ElementsAre("a", ""));
+  EXPECT_THAT(cells_of(","), ElementsAre("", ""));
+  EXPECT_THAT(parse_csv("", "f.csv"), testing::IsEmpty());
+}
+
+TEST(Csv, SeparatorsMayBeOthers) {
+  EXPECT_THAT(cells_of("a; \"b;c\" ;d,e", ';'), ElementsAre("a", "b;c", "d,e"));
+  EXPECT_THAT(cells_of("a\t\tb c\t", '\t'), ElementsAre("a", "", "b c", ""));
+}
+
+TEST(Csv, QuotedCellsHoldCommasAndQuotationMarks) {
+  EXPECT_THAT(cells_of(R"("a,b", "say ""no""" ,"",c"d)"), ElementsAre("a,b", R"(say "no")", "", R"(c"d)"));
+}
+
+TEST(Csv, QuotedCellsHoldLineEnds) {
+  const auto rows = parse_csv("id,\"two\r\nlines\"\r\n\"a\n\n\"\"b\",c\nd,e\n", "f");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[0].cells, ElementsAre("id", "two\r\nlines"));
+  EXPECT_THAT(rows[1].cells, ElementsAre("a\n\n\"b", "c"));
+  EXPECT_EQ(rows[1].line, 3U);
+  EXPECT_EQ(rows[2].line, 6U);
+  EXPECT_EQ(csv_cell("a\nb"), "\"a\nb\"");
+  EXPECT_EQ(csv_cell("a\rb"), "\"a\rb\"");
+}
+
+TEST(Csv, BadQuotationIsAnErrorWithItsPlace) {
+  EXPECT_THAT(csv_error_of("x\na,\"b\nc"), AllOf(HasSubstr("f.csv:2: "), HasSubstr("not closed")));
+  EXPECT_THAT(csv_error_of("x\n\"a\"b,c"), AllOf(HasSubstr("f.csv:2: "), HasSubstr(R"("b" follows)")));
+}
+
+TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
+  const auto rows = parse_csv("\xEF\xBB\xBFid,x\r\n\r\na,1\n  \nb,2", "f");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_THAT(rows[0].cells, ElementsAre("id", "x"));
+  EXPECT_EQ(rows[0].line, 1U);
+  EXPECT_THAT(rows[1].cells, ElementsAre("a", "1"));
+  EXPECT_EQ(rows[1].line, 3U);
+  EXPECT_EQ(rows[2].line, 5U);
+  EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
+}
+
+RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {
+  const auto cell =
+      rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
+  const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));
+  RC_PRE(cells.size() > 1 || !cells[0].empty());  // an empty line is no row
+  RC_ASSERT(cells_of(csv_line(cells)) == cells);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

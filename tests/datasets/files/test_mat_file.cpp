@@ -1,0 +1,80 @@
+#include <array>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <matio.h>
+
+#include "shapegauge/datasets/files/mat_file.h"
+#include "shapegauge/datasets/files/matrix_files.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// A file of MATLAB's version 5 to which variables are added.
+class MatFile {
+ public:
+  explicit MatFile(const std::filesystem::path& path) : file_(Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5)) {}
+  MatFile(const MatFile&) = delete;
+  MatFile& operator=(const MatFile&) = delete;
+  ~MatFile() { Mat_Close(file_); }
+
+  // Two rows of three numbers, of which these are the columns one after the other.
+  template <typename Number>
+  void add(const char* name, matio_classes numbers, matio_types type, std::array<Number, 6> columns,
+           matio_compression compression = MAT_COMPRESSION_ZLIB) {
+    std::array<std::size_t, 2> size = {2, 3};
+    matvar_t* const variable = Mat_VarCreate(name, numbers, type, 2, size.data(), columns.data(), 0);
+    Mat_VarWrite(file_, variable, compression);
+    Mat_VarFree(variable);
+  }
+
+ private:
+  mat_t* file_;
+};
+
+TEST(MatFile, HoldsItsOnlyMatrixColumnByColumn) {
+  const test::TemporaryFolder folder;
+  const DistanceMatrix expected{{1, 3, 5}, {2, 4, 6}};
+  MatFile(folder.path() / "a.mat").add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
+  MatFile(folder.path() / "b.mat").add<float>("D", MAT_C_SINGLE, MAT_T_SINGLE, {1, 2, 3, 4, 5, 6});
+  MatFile(folder.path() / "c.mat").add<mat_uint8_t>("D", MAT_C_UINT8, MAT_T_UINT8, {1, 2, 3, 4, 5, 6});
+  for (const char* name : {"a.mat", "b.mat", "c.mat"}) {
+    EXPECT_EQ(read_mat(folder.path() / name), expected) << name;
+    EXPECT_EQ(read_number_table(folder.path() / name).numbers, expected) << name;
+  }
+  EXPECT_THAT(test::input_error_of([&] { read_distance_matrix(folder.path() / "a.mat"); }),
+              AllOf(HasSubstr("a.mat"), HasSubstr("square"), HasSubstr("2 x 3")));
+}
+
+TEST(MatFile, ThatClaimsMoreThanItCanHoldIsAnError) {
+  const test::TemporaryFolder folder;
+  MatFile(folder.path() / "a.mat")
+      .add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6}, MAT_COMPRESSION_NONE);
+  std::string bytes = test::bytes_of(folder.path() / "a.mat");
+  const std::string size("\x02\0\0\0\x03\0\0\0", 8);
+  ASSERT_NE(bytes.find(size), std::string::npos);
+  bytes.replace(bytes.find(size), size.size(), std::string("\0\0\x01\0\0\0\x01\0", 8));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("large.mat", bytes)); }),
+              AllOf(HasSubstr("large.mat"), HasSubstr("256 MiB")));
+}
+
+TEST(MatFile, OtherwiseIsAnError) {
+  const test::TemporaryFolder folder;
+  {
+    MatFile two(folder.path() / "two.mat");
+    two.add<double>("D", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
+    two.add<double>("E", MAT_C_DOUBLE, MAT_T_DOUBLE, {1, 2, 3, 4, 5, 6});
+  }
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "two.mat"); }), HasSubstr("several: D, E"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.file("x.mat", "no such file")); }), HasSubstr("x.mat"));
+  EXPECT_THAT(test::input_error_of([&] { read_mat(folder.path() / "none.mat"); }), HasSubstr("none.mat"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,231 @@
+#include <array>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <rapidcheck/gtest.h>
+#include <string>
+
+#include "shapegauge/datasets/files/npy.h"
+#include "tests/datasets/files/random_matrices.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using namespace std::string_literals;
+using test::TemporaryFolder;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string version_1(const std::string& dictionary) {
+  return "\x93NUMPY\x01\x00"s + static_cast<char>(dictionary.size()) + '\0' + dictionary;
+}
+
+std::string header_error(const std::string& bytes) {
+  return test::input_error_of([&] { parse_npy_header(bytes, "x.npy"); });
+}
+
+TEST(NpyHeader, IsAPythonDictionaryInAnyOrderAndSpacing) {
+  const std::string dictionary = "{ \"shape\":(2 ,3L),'fortran_order' :True,\n'descr':'>f4'}  \n";
+  const NpyHeader header = parse_npy_header(version_1(dictionary), "x");
+  EXPECT_EQ(header.type, ">f4");
+  EXPECT_TRUE(header.column_by_column);
+  EXPECT_THAT(header.shape, ElementsAre(2, 3));
+  EXPECT_EQ(header.data_begin, 10 + dictionary.size());
+}
+
+TEST(NpyHeader, TakesShapesOfAnyDimension) {
+  const auto shape_of = [](const std::string& shape) {
+    return parse_npy_header(version_1("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape + ", }"), "x").shape;
+  };
+  EXPECT_THAT(shape_of("()"), ElementsAre());
+  EXPECT_THAT(shape_of("(5,)"), ElementsAre(5));
+  EXPECT_THAT(shape_of("(1, 2, 3)"), ElementsAre(1, 2, 3));
+}
+
+TEST(NpyHeader, ASizeThatOverflowsIsNoSize) {
+  // 2^61 numbers of 8 bytes are 2^64 bytes, which a 64-bit count holds as 0.
+  const std::string bytes = version_1("{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693952, 1), }");
+  EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), false, "x.npy"); }),
+              StartsWith("x.npy: 0 bytes of data follow the header"));
+}
+
+TEST(NpyHeader, AFaultIsOneErrorWithItsByte) {
+  EXPECT_THAT(header_error("\x89PNG"), StartsWith("x.npy: this is no .npy file"));
+  EXPECT_THAT(header_error("\x93NUMP"), StartsWith("x.npy: this is no .npy file"));
+  EXPECT_THAT(header_error("\x93NUMPY\x04\x00\x00\x00\x00\x00"s), StartsWith("x.npy: version 4.0"));
+  EXPECT_THAT(header_error("\x93NUMPY\x00\x00\x00\x00"s), StartsWith("x.npy: version 0.0"));
+  EXPECT_THAT(header_error("\x93NUMPY\x02\x00\xFF\xFF\xFF\xFF{"s), HasSubstr("within its header"));
+  const std::array dictionaries = {
+      std::array{"", "x.npy: byte 10: expected {"},
+      std::array{"[1]", "x.npy: byte 10: expected {"},
+      std::array{"{'descr': '<f8'", "x.npy: byte 25: expected , or }"},
+      std::array{"{'descr': [('a', '<f8')]}", "x.npy: byte 20: the file holds records"},
+      std::array{"{'descr': '<f8}", "x.npy: byte 20: a string in the header does not end"},
+      std::array{"{descr: '<f8'}", "x.npy: byte 11: expected a string"},
+      std::array{"{'order': 'C'}", "x.npy: byte 19: the header has an unknown key \"order\""},
+      std::array{"{'fortran_order': 1}", "x.npy: byte 28: expected True or False"},
+      std::array{"{'shape': 3}", "x.npy: byte 20: expected ("},
+      std::array{"{'shape': (-3, 3)}", "x.npy: byte 21: expected a whole number"},
+      std::array{"{'shape': (99999999999999999999, 3)}", "x.npy: byte 21: expected a whole number"},
+      std::array{"{'shape': (3 3)}", "x.npy: byte 23: expected , or )"},
+      std::array{"{'shape': (3, 3)}", "x.npy: byte 27: the header must have the keys"},
+      std::array{"{} x", "x.npy: byte 13: something follows"},
+  };
+  for (const auto& [dictionary, error] : dictionaries)
+    EXPECT_THAT(header_error(version_1(dictionary)), StartsWith(error));
+}
+
+TEST(NpyHeader, WrittenHeadersAlignTheDataAndReadBack) {
+  for (const std::size_t size : {std::size_t{0}, std::size_t{1}, std::size_t{600}, std::size_t{12345678901234}}) {
+    const std::string bytes = npy_header_of_matrix(size, size + 1);
+    EXPECT_EQ(bytes.size() % 64, 0U);
+    const NpyHeader header = parse_npy_header(bytes, "x");
+    EXPECT_EQ(header.data_begin, bytes.size());
+    EXPECT_EQ(header.type, "<f8");
+    EXPECT_FALSE(header.column_by_column);
+    EXPECT_THAT(header.shape, ElementsAre(size, size + 1));
+  }
+}
+
+// [[0, 1.5], [-2.25, inf]] as NumPy 1.24 writes it (numpy.lib.format.write_array).
+const std::string float64_version_1 =
+    "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2, 2), }"s + std::string(58, ' ') +
+    "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?\x00\x00\x00\x00\x00\x00\x02\xc0"s +
+    "\x00\x00\x00\x00\x00\x00\xf0\x7f"s;
+const std::string float32_fortran_version_2 =
+    "\x93NUMPY\x02\x00t\x00\x00\x00{'descr': '<f4', 'fortran_order': True, 'shape': (2, 2), }"s + std::string(57, ' ') +
+    "\n\x00\x00\x00\x00\x00\x00\x10\xc0\x00\x00\xc0?\x00\x00\x80\x7f"s;
+const std::string float64_big_endian_version_3 =
+    "\x93NUMPY\x03\x00t\x00\x00\x00{'descr': '>f8', 'fortran_order': False, 'shape': (2, 2), }"s +
+    std::string(56, ' ') +
+    "\n\x00\x00\x00\x00\x00\x00\x00\x00?\xf8\x00\x00\x00\x00\x00\x00\xc0\x02\x00\x00\x00\x00\x00\x00"s +
+    "\x7f\xf0\x00\x00\x00\x00\x00\x00"s;
+const std::string float32_big_endian_fortran_version_1 =
+    "\x93NUMPY\x01\x00v\x00{'descr': '>f4', 'fortran_order': True, 'shape': (2, 2), }"s + std::string(59, ' ') +
+    "\n\x00\x00\x00\x00\xc0\x10\x00\x00?\xc0\x00\x00\x7f\x80\x00\x00"s;
+
+DistanceMatrix npy_example() {
+  DistanceMatrix matrix(2, 2);
+  matrix << 0, 1.5, -2.25, std::numeric_limits<double>::infinity();
+  return matrix;
+}
+
+std::string npy_replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+std::string npy_error_of(const std::string& bytes) {
+  return test::input_error_of([&] { parse_npy(bytes, "x.npy"); });
+}
+
+TEST(Npy, ReadsWhatNumpyWrites) {
+  const TemporaryFolder folder;
+  for (const std::string& bytes : {float64_version_1, float32_fortran_version_2, float64_big_endian_version_3,
+                                   float32_big_endian_fortran_version_1}) {
+    EXPECT_EQ(parse_npy(bytes, "x.npy"), npy_example());
+  }
+}
+
+// A row of the numbers in these bytes.
+DistanceMatrix row_of(const std::string& type, const std::string& bytes, std::size_t count) {
+  const std::string shape = "(1, " + std::to_string(count) + ")";
+  return parse_npy_table(
+      version_1("{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + ", }") + bytes, "x");
+}
+
+TEST(Npy, ReadsIntegersAndBooleans) {
+  EXPECT_EQ(row_of("|i1", "\x05\xFF\x80"s, 3), (DistanceMatrix{{5, -1, -128}}));
+  EXPECT_EQ(row_of("|u1", "\x05\xFF"s, 2), (DistanceMatrix{{5, 255}}));
+  EXPECT_EQ(row_of("|b1", "\x00\x01"s, 2), (DistanceMatrix{{0, 1}}));
+  EXPECT_EQ(row_of("<i2", "\x01\x02\xFE\xFF"s, 2), (DistanceMatrix{{513, -2}}));
+  EXPECT_EQ(row_of(">i2", "\x01\x02\xFE\xFF"s, 2), (DistanceMatrix{{258, -257}}));
+  EXPECT_EQ(row_of("<u4", "\xFF\xFF\xFF\xFF"s, 1), (DistanceMatrix{{4294967295.0}}));
+  EXPECT_EQ(row_of("<i8", "\xFD\xFF\xFF\xFF\xFF\xFF\xFF\xFF"s, 1), (DistanceMatrix{{-3}}));
+  EXPECT_EQ(row_of("=i4", "\x07\x00\x00\x00"s, 1), (DistanceMatrix{{7}}));
+}
+
+// Values of IEEE 754 binary16: 1, -2, 65504 (the largest), 2^-24 (the smallest), 1/3 rounded, infinity.
+TEST(Npy, ReadsFloat16) {
+  const DistanceMatrix expected{
+      {1, -2, 65504, std::ldexp(1, -24), 0.333251953125, std::numeric_limits<double>::infinity()}};
+  EXPECT_EQ(row_of("<f2", "\x00\x3C\x00\xC0\xFF\x7B\x01\x00\x55\x35\x00\x7C"s, 6), expected);
+  EXPECT_EQ(row_of(">f2", "\x3C\x00\xC0\x00\x7B\xFF\x00\x01\x35\x55\x7C\x00"s, 6), expected);
+  EXPECT_TRUE(std::isnan(row_of("<f2", "\x01\x7E"s, 1)(0, 0)));
+}
+
+TEST(Npy, WritesWhatNumpyWrites) {
+  const TemporaryFolder folder;
+  write_npy(folder.path() / "x.npy", npy_example());
+  EXPECT_EQ(test::bytes_of(folder.path() / "x.npy"), float64_version_1);
+}
+
+TEST(Npy, WritesVectorsAsNumpyDoes) {
+  const TemporaryFolder folder;
+  write_npy_vector(folder.path() / "v.npy", Eigen::Vector2d(0, 1.5));
+  EXPECT_EQ(test::bytes_of(folder.path() / "v.npy"),
+            "\x93NUMPY\x01\x00v\x00{'descr': '<f8', 'fortran_order': False, 'shape': (2,), }"s + std::string(60, ' ') +
+                "\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\xf8?"s);
+}
+
+TEST(Npy, OtherTypesAndShapesAreErrors) {
+  for (const char* const type : {"<c8", "<f1", "f8 ", "|O8", "<U3"}) {
+    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", type)),
+                AllOf(HasSubstr("x.npy: numbers of type \""s + type), HasSubstr("float64")));
+  }
+  for (const char* const shape : {"(4, 1)", "(1, 4)", "(4,)  ", "(    )", "(0, 0)"}) {
+    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", shape)),
+                HasSubstr("a distance matrix is square"));
+  }
+}
+
+TEST(Npy, DataOfAnotherLengthIsAnError) {
+  EXPECT_THAT(npy_error_of(float64_version_1 + "x"), HasSubstr("33 bytes of data"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", "(3, 3)")),
+              HasSubstr("shape (3, 3) and type <f8"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", "<f4")), HasSubstr("32 bytes of data"));
+  // 2^32 squared is 0 in 64 bits, and 2^64 - 1 the largest number of all.
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(22, ' '),
+                                        "(4294967296, 4294967296), }    ")),
+              HasSubstr("is not what an array of shape"));
+  EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(40, ' '),
+                                        "(18446744073709551615, 18446744073709551615), }  ")),
+              HasSubstr("is not what an array of shape"));
+}
+
+TEST(Npy, EveryPrefixIsAnInputError) {
+  const TemporaryFolder folder;
+  for (const std::string& bytes : {float64_version_1, float32_fortran_version_2}) {
+    for (std::size_t length = 0; length < bytes.size(); ++length) {
+      EXPECT_THAT(npy_error_of(bytes.substr(0, length)), HasSubstr("x.npy")) << length;
+    }
+  }
+}
+
+RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
+  const TemporaryFolder folder;
+  std::string bytes = *rc::gen::element(float64_version_1, float32_fortran_version_2);
+  const auto changes = *rc::gen::inRange(1, 5);
+  for (int i = 0; i < changes; ++i) {
+    bytes[*rc::gen::inRange<std::size_t>(0, bytes.size())] = *rc::gen::oneOf(
+        rc::gen::arbitrary<char>(), rc::gen::element('9', '(', ')', ',', '\'', '{', '}', ' ', 'L', '\xFF'));
+  }
+  const std::string error = npy_error_of(bytes);
+  RC_ASSERT(error == "no error" || error.find("x.npy") != std::string::npos);
+}
+
+RC_GTEST_PROP(Npy, ReadsBackWhatIsWritten, ()) {
+  const TemporaryFolder folder;
+  // A third of a float32 needs all of the float64.
+  const DistanceMatrix matrix = *square_matrices() / 3;
+  write_npy(folder.path() / "m.npy", matrix);
+  RC_ASSERT(parse_npy(test::bytes_of(folder.path() / "m.npy"), "m") == matrix);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

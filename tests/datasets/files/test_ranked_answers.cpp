@@ -1,0 +1,78 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapegauge/datasets/files/ranked_answers.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Pair;
+
+TEST(RankedAnswers, OfATrecRunAreOrderedByScore) {
+  const RankedAnswers run = parse_trec_run("q1 Q0 a 2 0.5 me\nq2 Q0 b 1 7 me\n\nq1\tQ0  c 1 -1e2 me\r\n", "r");
+  ASSERT_EQ(run.answers.size(), 2U);
+  EXPECT_EQ(run.answers[0].query, "q1");
+  EXPECT_THAT(run.answers[0].models, ElementsAre(Pair("a", -0.5), Pair("c", 100)));
+}
+
+TEST(RankedAnswers, OfListsAreInTheirOrder) {
+  const RankedAnswers lists = parse_ranked_lists("q1 c a,b\n q2, a\n", "l");
+  ASSERT_EQ(lists.answers.size(), 2U);
+  EXPECT_THAT(lists.answers[0].models, ElementsAre(Pair("c", 1), Pair("a", 2), Pair("b", 3)));
+}
+
+TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
+  const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq2 0 a -1\nq1 0 c 2\n", "j");
+  ASSERT_EQ(judgements.queries.size(), 2U);
+  EXPECT_THAT(judgements.queries[0].relevant, ElementsAre("a", "c"));
+  EXPECT_TRUE(judgements.queries[1].relevant.empty());
+  EXPECT_TRUE(judgements.graded);
+  EXPECT_FALSE(parse_qrels("q1 0 a 1\n", "j").graded);
+  EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever the grade above 1 is
+}
+
+TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
+  const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
+  EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: 5 words where a line is \"query Q0 model rank score tag\""));
+  EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\" is no finite number"));
+  EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: the model \"a\" occurs twice for this query"));
+  EXPECT_THAT(run("\n \n"), HasSubstr("r: there are no lines"));
+  const auto lists = [](const std::string& text) {
+    return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
+  };
+  EXPECT_THAT(lists("q\n"), HasSubstr("l:1: the query has no models"));
+  EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: the query \"q\" has a line already"));
+  EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: the model \"a\" occurs twice"));
+  const auto qrels = [](const std::string& text) { return test::input_error_of([&] { parse_qrels(text, "j"); }); };
+  EXPECT_THAT(qrels("q 0 a yes\n"), HasSubstr("j:1: the grade \"yes\" is no whole number"));
+  EXPECT_THAT(qrels("q 0 a\n"), HasSubstr("j:1: 3 words"));
+  EXPECT_THAT(qrels("q 0 a 1\nq 0 a 0\n"), HasSubstr("j:2: the model \"a\" occurs twice"));
+}
+
+TEST(RankedAnswers, OfATrecRunHaveItsName) {
+  EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 mine\n", "r").name, "mine");
+  EXPECT_EQ(parse_trec_run("q1 Q0 a 1 2 mine\nq2 Q0 a 1 2 yours\n", "r").name, "");
+}
+
+TEST(RankedAnswers, JudgementsKeepGradesAndWhatIsNotRelevant) {
+  const Judgements judgements = parse_qrels("q1 0 a 1\nq1 0 b 0\nq1 0 c 2\nq1 0 d -1\n", "j");
+  EXPECT_THAT(judgements.queries[0].grades, ElementsAre(1, 2));
+  EXPECT_THAT(judgements.queries[0].irrelevant, ElementsAre("b", "d"));
+}
+
+TEST(RankedAnswers, AreKnownByNameOrByTheFirstLine) {
+  const test::TemporaryFolder folder;
+  EXPECT_TRUE(is_ranked_answers_file("a.run"));
+  EXPECT_TRUE(is_ranked_answers_file("a.LISTS"));
+  EXPECT_TRUE(is_ranked_answers_file(folder.file("run.txt", "q1 Q0 a 1 2 mine\n")));
+  EXPECT_FALSE(is_ranked_answers_file(folder.file("matrix.txt", "0 1 2 3 4 5\n1 0 2 3 4 5\n")));
+  EXPECT_FALSE(is_ranked_answers_file("a.npy"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

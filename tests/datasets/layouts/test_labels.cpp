@@ -1,0 +1,200 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+
+#include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test::write_text;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class ModelLabelsTest : public testing::Test {
+ protected:
+  std::filesystem::path file(const std::string& name, const std::string& text) {
+    write_text(folder_.path() / name, text);
+    return folder_.path() / name;
+  }
+  std::string error_of(const std::string& text, std::size_t level = 0) {
+    return test::input_error_of([&] { read_labels(file("labels.csv", text), level); });
+  }
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+const char* const hierarchy = "PSB 1\n4 3\nanimal 0 0\nbiped animal 0\nhuman biped 2\n1 2\nlamp 0 1\n3\n";
+
+TEST_F(ModelLabelsTest, OfAClassificationAreOfItsClasses) {
+  const ModelLabels labels = read_labels(file("a.cla", hierarchy));
+  EXPECT_THAT(labels.classification.classes[2].models, ElementsAre("1", "2"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "2", "3"));
+  EXPECT_FALSE(labels.separate_sets);
+}
+
+TEST_F(ModelLabelsTest, ALevelTakesTheAncestorsOfThatGeneration) {
+  const auto path = file("a.cla", hierarchy);
+  const auto names = [&](std::size_t level) {
+    std::vector<std::string> found;
+    for (const ModelClass& known : read_labels(path, level).classification.classes) found.push_back(known.name);
+    return found;
+  };
+  EXPECT_THAT(names(1), ElementsAre("animal", "lamp"));
+  EXPECT_THAT(names(2), ElementsAre("biped", "lamp"));
+  EXPECT_THAT(names(3), ElementsAre("human", "lamp"));
+  EXPECT_THAT(names(9), ElementsAre("human", "lamp"));
+}
+
+TEST_F(ModelLabelsTest, OfATableMayHaveASplit) {
+  const ModelLabels labels =
+      read_labels(file("a.csv", "class,id,split\nant,1,query\nant,2,target\nbee,3,both\nbee,4,\nbee,5,train\n"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "3", "4"));
+  EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4", "5"));
+  EXPECT_TRUE(labels.separate_sets);
+  EXPECT_FALSE(read_labels(file("b.csv", "id,class\n1,ant\n2,ant\n")).separate_sets);
+}
+
+TEST_F(ModelLabelsTest, OfFoldersAreTheirNames) {
+  file("models/ant/T1.off", "OFF\n");
+  file("models/bee/T2.off", "OFF\n");
+  const ModelLabels labels = read_labels(folder() / "models");
+  EXPECT_EQ(labels.classification.classes[1].name, "bee");
+  EXPECT_THAT(labels.queries, ElementsAre("ant/T1", "bee/T2"));
+}
+
+TEST_F(ModelLabelsTest, OfQueriesAndTargetsShareClassesByName) {
+  const auto queries = file("q.cla", "PSB 1\n2 2\nant 0 1\n1\nbee 0 1\n2\n");
+  const ModelLabels labels =
+      read_query_and_target_labels(queries, file("t.cla", "PSB 1\n2 3\nbee 0 2\n2 3\ncow 0 1\n4\n"));
+  ASSERT_EQ(labels.classification.classes.size(), 3U);
+  EXPECT_THAT(labels.classification.classes[1].models, ElementsAre("2", "3"));
+  EXPECT_THAT(labels.queries, ElementsAre("1", "2"));
+  EXPECT_THAT(labels.targets, ElementsAre("2", "3", "4"));
+  const auto other = file("u.cla", "PSB 1\n1 1\nant 0 1\n2\n");
+  EXPECT_THAT(test::input_error_of([&] { read_query_and_target_labels(queries, other); }),
+              HasSubstr("model \"2\" is of class \"ant\" here and of \"bee\""));
+}
+
+TEST_F(ModelLabelsTest, FaultsAreOneErrorWithTheLine) {
+  EXPECT_THAT(error_of("id,kind\n1,a\n"), HasSubstr("must name the columns id and class"));
+  EXPECT_THAT(error_of("id,class\n1,a\nT1.off,b\n"), HasSubstr("labels.csv:3: the model \"T1.off\" occurs twice"));
+  EXPECT_THAT(error_of("id,class\n1\n"), HasSubstr("labels.csv:2: 1 cells where the first row has 2"));
+  EXPECT_THAT(error_of("id,class\n,a\n"), HasSubstr("labels.csv:2: the id is empty"));
+  EXPECT_THAT(error_of("id,class\n1,\n"), HasSubstr("labels.csv:2: the class is empty"));
+  EXPECT_THAT(error_of("id,class,split\n1,a,left\n"), HasSubstr("labels.csv:2: the split is \"left\"; known are"));
+  EXPECT_THAT(error_of("id,class\n"), HasSubstr("there are no models"));
+  EXPECT_THAT(error_of("id,class\n1,a\n", 2), HasSubstr("no class has a parent, so there is no level 2"));
+}
+
+std::vector<std::string> classes_of(const ModelLabels& labels) {
+  std::vector<std::string> names;
+  for (const ModelClass& known : labels.classification.classes) names.push_back(known.name);
+  return names;
+}
+
+TEST_F(ModelLabelsTest, ColumnsMayHaveOtherNamesAndSeparators) {
+  for (const char* text : {"name,label\nb,bee\na,ant\n", "Label;File\nbee;b\nant;a\n", "b\tbee\na\tant\n",
+                           "b,bee\r\na,ant\r\n", "x,id,Category\n1,b,bee\n2,a,ant\n"}) {
+    const ModelLabels labels = read_labels(file("labels.tsv", text));
+    EXPECT_THAT(labels.models, ElementsAre("b", "a")) << text;
+    EXPECT_THAT(classes_of(labels), ElementsAre("bee", "ant")) << text;
+    EXPECT_TRUE(labels.listed);
+    EXPECT_FALSE(labels.without_ids);
+  }
+}
+
+TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
+  const ModelLabels labels = read_labels(file("words.txt", "id label\n10 big ant\n\n2\t bee\n1  big ant\n"));
+  EXPECT_FALSE(labels.without_ids);
+  EXPECT_THAT(labels.models, ElementsAre("10", "2", "1"));
+  EXPECT_THAT(classes_of(labels), ElementsAre("big ant", "bee"));
+  // What can be a list of classes is one: words without digits, repeated first words, no class that repeats.
+  for (const char* const text : {"red ant\nold ant\nnew bee\n", "0 ant\n0 bee\n1 bee\n", "0 ant\n1 bee\n"}) {
+    EXPECT_TRUE(read_labels(file("list.txt", text)).without_ids) << text;
+  }
+}
+
+TEST_F(ModelLabelsTest, AListHasAClassALine) {
+  const ModelLabels labels = read_labels(file("labels.txt", "bee\nbig ant\n\nbee\n"));
+  EXPECT_THAT(labels.models, ElementsAre("0", "1", "2"));
+  EXPECT_THAT(classes_of(labels), ElementsAre("bee", "big ant"));
+  EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
+  EXPECT_TRUE(labels.listed && labels.without_ids);
+  EXPECT_THAT(classes_of(read_labels(file("named.txt", "label\r\nbee\r\nant"))), ElementsAre("bee", "ant"));
+}
+
+TEST_F(ModelLabelsTest, AnArrayHasWholeNumbers) {
+  write_npy_vector(folder() / "y.npy", Eigen::Vector4d(7, -1, 7, 12));
+  const ModelLabels labels = read_labels(folder() / "y.npy");
+  EXPECT_THAT(classes_of(labels), ElementsAre("7", "-1", "12"));
+  EXPECT_THAT(labels.classification.classes[0].models, ElementsAre("0", "2"));
+  write_npy_vector(folder() / "z.npy", Eigen::Vector2d(1, 0.5));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "z.npy"); }), HasSubstr("z.npy: entry 1"));
+  write_npy(folder() / "m.npy", DistanceMatrix::Ones(2, 2));
+  EXPECT_THAT(test::input_error_of([&] { read_labels(folder() / "m.npy"); }), HasSubstr("one dimension"));
+}
+
+TEST_F(ModelLabelsTest, QueriesAndTargetsWithoutIdsAreDifferentModels) {
+  const ModelLabels labels = read_query_and_target_labels(file("q.txt", "bee\nant\n"), file("t.txt", "ant\nant\n"));
+  EXPECT_EQ(labels.queries.size(), 2U);
+  EXPECT_EQ(labels.targets.size(), 2U);
+  EXPECT_EQ(labels.models.size(), 4U);
+  EXPECT_EQ(labels.classification.classes[1].models.size(), 3U);
+}
+
+std::string npy_of(const std::string& type, const std::string& shape, const std::string& data) {
+  const std::string dictionary = "{'descr': '" + type + "', 'fortran_order': False, 'shape': " + shape + "}";
+  std::string bytes = "\x93NUMPY";
+  bytes += {'\x01', '\0', static_cast<char>(dictionary.size()), '\0'};
+  return bytes + dictionary + data;
+}
+
+std::string utf32(const std::u32string& text, bool big_endian) {
+  std::string bytes;
+  for (const char32_t character : text) {
+    for (unsigned k = 0; k < 4; ++k) {
+      bytes += static_cast<char>(static_cast<unsigned char>(character >> 8 * (big_endian ? 3 - k : k)));
+    }
+  }
+  return bytes;
+}
+
+TEST_F(ModelLabelsTest, OfAnArrayMayBeStrings) {
+  using namespace std::string_literals;
+  const std::u32string text = U"cat\0k\u00f6\u732b\U0001F41F"s;
+  for (const bool big_endian : {false, true}) {
+    const std::string bytes = npy_of(big_endian ? ">U4" : "<U4", "(2,)", utf32(text, big_endian));
+    const ModelLabels labels = read_labels(file("y.npy", bytes));
+    ASSERT_EQ(labels.classification.classes.size(), 2U);
+    EXPECT_EQ(labels.classification.classes[0].name, "cat");
+    EXPECT_EQ(labels.classification.classes[1].name, "k\xC3\xB6\xE7\x8C\xAB\xF0\x9F\x90\x9F");
+    EXPECT_THAT(labels.models, ElementsAre("0", "1"));
+    EXPECT_TRUE(labels.without_ids);
+  }
+  const ModelLabels bytes = read_labels(file("s.npy", npy_of("|S3", "(3, 1)", "ox\0catox\0"s)));
+  EXPECT_THAT(bytes.classification.classes[0].models, ElementsAre("0", "2"));
+  EXPECT_EQ(bytes.classification.classes[0].name, "ox");
+}
+
+TEST_F(ModelLabelsTest, OfAnArrayOfStringsThatIsOfNoUseIsAnError) {
+  using namespace std::string_literals;
+  const auto error = [&](const std::string& bytes) {
+    return test::input_error_of([&] { read_labels(file("y.npy", bytes)); });
+  };
+  EXPECT_THAT(error(npy_of("|O", "(2,)", "pickled")), HasSubstr("dtype=str"));
+  EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox\0\0\0\0"s)), HasSubstr("entry 1"));
+  EXPECT_THAT(error(npy_of("|S3", "(2,)", "ox")), HasSubstr("cut off"));
+  EXPECT_THAT(error(npy_of("|S1", "(2, 2)", "oxox")), HasSubstr("one dimension"));
+  EXPECT_THAT(error(npy_of("<U1", "(2,)", utf32(U"a", false) + "\0\0\x11\0"s)), HasSubstr("entry 1"));
+  EXPECT_THAT(error(npy_of("<U1", "(99999999999999,)", "abcd")), HasSubstr("cut off"));
+  EXPECT_THAT(error(npy_of("<U99999999999999999999", "(1,)", "abcd")), HasSubstr("not supported"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge
