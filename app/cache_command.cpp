@@ -8,8 +8,8 @@
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
 
 namespace shapegauge {
 

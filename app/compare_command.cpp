@@ -5,14 +5,13 @@
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <system_error>
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
@@ -129,13 +128,11 @@ int run(const CompareArguments& arguments) {
   const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures, arguments.names);
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;
-  try {
+  {
     const BusyLine line("comparing the methods");
     for (const Eigen::MatrixXd& values : aligned.values) {
       comparisons.push_back(compare_methods(values, aligned.classes, options));
     }
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
   }
   warn_of_same_files(arguments.inputs, warnings);
   if (const auto few = few_units_warning(comparisons.front(), options, Audience::command_line)) {

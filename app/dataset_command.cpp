@@ -6,9 +6,9 @@
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
@@ -34,7 +34,7 @@ DatasetLocation location_of(const LookArguments& arguments) {
   if (arguments.layout.empty()) return recognise_dataset(arguments.folder, arguments.classification);
   DatasetLocation location{
       .layout = arguments.layout, .root = arguments.folder, .classification = arguments.classification};
-  const std::string_view usual = dataset_layout(arguments.layout).usual_classification;
+  const std::string_view usual = dataset_layouts().at(arguments.layout).usual_classification;
   if (location.classification.empty() && !usual.empty()) location.classification = arguments.folder / usual;
   return location;
 }
@@ -102,7 +102,7 @@ int generate(const GenerateArguments& arguments) {
 
 std::vector<std::string> layout_names() {
   std::vector<std::string> names;
-  for (const DatasetLayout& layout : dataset_layouts()) names.emplace_back(layout.name);
+  for (const DatasetLayout& layout : dataset_layouts().entries()) names.emplace_back(layout.name);
   return names;
 }
 

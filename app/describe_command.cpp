@@ -15,13 +15,13 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/datasets/files/model_ids.h"
-#include "shapegauge/datasets/files/npy.h"
-#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {
@@ -57,7 +57,7 @@ void add_settings(std::string_view of, std::span<const Parameter> parameters, co
 /// All descriptors and their settings, for --list.
 std::string list_of_descriptors() {
   Table table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
-  for (const Descriptor& one : descriptors()) {
+  for (const Descriptor& one : descriptors().entries()) {
     table.rows.push_back({std::string(one.name), "", "", std::string(one.description)});
     if (one.most_fields > 0) {
       table.rows.push_back({std::string(one.name), "fields", "",

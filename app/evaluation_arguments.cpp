@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>
-#include <stdexcept>
 
 #include "app/options.h"
 #include "app/terminal.h"
@@ -93,7 +92,7 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   if (!arguments.curve.empty()) options.curve = curve_kind_of(arguments.curve);
   try {
     options.measures = measures_of(arguments.measures);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw InputError(fmt::format("--measures: {}; see 'shapegauge measures'", error.what()));
   }
   return options;

@@ -17,9 +17,9 @@
 #include "app/commands.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {

@@ -35,7 +35,7 @@ std::string wrapped(std::string_view words, std::size_t indent) {
 int run(const std::string& format) {
   if (format == "json") {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const MeasureDefinition& measure : measure_definitions()) {
+    for (const MeasureDefinition& measure : measure_definitions().entries()) {
       all.push_back({{"name", measure.name},
                      {"title", measure.title},
                      {"definition", measure.definition},
@@ -49,7 +49,7 @@ int run(const std::string& format) {
     return exit_success;
   }
   print_output("h(i) is 1 where the model at rank i is relevant, else 0; R is the number of relevant models.\n");
-  for (const MeasureDefinition& measure : measure_definitions()) {
+  for (const MeasureDefinition& measure : measure_definitions().entries()) {
     print_output("\n{}, {}\n{}{}{}", measure.name, measure.title, wrapped(measure.definition, 4),
                  wrapped(fmt::format("Source: {}", measure.source), 4),
                  wrapped(fmt::format("Caveat: {}", measure.caveat), 4));

@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +9,7 @@
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/experiments/results/field_files.h"
 
 namespace shapegauge {
@@ -30,9 +29,10 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
     const Samples samples = sample_shape(shape, arguments.site == "faces" ? SampleSite::faces : SampleSite::vertices);
     const ChosenOffset chosen = choose_offset(given_offset, shape);
-    const Field field = make_field({{"type", "offset_sdf"}, {"offset", chosen.offset}});
+    FieldSettings settings = field_settings("offset_sdf");
+    settings.values.set("offset", chosen.offset);
     FieldSource source(shape);
-    const FieldValues result = field.compute(source, samples, true);
+    const FieldValues result = make_field(std::move(settings)).compute(source, samples, true);
     write(job.output, shape, samples, result.normals);
     remark_on_polygons(shape, samples.site, remarks);
     remark_on(chosen, remarks);

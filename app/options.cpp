@@ -11,8 +11,8 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/preparation/denoise.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "shapegauge/experiments/configuration/fields.h"
 
 namespace shapegauge {
 
@@ -59,11 +59,7 @@ std::optional<double> parse_offset(const std::string& text) {
   if (!number) {
     throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, or auto", quoted_word(text)));
   }
-  try {
-    make_field({{"type", "offset_sdf"}, {"offset", *number}});
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("--offset: {}", error.what()));
-  }
+  require_in_bounds("--offset", *number, OffsetSdfOptions::offset_bounds);
   return number;
 }
 

@@ -14,11 +14,11 @@
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -140,7 +140,7 @@ int run(const RerankArguments& arguments) {
     } else {
       write_matrix(arguments.output, method.rerank(whole_matrix(matrix), values), matrix.row_ids);
     }
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));
   }
   warn_of_asymmetry(matrix);

@@ -20,22 +20,14 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
-#include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
-#include "shapegauge/experiments/results/manifest.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
+#include "shapegauge/experiments/results/experiment.h"
 #include "shapegauge/experiments/results/replay.h"
 #include "shapegauge/experiments/results/result_folder.h"
-#include "shapegauge/experiments/results/write_results.h"
-#include "shapegauge/experiments/runner/run_comparison.h"
 #include "shapegauge/experiments/runner/run_control.h"
-#include "shapegauge/experiments/runner/run_experiment.h"
-#include "shapegauge/experiments/segmentation/run_segmentation.h"
-#include "shapegauge/experiments/segmentation/write_segmentation.h"
 
 namespace shapegauge {
 
@@ -122,13 +114,9 @@ void warn_of_changed_inputs(const std::vector<std::string>& changes) {
 }
 
 /// Warns, before a repeated run begins, of inputs that are not the recorded ones.
-void warn_of_inputs(const RequestedRun& request, const Configuration& configuration, int threads) {
-  if (request.recorded.is_null() || !configuration.location) return;
-  with_threads(threads, [&] {
-    const Dataset dataset = find_dataset(*configuration.location);
-    warn_of_changed_inputs(
-        changed_inputs(request.recorded.at("inputs"), dataset_inputs(configuration, dataset.models)));
-  });
+void warn_of_inputs(const RequestedRun& request, const Experiment& experiment, int threads) {
+  if (request.recorded.is_null() || !experiment.inputs) return;
+  warn_of_changed_inputs(changed_inputs(request.recorded.at("inputs"), experiment.inputs(threads)));
 }
 
 /// Prints for each output of a repeated run whether it is the same bytes as recorded, and what else differs: inputs,
@@ -195,23 +183,18 @@ class CacheWarnings {
   ProgressLine* progress_;
 };
 
-// What runs of both kinds have in common.
+// A run.
 
-/// Something that a run went on without.
-struct LeftOut {
-  std::string what;  ///< such as "model 12"
-  std::string why;
-};
-
-/// Prints the warnings and the shapes left out, of `all` shapes; returns the exit status.
-int report_flaws(const std::vector<std::string>& warnings, const std::vector<LeftOut>& left_out, std::size_t all,
-                 std::string_view kind) {
-  for (const std::string& warning : warnings) warn(warning);
-  for (const LeftOut& one : left_out) {
-    warn(fmt::format("left out {}: {}", one.what, one.why));
+/// Prints the notes, the warnings and the shapes left out; returns the exit status.
+int report_flaws(const RunOutcome& outcome) {
+  for (const std::string& text : outcome.notes) note(text);
+  for (const std::string& warning : outcome.warnings) warn(warning);
+  for (const LeftOutShape& one : outcome.left_out) {
+    warn(fmt::format("left out {} {}: {}", outcome.noun, one.id, one.message));
   }
-  if (left_out.empty()) return exit_success;
-  print_error(fmt::format("{} of {} {} could not be used; the results are without them", left_out.size(), all, kind));
+  if (outcome.left_out.empty()) return exit_success;
+  print_error(fmt::format("{} of {} {}s could not be used; the results are without them", outcome.left_out.size(),
+                          outcome.left_out.size() + outcome.used, outcome.noun));
   return exit_with_failures;
 }
 
@@ -235,8 +218,6 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
           }};
 }
 
-// Retrieval experiments, comparisons and segmentations.
-
 /// What an interrupted run says.
 std::string interruption_text(const Cache& cache) {
   return cache.folder().empty() ? "interrupted; no results were written"
@@ -245,121 +226,45 @@ std::string interruption_text(const Cache& cache) {
 }
 
 /// The experiment, through the cache, into the folder.
-ExperimentResults run_with_cache(const RunArguments& arguments, const Configuration& configuration,
-                                 const fs::path& folder, ProgressLine& progress, Communicator& ranks) {
+RunOutcome run_with_cache(const RunArguments& arguments, const Experiment& experiment, const fs::path& folder,
+                          ProgressLine& progress, Communicator& ranks) {
   const std::unique_ptr<Cache> cache = cache_for(arguments);
   const CacheWarnings warnings(*cache, progress);
   try {
-    return run_into_folder(folder, configuration, run_control(arguments, progress), *cache, ranks);
+    return run_into_folder(experiment, folder, arguments.replace || arguments.force, run_control(arguments, progress),
+                           *cache, ranks);
   } catch (const Interrupted&) {
     throw Interrupted(interruption_text(*cache));
   }
 }
 
-/// Throws SharedError where the ranks do not read the same configuration.
-void compare_configurations(const Configuration& configuration, Communicator& ranks) {
-  const std::string own = to_json(configuration).dump();
-  const std::string first = ranks.broadcast(own);
-  agree_on(own == first ? "" : fmt::format("rank {} reads another configuration than rank 0", ranks.rank()), ranks);
-}
-
 /// Prints what a run has to say at its end; returns the exit status.
-int report_run(const ExperimentResults& results, const RequestedRun& request, const fs::path& folder) {
-  print_output("{}\n{}Results in {}\n", summary_text(results), cache_text(results.cache), printable(folder.string()));
-  if (results.configuration.report.wanted) print_output("Report: {}\n", printable((folder / report_name).string()));
-  std::vector<LeftOut> left_out;
-  for (const FailedModel& failure : results.failures)
-    left_out.push_back({"model " + failure.model.id, failure.message});
-  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed,
-                  report_flaws(run_warnings(results), left_out, left_out.size() + results.models.size(), "models"));
-}
-
-int run_retrieval(const RunArguments& arguments, const RequestedRun& request, Communicator& ranks) {
-  Configuration configuration;
-  fs::path folder;
-  std::optional<FolderLock> lock;
-  on_all_ranks(ranks, [&] {
-    configuration = configuration_from_json(request.document, request.source, request.folder);
-    folder = result_folder(arguments, configuration.name);
-    cache_limit();  // says now what is wrong with it
-    if (ranks.rank() != 0) return;
-    check_results_folder(folder, arguments.source, configuration.location);
-    lock.emplace(folder);
-    prepare_result_folder(folder, to_json(configuration), arguments.replace || arguments.force);
-    warn_of_inputs(request, configuration, arguments.threads);
-  });
-  compare_configurations(configuration, ranks);
-  ProgressLine progress;
-  const ExperimentResults results = run_with_cache(arguments, configuration, folder, progress, ranks);
-  if (ranks.rank() != 0) return exit_success;
-  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, cache_limit());
-  progress.clear();
-  return report_run(results, request, folder);
-}
-
-int run_shapes(const RunArguments& arguments, const RequestedRun& request) {
-  const Comparison comparison = comparison_from_json(request.document, request.source, request.folder);
-  const fs::path folder = result_folder(arguments, comparison.name);
-  check_results_folder(folder, arguments.source);
-  const FolderLock lock(folder);
-  prepare_result_folder(folder, to_json(comparison), arguments.replace || arguments.force);
-  ProgressLine progress;
-  const ComparisonResults results = run_comparison(comparison, run_control(arguments, progress));
-  write_comparison(folder, results);
-  progress.clear();
-  print_output("{}\nResults in {}\n", summary_text(results), printable(folder.string()));
-  std::vector<LeftOut> left_out;
-  for (const FailedShape& failure : results.failures) {
-    left_out.push_back({fmt::format("shape \"{}\"", failure.name), failure.message});
+int report_run(const RunOutcome& outcome, const RequestedRun& request, const fs::path& folder) {
+  print_output("{}\n{}Results in {}\n", outcome.summary, cache_text(outcome.cache), printable(folder.string()));
+  if (std::ranges::find(outcome.files, report_name) != outcome.files.end()) {
+    print_output("Report: {}\n", printable((folder / report_name).string()));
   }
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed, report_flaws(field_warnings(results.fields), left_out,
-                                         left_out.size() + results.shapes.size(), "shapes"));
+  return std::max(replayed, report_flaws(outcome));
 }
 
-int run_parts(const RunArguments& arguments, const RequestedRun& request) {
-  const SegmentationExperiment experiment = segmentation_from_json(request.document, request.source, request.folder);
-  const std::uintmax_t limit = cache_limit();
-  const fs::path folder = result_folder(arguments, experiment.name);
-  check_results_folder(folder, arguments.source);
-  const FolderLock lock(folder);
-  prepare_result_folder(folder, to_json(experiment), arguments.replace || arguments.force);
-  ProgressLine progress;
-  const std::unique_ptr<Cache> cache = cache_for(arguments);
-  const CacheWarnings warnings(*cache, progress);
-  const SegmentationResults results =
-      run_segmentation(experiment, folder / "dataset", run_control(arguments, progress), *cache);
-  write_segmentation(folder, results);
-  if (!results.cache.folder.empty()) trim_cache(results.cache.folder, limit);
-  progress.clear();
-  print_output("{}\n{}Results in {}\nReport: {}\n", summary_text(results), cache_text(results.cache),
-               printable(folder.string()), printable((folder / report_name).string()));
-  if (const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons); count > 0) {
-    note(
-        fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a line for "
-                    "each face of the file, the part with most of its area",
-                    count, results.shapes.size()));
-  }
-  std::vector<LeftOut> left_out;
-  for (const FailedSegmentation& failure : results.failures) {
-    left_out.push_back({"shape " + failure.model.id, failure.message});
-  }
-  const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
-  return std::max(replayed, report_flaws({}, left_out, left_out.size() + results.shapes.size(), "shapes"));
-}
-
-/// A request as all ranks have it.
 int run_request(const RunArguments& arguments, Communicator& ranks) {
   RequestedRun request;
+  Experiment experiment;
+  fs::path folder;
   on_all_ranks(ranks, [&] {
     request = requested_run(arguments.source);
-    if (ranks.size() == 1 || !(is_comparison(request.document) || is_segmentation(request.document))) return;
-    throw InputError(
-        fmt::format("{}: comparisons and segmentations run in one process, without mpirun or srun", request.source));
+    experiment = read_experiment(request.document, request.source, request.folder);
+    folder = result_folder(arguments, experiment.name);
+    if (ranks.rank() != 0) return;
+    check_results_folder(folder, arguments.source, experiment.dataset);
+    warn_of_inputs(request, experiment, arguments.threads);
   });
-  if (is_comparison(request.document)) return run_shapes(arguments, request);
-  return is_segmentation(request.document) ? run_parts(arguments, request) : run_retrieval(arguments, request, ranks);
+  ProgressLine progress;
+  const RunOutcome outcome = run_with_cache(arguments, experiment, folder, progress, ranks);
+  if (ranks.rank() != 0) return exit_success;
+  progress.clear();
+  return report_run(outcome, request, folder);
 }
 
 // Runs of several processes.

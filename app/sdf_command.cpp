@@ -13,8 +13,8 @@
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 
@@ -31,8 +31,8 @@ struct SdfArguments {
   std::string offset = "0.05";
   std::string accuracy = "standard";
   std::string engine = "embree";
-  double opening_angle = 60;
-  int rays = 25;
+  double opening_angle_degrees = ConeSdfOptions{}.opening_angle_degrees;
+  int rays = ConeSdfOptions{}.rays;
   bool denoise = false;
   fs::path timings;
   std::string picture_size = "640x480";
@@ -76,19 +76,21 @@ FieldPicture picture_of(const SdfArguments& arguments) {
   return picture;
 }
 
-/// The field as a configuration would ask for it. `offset`: of the offset method.
-nlohmann::json field_settings(const SdfArguments& arguments, std::optional<double> offset) {
-  if (arguments.method == "offset") {
-    nlohmann::json settings{
-        {"type", "offset_sdf"}, {"offset", "auto"}, {"accuracy", arguments.accuracy}, {"at", arguments.site}};
-    if (offset) settings["offset"] = *offset;
-    return settings;
+bool is_offset_sdf(const SdfArguments& arguments) { return arguments.method == "offset_sdf"; }
+
+/// The field that is asked for. `offset`: of the offset SDF; none: automatic.
+Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) {
+  FieldSettings settings = field_settings(arguments.method);
+  settings.samples.site = arguments.site == "vertices" ? SampleSite::vertices : SampleSite::faces;
+  if (is_offset_sdf(arguments)) {
+    settings.values.set("offset", offset ? ParameterValue(*offset) : ParameterValue("auto"));
+    settings.values.set("accuracy", arguments.accuracy);
+  } else {
+    settings.values.set("engine", arguments.engine);
+    settings.values.set("opening_angle_degrees", arguments.opening_angle_degrees);
+    settings.values.set("rays", std::int64_t{arguments.rays});
   }
-  return {{"type", "cone_sdf"},
-          {"engine", arguments.engine},
-          {"opening_angle_degrees", arguments.opening_angle},
-          {"rays", arguments.rays},
-          {"at", arguments.site}};
+  return make_field(std::move(settings));
 }
 
 /// What was computed of a shape.
@@ -103,10 +105,10 @@ Computed compute(const SdfArguments& arguments, std::optional<double> given_offs
                  const std::string& input) {
   try {
     Computed computed;
-    if (arguments.method == "offset") computed.chosen = choose_offset(given_offset, shape);
+    if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset, shape);
     const Field field =
-        make_field(field_settings(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt));
-    computed.samples = take_samples(shape, field.samples);
+        wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
+    computed.samples = take_samples(shape, field.settings.samples);
     FieldSource source(shape);
     computed.field = field.compute(source, computed.samples, true);
     return computed;
@@ -134,9 +136,8 @@ int run(SdfArguments& arguments) {
     throw InputError("--timings goes with one shape; leave it out for several");
   }
   const FieldPicture picture = picture_of(arguments);
-  const std::optional<double> given_offset =
-      arguments.method == "offset" ? parse_offset(arguments.offset) : std::nullopt;
-  make_field(field_settings(arguments, given_offset));  // what is wrong with it is told before anything is read
+  const std::optional<double> given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : std::nullopt;
+  wanted_field(arguments, given_offset);  // what is wrong with it is told before anything is read
   const FieldFileWriter write = field_file_writer(output_name(arguments.files), picture);
   arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}}};
   return for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
@@ -155,13 +156,16 @@ int run(SdfArguments& arguments) {
 void add_sdf_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of shapes, in the files' units");
   command->footer(
-      "Example: shapegauge sdf bunny.off --method offset --offset 0.03 -o bunny.ply\n"
-      "         shapegauge sdf models/*.off --method cone -o sdf/");
+      "Example: shapegauge sdf bunny.off --method offset_sdf --offset 0.03 -o bunny.ply\n"
+      "         shapegauge sdf models/*.off --method cone_sdf -o sdf/");
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
-  command->add_option("--method", arguments->method, "offset: of the offset surface; cone: conventional")
+  command
+      ->add_option("--method", arguments->method,
+                   "offset_sdf (or offset): of the offset surface; cone_sdf (or cone): conventional")
       ->required()
-      ->check(CLI::IsMember({"offset", "cone"}));
+      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "offset", "cone"}))
+      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"offset", "offset_sdf"}, {"cone", "cone_sdf"}}));
   add_shape_outputs(*command, arguments->files,
                     ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)");
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
@@ -175,7 +179,8 @@ void add_sdf_command(CLI::App& app, int& status) {
   std::vector<CLI::Option*> of_cone{
       command->add_option("--engine", arguments->engine, "cone: who casts the rays")
           ->check(CLI::IsMember({"embree", "cgal"})),
-      command->add_option("--opening-angle", arguments->opening_angle, "cone: opening angle in degrees"),
+      command->add_option("--opening-angle-degrees,--opening-angle", arguments->opening_angle_degrees,
+                          "cone: opening angle in degrees"),
       command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
   for (CLI::Option* option : of_cone) option->capture_default_str();
   add_denoise_option(*command, arguments->denoise);
@@ -188,12 +193,13 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, of_offset, of_cone] {
-    const bool is_offset = arguments->method == "offset";
+    const bool is_offset = is_offset_sdf(*arguments);
     for (const CLI::Option* option : of_cone) {
-      if (is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method cone only");
+      if (is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method cone_sdf only");
     }
     for (const CLI::Option* option : of_offset) {
-      if (!is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method offset only");
+      if (!is_offset && option->count() > 0)
+        throw InputError(option->get_name() + " goes with --method offset_sdf only");
     }
     status = run(*arguments);
   });

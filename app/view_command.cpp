@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -19,7 +18,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/view/coarse_view.h"
@@ -49,7 +48,7 @@ struct ViewArguments {
 /// A field that is asked for.
 struct WantedField {
   std::string name;  ///< what the page calls it
-  Json settings;
+  FieldSettings settings;
   bool chooses_offset = false;  ///< --offset is its offset
 };
 
@@ -74,7 +73,7 @@ WantedField wanted_field(const std::string& text) {
   if (settings.contains("at")) {
     throw InputError(fmt::format("{}: a view has values at the faces of a mesh and the points of a cloud", source));
   }
-  make_field(settings);  // what is wrong with it is told before anything is read
+  const Field field = read_field(settings);  // what is wrong with it is told before anything is read
   const std::string type = settings.at("type");
   std::string name = type;
   if (type == "offset_sdf") name = "SDF of the offset surface";
@@ -83,19 +82,19 @@ WantedField wanted_field(const std::string& text) {
     if (key == "type" || (key == "offset" && chooses_offset)) continue;
     name += fmt::format(", {} {}", key, value.is_string() ? value.get<std::string>() : value.dump());
   }
-  return {.name = std::move(name), .settings = std::move(settings), .chooses_offset = chooses_offset};
+  return {.name = std::move(name), .settings = field.settings, .chooses_offset = chooses_offset};
 }
 
 /// Those of --field or, without any, the two SDFs.
 std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offset_given) {
   if (arguments.fields.empty()) return {wanted_field("offset_sdf"), wanted_field("cone_sdf")};
   std::vector<WantedField> fields;
-  std::set<std::string> known;
   for (const std::string& text : arguments.fields) {
-    fields.push_back(wanted_field(text));
-    if (!known.insert(fields.back().settings.dump()).second) {
+    WantedField field = wanted_field(text);
+    if (std::ranges::find(fields, field.settings, &WantedField::settings) != fields.end()) {
       throw InputError(fmt::format("--field {} is given twice", text));
     }
+    fields.push_back(std::move(field));
   }
   if (offset_given && std::ranges::none_of(fields, &WantedField::chooses_offset)) {
     throw InputError("--offset goes with --field offset_sdf, without an offset of its own");
@@ -106,14 +105,14 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
 /// Adds a field to the view, and the normals of the first one that estimates them.
 void add_field(const WantedField& wanted, std::optional<double> offset, FieldSource& source, const Samples& samples,
                ShapeView& view, Remarks& remarks) {
-  Json settings = wanted.settings;
+  FieldSettings settings = wanted.settings;
   if (wanted.chooses_offset) {
     const ChosenOffset chosen = choose_offset(offset, source.shape());
-    settings["offset"] = chosen.offset;
+    settings.values.set("offset", chosen.offset);
     remark_on(chosen, remarks);
     view.note = fmt::format("offset {:.3g} % of the diagonal", 100 * chosen.offset);
   }
-  FieldValues computed = make_field(settings).compute(source, samples, true);
+  FieldValues computed = make_field(std::move(settings)).compute(source, samples, true);
   const auto range = central_range({.values = computed.values, .weights = samples.weights});
   const auto missing = computed.values.array().isNaN().count();
   if (missing > 0) {
@@ -151,7 +150,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   FieldSource source(view.shape);
   for (const WantedField& field : fields) {
     // Nobody asked for what a cloud cannot have.
-    if (cloud && arguments.fields.empty() && field.settings.at("type") == "cone_sdf") continue;
+    if (cloud && arguments.fields.empty() && field.settings.type == "cone_sdf") continue;
     add_field(field, offset, source, samples, view, remarks);
   }
   if (view.normals.rows() == 0) view.normals = samples.normals;
@@ -223,13 +222,11 @@ void add_view_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   command->add_option("-o,--output", arguments->output, "The page: .html; -: standard output")->required();
   add_replace_option(*command, arguments->files.replace);
-  std::vector<std::string> types;
-  for (const FieldType& type : field_types()) types.push_back(type.name);
   command
       ->add_option("--field", arguments->fields,
                    "A field to show, with settings as of a configuration: offset_sdf,offset=0.03; may be given more "
                    "than once (default: offset_sdf and, of meshes, cone_sdf)")
-      ->type_name(fmt::format("{{{}}}", fmt::join(types, ",")));
+      ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
   CLI::Option* parts = command->add_option("--parts", arguments->parts, "Parts wanted; 0: as many as there are")
                            ->check(CLI::NonNegativeNumber)

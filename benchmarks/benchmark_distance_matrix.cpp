@@ -61,7 +61,7 @@ void rows(benchmark::State& state) {
   for ([[maybe_unused]] const auto iteration : state) {
     for (Eigen::Index first = 0; first < signatures.rows(); first += together) {
       one_thread.execute(
-          [&] { benchmark::DoNotOptimize(distance_rows(signatures, first, together, distance_named("l1"))); });
+          [&] { benchmark::DoNotOptimize(distance_rows(signatures, first, together, distances().at("l1"))); });
     }
   }
   count_pairs(state, static_cast<double>(signatures.rows() * signatures.rows()));

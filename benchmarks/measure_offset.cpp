@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/offset/offset_solver.h"
@@ -220,7 +221,7 @@ void measure_exactness(const Case& one, const Settings& settings) {
 Settings parse(const std::vector<std::string>& arguments) {
   Settings settings;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const auto value = [&] { return i + 1 < arguments.size() ? arguments[++i] : throw std::invalid_argument("value"); };
+    const auto value = [&] { return i + 1 < arguments.size() ? arguments[++i] : throw ArgumentError("value"); };
     if (arguments[i] == "--cut") {
       settings.cut = std::stoi(value());
     } else if (arguments[i] == "--every") {
@@ -237,7 +238,7 @@ Settings parse(const std::vector<std::string>& arguments) {
       settings.meshes.push_back(arguments[i]);
     }
   }
-  if (settings.meshes.empty() || settings.every < 1) throw std::invalid_argument("arguments");
+  if (settings.meshes.empty() || settings.every < 1) throw ArgumentError("arguments");
   return settings;
 }
 

@@ -82,7 +82,7 @@ void measure(std::size_t models, int bins, Communicator& ranks) {
   const Usage before = usage();
   const auto start = std::chrono::steady_clock::now();
   DistanceJudge judge(labels, own, {.evaluations = {{}}, .overview = false, .largest = 0, .file = {}}, ranks);
-  visit_distances(distance_named("l1"), {.rows = signatures, .all = models}, ranks,
+  visit_distances(distances().at("l1"), {.rows = signatures, .all = models}, ranks,
                   [&](Eigen::Index first, const DistanceTable& rows) { judge.add(first, rows); });
   const double own_seconds = seconds_since(start);
   const Judgement judgement = judge.finish();

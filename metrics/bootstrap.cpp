@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <stdexcept>
 #include <string>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/names.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
@@ -65,10 +65,10 @@ std::optional<Average> average_of(std::string_view name) { return value_in<Avera
 std::vector<std::string> average_names() { return names_in<Average>(averages); }
 
 Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average) {
-  if (per_query.rows() == 0) throw std::invalid_argument("no queries to make statistics of");
+  if (per_query.rows() == 0) throw ArgumentError("no queries to make statistics of");
   if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
-    throw std::invalid_argument("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
-                                std::to_string(classes.size()));
+    throw ArgumentError("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
+                        std::to_string(classes.size()));
   }
   Units units =
       blocks == Blocks::queries ? query_units(per_query, classes, average) : class_units(per_query, classes, average);
@@ -105,7 +105,7 @@ double quantile(const Eigen::VectorXd& sorted, double fraction) {
 
 Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& options) {
   if (options.resamples < 1) {
-    throw std::invalid_argument("a bootstrap needs at least one resample, not " + std::to_string(options.resamples));
+    throw ArgumentError("a bootstrap needs at least one resample, not " + std::to_string(options.resamples));
   }
   const auto count = static_cast<std::uint64_t>(units.values.rows());
   Eigen::MatrixXd averages(options.resamples, units.values.cols());
@@ -126,11 +126,11 @@ Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& 
 std::vector<ConfidenceInterval> percentile_intervals(const Eigen::MatrixXd& resampled, Eigen::Index units,
                                                      double confidence) {
   if (units < 2) {
-    throw std::invalid_argument("a confidence interval needs at least two classes or queries to draw from, there is " +
-                                std::to_string(units));
+    throw ArgumentError("a confidence interval needs at least two classes or queries to draw from, there is " +
+                        std::to_string(units));
   }
   if (!(confidence > 0 && confidence < 1)) {
-    throw std::invalid_argument("the confidence must be between 0 and 1, not " + std::to_string(confidence));
+    throw ArgumentError("the confidence must be between 0 and 1, not " + std::to_string(confidence));
   }
   const double tail = tail_of(confidence, units);
   std::vector<ConfidenceInterval> intervals;

@@ -44,7 +44,7 @@ struct Units {
 };
 
 /// The units of a table queries x methods. classes[i] is the class of query i; classes are in the order in which the
-/// queries have them, so that what is drawn does not depend on how they are numbered. Throws std::invalid_argument
+/// queries have them, so that what is drawn does not depend on how they are numbered. Throws ArgumentError
 /// where there are no queries or not as many classes.
 Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average);
 
@@ -70,7 +70,7 @@ Eigen::MatrixXd bootstrap_averages(const Units& units, const ResamplingOptions& 
 /// than the confidence says, by sqrt(n / (n - 1)) and Student's t, which makes up for drawing from a sample of only n
 /// units (Hesterberg, "What teachers should know about the bootstrap", The American Statistician 69, 2015,
 /// section 3.2). Where all units have the same value the interval has no width: the data then say nothing about how
-/// values vary. Throws std::invalid_argument: fewer than two units, no resamples, a confidence that is not between 0
+/// values vary. Throws ArgumentError: fewer than two units, no resamples, a confidence that is not between 0
 /// and 1.
 std::vector<ConfidenceInterval> bootstrap_intervals(const Units& units, double confidence = 0.95,
                                                     const ResamplingOptions& options = {});

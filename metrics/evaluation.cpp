@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/metrics/ranked_list.h"
 
@@ -16,12 +16,12 @@ namespace {
 
 void check_square(const DistanceTable& distances, std::span<const int> labels) {
   if (distances.rows() != distances.cols()) {
-    throw std::invalid_argument("a distance matrix must be square, not " + std::to_string(distances.rows()) + " x " +
-                                std::to_string(distances.cols()));
+    throw ArgumentError("a distance matrix must be square, not " + std::to_string(distances.rows()) + " x " +
+                        std::to_string(distances.cols()));
   }
   if (static_cast<std::size_t>(distances.rows()) != labels.size()) {
-    throw std::invalid_argument("the distance matrix is for " + std::to_string(distances.rows()) + " models, but " +
-                                std::to_string(labels.size()) + " have a class");
+    throw ArgumentError("the distance matrix is for " + std::to_string(distances.rows()) + " models, but " +
+                        std::to_string(labels.size()) + " have a class");
   }
 }
 
@@ -29,15 +29,13 @@ void check_task(std::size_t rows, std::size_t columns, const RetrievalTask& task
   const bool fits = task.query_classes.size() == rows && task.own_column.size() == rows &&
                     task.target_classes.size() == columns && (task.judged.empty() || task.judged.size() == rows);
   if (!fits) {
-    throw std::invalid_argument("the retrieval task is for " + std::to_string(task.query_classes.size()) +
-                                " queries and " + std::to_string(task.target_classes.size()) +
-                                " targets, the distance matrix is " + std::to_string(rows) + " x " +
-                                std::to_string(columns));
+    throw ArgumentError("the retrieval task is for " + std::to_string(task.query_classes.size()) + " queries and " +
+                        std::to_string(task.target_classes.size()) + " targets, the distance matrix is " +
+                        std::to_string(rows) + " x " + std::to_string(columns));
   }
   if (options.minimum_class_size < 2) {
-    throw std::invalid_argument("the minimum class size must be at least 2, not " +
-                                std::to_string(options.minimum_class_size) +
-                                ": a class of one model has no relevant answer");
+    throw ArgumentError("the minimum class size must be at least 2, not " + std::to_string(options.minimum_class_size) +
+                        ": a class of one model has no relevant answer");
   }
 }
 
@@ -46,8 +44,8 @@ void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   for (Eigen::Index row = 0; row < distances.rows(); ++row) {
     for (Eigen::Index column = 0; column < distances.cols(); ++column) {
       if (!std::isnan(distances(row, column))) continue;
-      throw std::invalid_argument("the distance in row " + std::to_string(first + row) + ", column " +
-                                  std::to_string(column) + " (counted from 0) is not a number");
+      throw ArgumentError("the distance in row " + std::to_string(first + row) + ", column " + std::to_string(column) +
+                          " (counted from 0) is not a number");
     }
   }
 }
@@ -68,7 +66,7 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
     classes.insert(task.query_classes[row]);
   }
   if (classes.empty()) {
-    throw std::invalid_argument("no class has " + std::to_string(minimum) + " models or more, so there are no queries");
+    throw ArgumentError("no class has " + std::to_string(minimum) + " models or more, so there are no queries");
   }
   evaluation.classes.assign(classes.begin(), classes.end());
 }

@@ -57,12 +57,12 @@ struct Evaluation {
 /// Evaluates a distance matrix against the models' classes, every model a query to all others
 /// (docs/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may be
 /// infinite; the diagonal plays no part. Models that are no queries stay in the others' lists. Parallel over queries;
-/// the same bytes for any number of threads. Throws std::invalid_argument: matrix empty, not square or of another size
+/// the same bytes for any number of threads. Throws ArgumentError: matrix empty, not square or of another size
 /// than labels, a distance that is NaN (naming row and column, counted from 0), a minimum class size below 2, no class
 /// large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);
 
-/// Evaluates a matrix whose rows and columns are what the task says. Throws std::invalid_argument as above, and where
+/// Evaluates a matrix whose rows and columns are what the task says. Throws ArgumentError as above, and where
 /// the task is for a matrix of another size.
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
@@ -89,7 +89,7 @@ class RowJudge {
   /// For the rows from `first` to before `last`. Throws as evaluate().
   RowJudge(const RetrievalTask& task, const EvaluationOptions& options, Eigen::Index first, Eigen::Index last);
 
-  /// Judges the queries among rows of the matrix, from the row `first` on. In parallel. Throws std::invalid_argument
+  /// Judges the queries among rows of the matrix, from the row `first` on. In parallel. Throws ArgumentError
   /// for a distance that is NaN.
   void judge(const DistanceTable& rows, Eigen::Index first);
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <deque>
-#include <mutex>
-#include <shared_mutex>
-#include <stdexcept>
 #include <utility>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 namespace {
@@ -96,7 +94,7 @@ double area_under_curve(const RankedList& list) {
 }
 
 // The library's own, in the order in which listings have them.
-std::deque<MeasureDefinition> own_measures() {
+std::vector<MeasureDefinition> own_measures() {
   return {
       {
           .name = "NN",
@@ -259,87 +257,51 @@ std::deque<MeasureDefinition> own_measures() {
   };
 }
 
-// Definitions are never moved nor removed, so that measures can point to them.
-struct Registry {
-  std::shared_mutex mutex;
-  std::deque<MeasureDefinition> definitions = own_measures();
-};
-
-Registry& registry() {
-  static Registry all;
-  return all;
-}
-
 constexpr std::size_t largest_k = 1000000000;
 constexpr std::string_view ranks_suffix = "@k";
 constexpr std::string_view other_name_of_map = "AP";
-
-// The definition of that name, or null. The caller holds the lock.
-const MeasureDefinition* find_definition(const Registry& all, std::string_view name) {
-  const auto found = std::ranges::find(all.definitions, name, &MeasureDefinition::name);
-  return found == all.definitions.end() ? nullptr : &*found;
-}
-
-[[noreturn]] void fail_unknown(std::string_view name) {
-  std::string message = "there is no measure \"" + std::string(name.substr(0, 40)) + "\"; known are:";
-  for (const MeasureDefinition& definition : measure_definitions()) message.append(" ").append(definition.name);
-  throw std::invalid_argument(message);
-}
 
 std::size_t ranks_of(std::string_view name, std::string_view digits) {
   std::size_t k = 0;
   const char* const end = digits.data() + digits.size();
   const auto [stop, error] = std::from_chars(digits.data(), end, k);
   if (error != std::errc() || stop != end || k == 0 || k > largest_k) {
-    throw std::invalid_argument("the measure \"" + std::string(name.substr(0, 40)) +
-                                "\" needs a number of ranks from 1 to 1000000000 after the @, as in " +
-                                std::string(name.substr(0, name.find('@'))) + "@10");
+    throw ArgumentError("the measure \"" + std::string(name.substr(0, 40)) +
+                        "\" needs a number of ranks from 1 to 1000000000 after the @, as in " +
+                        std::string(name.substr(0, name.find('@'))) + "@10");
   }
   return k;
 }
 
-}  // namespace
-
-std::vector<MeasureDefinition> measure_definitions() {
-  Registry& all = registry();
-  const std::shared_lock lock(all.mutex);
-  return {all.definitions.begin(), all.definitions.end()};
-}
-
-void register_measure(MeasureDefinition definition) {
+void check_measure(const MeasureDefinition& definition) {
   const std::string& name = definition.name;
   const bool at_k = name.ends_with(ranks_suffix);
   const std::string stem = at_k ? name.substr(0, name.size() - ranks_suffix.size()) : name;
-  if (stem.empty() || stem.find_first_of(" \t,@") != std::string::npos) {
-    throw std::invalid_argument("\"" + name + "\" cannot be the name of a measure");
+  if (stem.empty() || stem.find_first_of(" \t,@") != std::string::npos || name == other_name_of_map) {
+    throw ArgumentError("\"" + name + "\" cannot be the name of a measure");
   }
   if ((definition.value != nullptr) == at_k || (definition.value_at != nullptr) != at_k) {
-    throw std::invalid_argument("the measure \"" + name +
-                                "\" needs one function: value_at where its name ends in @k, "
-                                "else value");
+    throw ArgumentError("the measure \"" + name +
+                        "\" needs one function: value_at where its name ends in @k, "
+                        "else value");
   }
-  Registry& all = registry();
-  const std::unique_lock lock(all.mutex);
-  if (name == other_name_of_map || find_definition(all, name) != nullptr) {
-    throw std::invalid_argument("there is a measure \"" + name + "\" already");
-  }
-  all.definitions.push_back(std::move(definition));
+}
+
+}  // namespace
+
+Registry<MeasureDefinition>& measure_definitions() {
+  static Registry<MeasureDefinition> all("measure", own_measures(), check_measure);
+  return all;
 }
 
 Measure measure_of(std::string_view name) {
   if (name == other_name_of_map) name = "mAP";
   const std::size_t at = name.find('@');
-  const std::string wanted =
-      at == std::string_view::npos ? std::string(name) : std::string(name.substr(0, at)).append(ranks_suffix);
-  const MeasureDefinition* definition = nullptr;
-  {
-    Registry& all = registry();
-    const std::shared_lock lock(all.mutex);
-    definition = find_definition(all, wanted);
-  }
-  if (definition == nullptr) fail_unknown(name);
+  const std::string stem(name.substr(0, at));
+  const MeasureDefinition& definition =
+      measure_definitions().at(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));
   const std::size_t k = at == std::string_view::npos ? 0 : ranks_of(name, name.substr(at + 1));
-  return {.name = std::string(name), .definition = definition, .k = k};
+  return {.name = std::string(name), .definition = &definition, .k = k};
 }
 
 std::vector<Measure> measures_of(std::span<const std::string> names) {
@@ -348,7 +310,7 @@ std::vector<Measure> measures_of(std::span<const std::string> names) {
   for (const std::string& name : names) {
     const Measure measure = measure_of(name);
     if (std::ranges::find(measures, measure.name, &Measure::name) != measures.end()) {
-      throw std::invalid_argument("the measure \"" + measure.name + "\" is named twice");
+      throw ArgumentError("the measure \"" + measure.name + "\" is named twice");
     }
     measures.push_back(measure);
   }

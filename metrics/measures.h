@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/metrics/ranked_list.h"
 
@@ -23,13 +24,9 @@ struct MeasureDefinition {
   double (*value_at)(const RankedList&, std::size_t k) = nullptr;
 };
 
-/// All measures: those of the library (measures.cpp), then those that were registered, in their order.
-std::vector<MeasureDefinition> measure_definitions();
-
-/// Makes a measure known by its name, to evaluations and listings alike. May be called from any thread; measures stay
-/// for the life of the program. Throws std::invalid_argument for a name that is taken, empty, or has a blank, a comma
-/// or an @ in it other than that of "@k", and for a definition that does not have the one function its name asks for.
-void register_measure(MeasureDefinition definition);
+/// All measures: those of the library (measures.cpp), then those that were added. An entry has the one function that
+/// its name asks for, and no blank, comma or @ in its name other than that of "@k".
+Registry<MeasureDefinition>& measure_definitions();
 
 /// A measure as tables show it, with its number of ranks where it has one: "FT", "P@10".
 struct Measure {
@@ -42,11 +39,11 @@ struct Measure {
   }
 };
 
-/// The measure of that name, "FT" or "P@10"; AP is another name of mAP. Throws std::invalid_argument with the known
+/// The measure of that name, "FT" or "P@10"; AP is another name of mAP. Throws ArgumentError with the known
 /// names where there is none, and for a number of ranks that is not from 1 to 1000000000.
 Measure measure_of(std::string_view name);
 
-/// The measures of those names. Throws std::invalid_argument as measure_of, and where one is named twice.
+/// The measures of those names. Throws ArgumentError as measure_of, and where one is named twice.
 std::vector<Measure> measures_of(std::span<const std::string> names);
 
 /// The measures that a protocol is usually reported with, in the order of the tables' columns. psb, paper: NN, FT, ST,

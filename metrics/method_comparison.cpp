@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/names.h"
 #include "shapegauge/metrics/significance_tests.h"
 
@@ -22,13 +22,13 @@ constexpr std::array tests = {
 };
 
 void check(const Eigen::MatrixXd& per_query, const Units& units, const ComparisonOptions& options) {
-  if (per_query.cols() < 2) throw std::invalid_argument("a comparison needs at least two methods");
-  if (!per_query.allFinite()) throw std::invalid_argument("a value to compare is not a finite number");
+  if (per_query.cols() < 2) throw ArgumentError("a comparison needs at least two methods");
+  if (!per_query.allFinite()) throw ArgumentError("a value to compare is not a finite number");
   if (units.values.rows() < 2) {
-    throw std::invalid_argument("a comparison over " + name_of(options.blocks) + " needs at least two of them");
+    throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two of them");
   }
   if (options.reference && *options.reference >= static_cast<std::size_t>(per_query.cols())) {
-    throw std::invalid_argument("the reference is none of the methods");
+    throw ArgumentError("the reference is none of the methods");
   }
 }
 

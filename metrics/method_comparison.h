@@ -61,7 +61,7 @@ struct MethodComparison {
 double smallest_p_value(const ComparisonOptions& options, Eigen::Index units);
 
 /// Compares methods by their values on the same queries: per_query is queries x methods, classes[i] the class of query
-/// i. Throws std::invalid_argument: fewer than two methods or two units, a value that is not finite, a reference that
+/// i. Throws ArgumentError: fewer than two methods or two units, a value that is not finite, a reference that
 /// is no method.
 MethodComparison compare_methods(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                  const ComparisonOptions& options = {});

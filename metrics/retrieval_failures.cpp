@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -13,10 +14,10 @@ Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::spa
   const auto models = std::ssize(labels);
   const auto is_class = [&](int label) { return label >= 0 && label < classes; };
   const auto is_model = [&](auto model) { return model >= 0 && model < models; };
-  if (nearest.size() != labels.size()) throw std::invalid_argument("every model must have a class and a nearest one");
-  if (!std::ranges::all_of(labels, is_class)) throw std::invalid_argument("a label is not the number of a class");
+  if (nearest.size() != labels.size()) throw ArgumentError("every model must have a class and a nearest one");
+  if (!std::ranges::all_of(labels, is_class)) throw ArgumentError("a label is not the number of a class");
   if (!std::ranges::all_of(nearest, is_model) || !std::ranges::all_of(queries, is_model)) {
-    throw std::invalid_argument("a query, or its nearest neighbour, is not one of the models");
+    throw ArgumentError("a query, or its nearest neighbour, is not one of the models");
   }
   Eigen::MatrixXi confusion = Eigen::MatrixXi::Zero(classes, classes);
   for (const Eigen::Index query : queries) {
@@ -29,7 +30,7 @@ Eigen::MatrixXi confusion_matrix(std::span<const std::int32_t> nearest, std::spa
 std::vector<std::size_t> worst_queries(const Evaluation& evaluation, std::string_view measure, std::size_t count) {
   const auto column = std::ranges::find(evaluation.measures, measure);
   if (column == evaluation.measures.end()) {
-    throw std::invalid_argument("the evaluation has no measure " + std::string(measure));
+    throw ArgumentError("the evaluation has no measure " + std::string(measure));
   }
   const auto values = evaluation.per_query.col(column - evaluation.measures.begin());
   std::vector<std::size_t> order(evaluation.queries.size());

@@ -6,9 +6,10 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -32,23 +33,22 @@ struct ContingencyTable {
 
 ContingencyTable contingency_table(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                                    std::span<const double> weights) {
-  if (labels.empty()) throw std::invalid_argument("a segmentation needs at least one element");
-  if (labels.size() != truth.size()) throw std::invalid_argument("two segmentations need the same number of elements");
-  if (!weights.empty() && weights.size() != labels.size())
-    throw std::invalid_argument("one weight an element is needed");
+  if (labels.empty()) throw ArgumentError("a segmentation needs at least one element");
+  if (labels.size() != truth.size()) throw ArgumentError("two segmentations need the same number of elements");
+  if (!weights.empty() && weights.size() != labels.size()) throw ArgumentError("one weight an element is needed");
   ContingencyTable table;
   std::vector<Overlap> elements;
   elements.reserve(labels.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double weight = weights.empty() ? 1 : weights[i];
     if (!(weight >= 0 && std::isfinite(weight))) {
-      throw std::invalid_argument("the weight of an element must be a finite number, at least 0");
+      throw ArgumentError("the weight of an element must be a finite number, at least 0");
     }
     elements.push_back({labels[i], truth[i], weight});
     table.total += weight;
     table.squares += weight * weight;
   }
-  if (!(table.total > 0)) throw std::invalid_argument("at least one element needs a positive weight");
+  if (!(table.total > 0)) throw ArgumentError("at least one element needs a positive weight");
   const auto key = [](const Overlap& o) { return std::pair(o.label, o.truth); };
   std::ranges::stable_sort(elements, {}, key);
   for (const Overlap& element : elements) {
@@ -204,13 +204,13 @@ void check_edges(std::size_t triangles, const std::vector<MeshEdge>& edges, std:
   const auto is_triangle = [&](std::int32_t f) { return f >= 0 && static_cast<std::size_t>(f) < triangles; };
   for (const MeshEdge& edge : edges) {
     for (const std::int32_t v : edge.vertices) {
-      if (v < 0 || v >= vertices) throw std::invalid_argument("an edge has a vertex that there is not");
+      if (v < 0 || v >= vertices) throw ArgumentError("an edge has a vertex that there is not");
     }
     if (!is_triangle(edge.triangles[0]) || (edge.triangles[1] != -1 && !is_triangle(edge.triangles[1]))) {
-      throw std::invalid_argument("an edge has a triangle that there is not");
+      throw ArgumentError("an edge has a triangle that there is not");
     }
     if (!(edge.length >= 0 && std::isfinite(edge.length))) {
-      throw std::invalid_argument("the length of an edge must be a finite number, at least 0");
+      throw ArgumentError("the length of an edge must be a finite number, at least 0");
     }
   }
 }
@@ -269,8 +269,8 @@ SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std
 
 double cut_discrepancy(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                        const std::vector<MeshEdge>& edges, std::int32_t vertices, double radius) {
-  if (labels.size() != truth.size()) throw std::invalid_argument("two segmentations need the same number of elements");
-  if (!(radius > 0 && std::isfinite(radius))) throw std::invalid_argument("the radius must be positive");
+  if (labels.size() != truth.size()) throw ArgumentError("two segmentations need the same number of elements");
+  if (!(radius > 0 && std::isfinite(radius))) throw ArgumentError("the radius must be positive");
   check_edges(labels.size(), edges, vertices);
   const std::vector<double> found = cut_lengths(labels, edges, vertices);
   const std::vector<double> wanted = cut_lengths(truth, edges, vertices);

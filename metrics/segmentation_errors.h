@@ -48,7 +48,7 @@ const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries();
 ///   other.
 ///
 /// The time grows with n log n, not with pairs. Where there are fewer than two elements of positive weight the Rand
-/// error is 0. Throws std::invalid_argument: no elements, numbers of labels, truth or weights that differ, a weight
+/// error is 0. Throws ArgumentError: no elements, numbers of labels, truth or weights that differ, a weight
 /// that is negative or not finite, or no positive one.
 SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                                        std::span<const double> weights = {});
@@ -66,7 +66,7 @@ struct MeshEdge {
 /// different segments; its vertices stand for half of its length each. Distances are the shortest ways along edges.
 ///
 /// 0 where neither segmentation has cuts; NaN, not defined, where one of them has none, or no way leads from a cut to
-/// the other's. Throws std::invalid_argument: numbers of labels that differ, an edge with a vertex or a triangle out of
+/// the other's. Throws ArgumentError: numbers of labels that differ, an edge with a vertex or a triangle out of
 /// range or a length that is negative or not finite, a radius that is not positive.
 double cut_discrepancy(std::span<const std::int32_t> labels, std::span<const std::int32_t> truth,
                        const std::vector<MeshEdge>& edges, std::int32_t vertices, double radius);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 #include <tbb/blocked_range.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/random_numbers.h"
 
@@ -37,10 +37,9 @@ double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
 double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
                              const ResamplingOptions& options) {
   if (options.resamples < 1) {
-    throw std::invalid_argument("a randomisation test needs at least one resample, not " +
-                                std::to_string(options.resamples));
+    throw ArgumentError("a randomisation test needs at least one resample, not " + std::to_string(options.resamples));
   }
-  if (differences.size() == 0) throw std::invalid_argument("no units for a randomisation test");
+  if (differences.size() == 0) throw ArgumentError("no units for a randomisation test");
   const Eigen::VectorXd terms = differences.cwiseProduct(weights);
   const double observed = std::abs(terms.sum()) - share_of_rounding * terms.cwiseAbs().sum();
   const int as_extreme = parallel_reduce_parts(
@@ -57,7 +56,7 @@ double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::Ve
 }
 
 PairedT paired_t_test(const Eigen::VectorXd& differences) {
-  if (differences.size() < 2) throw std::invalid_argument("a paired t-test needs at least two differences");
+  if (differences.size() < 2) throw ArgumentError("a paired t-test needs at least two differences");
   const auto count = static_cast<double>(differences.size());
   const double mean = differences.mean();
   const double variance = (differences.array() - mean).square().sum() / (count - 1);
@@ -93,10 +92,9 @@ Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
 
 Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& options) {
   if (options.resamples < 1) {
-    throw std::invalid_argument("a randomised test needs at least one resample, not " +
-                                std::to_string(options.resamples));
+    throw ArgumentError("a randomised test needs at least one resample, not " + std::to_string(options.resamples));
   }
-  if (units.values.size() == 0) throw std::invalid_argument("no units for a randomised Tukey test");
+  if (units.values.size() == 0) throw ArgumentError("no units for a randomised Tukey test");
   std::vector<double> ranges(static_cast<std::size_t>(options.resamples));
   parallel_for(0, options.resamples, [&](int resample) {
     const Eigen::VectorXd averages =
@@ -133,7 +131,7 @@ std::vector<double> holm_adjusted(std::span<const double> p_values) {
 }
 
 double effect_size(const Eigen::VectorXd& differences) {
-  if (differences.size() < 2) throw std::invalid_argument("an effect size needs at least two differences");
+  if (differences.size() < 2) throw ArgumentError("an effect size needs at least two differences");
   const double mean = differences.mean();
   if (mean == 0) return 0;
   const auto count = static_cast<double>(differences.size());

@@ -12,7 +12,7 @@ namespace shapegauge {
 /// would be a matter of chance in each unit. The p-value is (1 + #) / (B + 1), where # counts those of B random
 /// exchanges whose difference of averages is at least as far from 0 as the observed one; it is never 0. `differences`
 /// and `weights` are by unit. Fisher, "The design of experiments", 1935; for retrieval: Smucker, Allan, Carterette,
-/// CIKM 2007. Throws std::invalid_argument where there are no resamples or no units.
+/// CIKM 2007. Throws ArgumentError where there are no resamples or no units.
 double randomisation_p_value(const Eigen::VectorXd& differences, const Eigen::VectorXd& weights,
                              const ResamplingOptions& options = {});
 
@@ -25,7 +25,7 @@ struct PairedT {
 
 /// Student's t-test of the mean of paired differences against 0, two-sided. "Student", Biometrika 6, 1908. It takes the
 /// differences as independent, and their mean as normally distributed, which for values between 0 and 1 with many equal
-/// ones holds from some dozens on. Throws std::invalid_argument where there are fewer than two.
+/// ones holds from some dozens on. Throws ArgumentError where there are fewer than two.
 PairedT paired_t_test(const Eigen::VectorXd& differences);
 
 /// Randomised Tukey HSD ("honestly significant differences"): p-values of all pairs of methods at once, methods x
@@ -33,7 +33,7 @@ PairedT paired_t_test(const Eigen::VectorXd& differences);
 /// largest difference of any two averages is kept; the p-value of a pair is (1 + #) / (B + 1), where # counts those
 /// that are at least as large as the pair's own difference. No further correction is needed. Carterette, "Multiple
 /// testing in statistical analysis of systems-based information retrieval experiments", ACM TOIS 30, 2012. Throws
-/// std::invalid_argument where there are no resamples or no units.
+/// ArgumentError where there are no resamples or no units.
 Eigen::MatrixXd tukey_hsd_p_values(const Units& units, const ResamplingOptions& options = {});
 
 /// The p-values of several tests, adjusted so that calling those below alpha significant goes wrong anywhere with a
@@ -45,7 +45,7 @@ std::vector<double> holm_adjusted(std::span<const double> p_values);
 /// Cohen's d for paired differences (d_z): their mean over their standard deviation, that of a sample. About 0.2 is
 /// called small, 0.5 medium, 0.8 large. 0 where all differences are 0, infinite where they are equal and not 0. Cohen,
 /// "Statistical power analysis for the behavioral sciences", 1988, section 2.3. Unlike a p-value it does not grow with
-/// the number of queries. Throws std::invalid_argument where there are fewer than two.
+/// the number of queries. Throws ArgumentError where there are fewer than two.
 double effect_size(const Eigen::VectorXd& differences);
 
 /// On how many queries the first of two methods has the larger value, the same value, the smaller one.

@@ -2,6 +2,7 @@
 // shapegauge/*.py.
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -10,7 +11,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +24,7 @@
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
@@ -32,14 +32,11 @@
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/results/experiment.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
-#include "shapegauge/experiments/results/result_folder.h"
-#include "shapegauge/experiments/results/write_results.h"
-#include "shapegauge/experiments/runner/run_comparison.h"
-#include "shapegauge/experiments/runner/run_experiment.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
-#include "shapegauge/experiments/segmentation/write_segmentation.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
@@ -90,11 +87,14 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 
 /// The offset that a field of these settings is computed with on the shape; none for a field without one.
 std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
-  const auto given = field.settings.find("offset");
-  if (given == field.settings.end()) return std::nullopt;
-  ChosenOffset chosen = choose_offset(given->is_number() ? given->get<double>() : values.offset.value(), shape);
+  const ParameterValues& settings = field.settings.values;
+  if (std::ranges::find(settings.parameters(), "offset", &Parameter::name) == settings.parameters().end()) {
+    return std::nullopt;
+  }
+  const auto* const given = std::get_if<double>(&settings.value("offset"));
+  ChosenOffset chosen = choose_offset(given != nullptr ? *given : values.offset.value(), shape);
   // Chosen by the field already: only that it was chosen matters to leak_warning(), not by which gaps and noise.
-  if (!given->is_number()) chosen.automatic.emplace();
+  if (given == nullptr) chosen.automatic.emplace();
   return chosen;
 }
 
@@ -110,10 +110,10 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   Computed computed = compute(threads, [&] {
     const Json json = Json::parse(settings);
     check_against_schema(json, "field", "the field");
-    const Field wanted = make_field(json);
+    const Field wanted = read_field(json);
     const Shape shape = shape_of(vertices, faces, normals);
     Computed result;
-    result.samples = take_samples(shape, wanted.samples);
+    result.samples = take_samples(shape, wanted.settings.samples);
     FieldSource source(shape);
     result.values = wanted.compute(source, result.samples, true);
     if (const auto chosen = offset_of(wanted, result.values, shape)) {
@@ -355,71 +355,6 @@ struct FinishedRun {
   std::vector<std::string> left_out;
 };
 
-/// A request for a run.
-struct RunRequest {
-  fs::path configuration;
-  Json document;
-  fs::path output;
-  bool replace = false;
-
-  /// Makes the folder for the results of the experiment ready.
-  template <typename Experiment>
-  void prepare(const Experiment& experiment) const {
-    prepare_result_folder(output, to_json(experiment), replace);
-  }
-  [[nodiscard]] fs::path folder() const { return configuration.parent_path(); }
-};
-
-FinishedRun run_comparison_of(const RunRequest& request, const RunControl& control) {
-  const Comparison comparison =
-      comparison_from_json(request.document, request.configuration.string(), request.folder());
-  request.prepare(comparison);
-  const ComparisonResults results = run_comparison(comparison, control);
-  write_comparison(request.output, results);
-  FinishedRun finished{.summary = summary_text(results), .warnings = field_warnings(results.fields), .left_out = {}};
-  for (const FailedShape& failure : results.failures) {
-    finished.left_out.push_back(failure.name + ": " + failure.message);
-  }
-  return finished;
-}
-
-FinishedRun run_segmentation_of(const RunRequest& request, const RunControl& control, Cache& cache) {
-  const SegmentationExperiment experiment =
-      segmentation_from_json(request.document, request.configuration.string(), request.folder());
-  request.prepare(experiment);
-  const SegmentationResults results = run_segmentation(experiment, request.output / "dataset", control, cache);
-  write_segmentation(request.output, results);
-  FinishedRun finished{.summary = summary_text(results), .warnings = {}, .left_out = {}};
-  for (const FailedSegmentation& failure : results.failures) {
-    finished.left_out.push_back(failure.model.id + ": " + failure.message);
-  }
-  return finished;
-}
-
-FinishedRun run_retrieval_of(const RunRequest& request, const RunControl& control, Cache& cache) {
-  const Configuration experiment =
-      configuration_from_json(request.document, request.configuration.string(), request.folder());
-  request.prepare(experiment);
-  const ExperimentResults results = run_into_folder(request.output, experiment, control, cache, *single_process());
-  FinishedRun finished{.summary = summary_text(results), .warnings = run_warnings(results), .left_out = {}};
-  for (const FailedModel& failure : results.failures) {
-    finished.left_out.push_back(failure.model.id + ": " + failure.message);
-  }
-  return finished;
-}
-
-FinishedRun run_request(const RunRequest& request, const RunControl& control,
-                        const std::optional<fs::path>& cache_folder) {
-  if (is_comparison(request.document)) return run_comparison_of(request, control);
-  Cache cache(cache_folder.value_or(default_cache_folder()), false);
-  FinishedRun finished = is_segmentation(request.document) ? run_segmentation_of(request, control, cache)
-                                                           : run_retrieval_of(request, control, cache);
-  if (!cache.folder().empty()) trim_cache(cache.folder(), cache_limit());
-  const std::vector<std::string> of_cache = cache.warnings();
-  finished.warnings.insert(finished.warnings.end(), of_cache.begin(), of_cache.end());
-  return finished;
-}
-
 FinishedRun run_configuration(const fs::path& configuration, const std::vector<std::string>& overrides,
                               const fs::path& output, bool replace, const std::optional<fs::path>& cache_folder,
                               int threads) {
@@ -428,12 +363,14 @@ FinishedRun run_configuration(const fs::path& configuration, const std::vector<s
   const RunControl control{
       .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
   run_interruptibly(cancellation, [&] {
-    const RunRequest request{.configuration = configuration,
-                             .document = read_configuration_document(configuration, overrides),
-                             .output = output,
-                             .replace = replace};
-    const FolderLock lock(output);
-    finished = run_request(request, control, cache_folder);
+    const Experiment experiment = read_experiment(read_configuration_document(configuration, overrides),
+                                                  configuration.string(), configuration.parent_path());
+    Cache cache(cache_folder.value_or(default_cache_folder()), false);
+    RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
+    finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};
+    for (const LeftOutShape& one : outcome.left_out) finished.left_out.push_back(one.id + ": " + one.message);
+    std::ranges::move(outcome.notes, std::back_inserter(finished.warnings));
+    std::ranges::move(cache.warnings(), std::back_inserter(finished.warnings));
   });
   return finished;
 }
@@ -468,9 +405,6 @@ PYBIND11_MODULE(_native, module) {
       if (pointer) std::rethrow_exception(pointer);
     } catch (const ConfigurationError& error) {
       PyErr_SetString(input_error, (error.path + ": " + error.message).c_str());
-    } catch (const std::invalid_argument& error) {
-      // What the modules below say of data that they cannot use: here they are the user's.
-      PyErr_SetString(input_error, error.what());
     }
   });
   bind_shapes(module);

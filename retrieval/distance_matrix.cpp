@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <stdexcept>
 #include <tbb/blocked_range2d.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -21,8 +21,8 @@ void check_finite(const SignatureBlock& block) {
     if ((signatures.row(row).array() * 0).sum() == 0) continue;  // NaN where an entry is not finite
     for (Eigen::Index column = 0; column < signatures.cols(); ++column) {
       if (std::isfinite(signatures(row, column))) continue;
-      throw std::invalid_argument("entry " + std::to_string(column) + " of signature " +
-                                  std::to_string(block.first + row) + " (both counted from 0) is not a finite number");
+      throw ArgumentError("entry " + std::to_string(column) + " of signature " + std::to_string(block.first + row) +
+                          " (both counted from 0) is not a finite number");
     }
   }
 }
@@ -36,9 +36,9 @@ void check_domain(const SignatureBlock& block, const NamedDistance& distance) {
     const bool negative = (signatures.row(row).array() < 0).any();
     const bool zero = (signatures.row(row).array() == 0).all();
     if ((may_be_negative || !negative) && (may_be_zero || !zero)) continue;
-    throw std::invalid_argument("the distance " + distance.name + " is not defined for signature " +
-                                std::to_string(block.first + row) + " (counted from 0), which " +
-                                (zero ? "is zero" : "has a negative entry") + "; l1 and l2 take any signature");
+    throw ArgumentError("the distance " + distance.name + " is not defined for signature " +
+                        std::to_string(block.first + row) + " (counted from 0), which " +
+                        (zero ? "is zero" : "has a negative entry") + "; l1 and l2 take any signature");
   }
 }
 
@@ -110,14 +110,8 @@ void check_signatures(const SignatureBlock& block, const NamedDistance& distance
   check_domain(block, distance);
 }
 
-std::vector<std::string> distance_names() {
-  std::vector<std::string> names;
-  for (const NamedDistance& distance : distances()) names.push_back(distance.name);
-  return names;
-}
-
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance) {
-  const NamedDistance between = distance_named(distance);
+  const NamedDistance between = distances().at(distance);
   const SignatureBlock block{signatures, 0};
   check_signatures(block, between);
   const Tiles all(block);
@@ -165,8 +159,8 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const NamedDistance& distance) {
   if (first < 0 || count < 0 || first > signatures.rows() - count) {
-    throw std::invalid_argument("there are no rows " + std::to_string(first) + " to " + std::to_string(first + count) +
-                                " in a distance matrix of " + std::to_string(signatures.rows()));
+    throw ArgumentError("there are no rows " + std::to_string(first) + " to " + std::to_string(first + count) +
+                        " in a distance matrix of " + std::to_string(signatures.rows()));
   }
   const SignatureBlock all{signatures, 0};
   check_signatures(all, distance);

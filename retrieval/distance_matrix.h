@@ -16,11 +16,8 @@ using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 /// Distances between all pairs, symmetric with zero diagonal.
 using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// The names that distance_matrix understands ("l1", ...), for configurations and error messages.
-std::vector<std::string> distance_names();
-
 /// All pairwise distances of the signatures by the named distance, in parallel, the same bytes for any number of
-/// threads. Throws std::invalid_argument for a name that is not in distance_names(), and for a signature with an entry
+/// threads. Throws ArgumentError for a name that is not in distances(), and for a signature with an entry
 /// that is not finite, or for which the distance is not defined (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
@@ -30,7 +27,7 @@ struct SignatureBlock {
   Eigen::Index first = 0;
 };
 
-/// Throws std::invalid_argument for a signature with an entry that is not finite, or for which the distance is not
+/// Throws ArgumentError for a signature with an entry that is not finite, or for which the distance is not
 /// defined.
 void check_signatures(const SignatureBlock& block, const NamedDistance& distance);
 
@@ -40,7 +37,7 @@ DistanceMatrix distances_between(const NamedDistance& distance, const SignatureB
                                  const SignatureBlock& others);
 
 /// Streaming version of distance_matrix(): its rows from `first` on, `count` of them, the same to the bit. In parallel.
-/// Throws std::invalid_argument as check_signatures() does, and where there are no such rows.
+/// Throws ArgumentError as check_signatures() does, and where there are no such rows.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const NamedDistance& distance);
 

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
-#include <shared_mutex>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/l1_distance.h"
 
 namespace shapegauge {
@@ -121,14 +119,8 @@ std::vector<NamedDistance> own_distances() {
   };
 }
 
-struct Registry {
-  std::shared_mutex mutex;
-  std::vector<NamedDistance> distances = own_distances();
-};
-
-Registry& registry() {
-  static Registry all;
-  return all;
+void check_distance(const NamedDistance& distance) {
+  if (distance.function == nullptr) throw ArgumentError("the distance \"" + distance.name + "\" needs a function");
 }
 
 }  // namespace
@@ -144,31 +136,9 @@ double l2_distance(std::span<const float> a, std::span<const float> b) {
   return std::sqrt(sum);
 }
 
-std::vector<NamedDistance> distances() {
-  Registry& all = registry();
-  const std::shared_lock lock(all.mutex);
-  return all.distances;
-}
-
-NamedDistance distance_named(const std::string& name) {
-  const std::vector<NamedDistance> known = distances();
-  const auto found = std::ranges::find(known, name, &NamedDistance::name);
-  if (found != known.end()) return *found;
-  std::string message = "there is no distance named \"" + name + "\"; known are:";
-  for (const NamedDistance& distance : known) message.append(" ").append(distance.name);
-  throw std::invalid_argument(message);
-}
-
-void register_distance(NamedDistance distance) {
-  if (distance.name.empty() || distance.function == nullptr) {
-    throw std::invalid_argument("a distance needs a name and a function");
-  }
-  Registry& all = registry();
-  const std::unique_lock lock(all.mutex);
-  if (std::ranges::find(all.distances, distance.name, &NamedDistance::name) != all.distances.end()) {
-    throw std::invalid_argument("there is a distance \"" + distance.name + "\" already");
-  }
-  all.distances.push_back(std::move(distance));
+Registry<NamedDistance>& distances() {
+  static Registry<NamedDistance> all("distance", own_distances(), check_distance);
+  return all;
 }
 
 }  // namespace shapegauge

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/registry.h"
+
 namespace shapegauge {
 
 /// A distance between two signatures of equal length. It must be symmetric, and zero between equal signatures: a
@@ -30,15 +32,7 @@ struct NamedDistance {
   DistancesFunction of_several = nullptr;  ///< a faster way than one by one, if there is one
 };
 
-/// All distances: those of the library (distances.cpp), then those that were registered, in their order.
-std::vector<NamedDistance> distances();
-
-/// The distance of that name. Throws std::invalid_argument, naming those there are.
-NamedDistance distance_named(const std::string& name);
-
-/// Makes a distance known by its name, to distance_matrix() and listings alike. May be called from any thread;
-/// distances stay for the life of the program. Throws std::invalid_argument for a name that is empty or taken, and
-/// where there is no function.
-void register_distance(NamedDistance distance);
+/// All distances: those of the library (distances.cpp), then those that were added. An entry has a function.
+Registry<NamedDistance>& distances();
 
 }  // namespace shapegauge

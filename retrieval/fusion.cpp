@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 
 namespace shapegauge {
@@ -16,28 +16,28 @@ namespace {
 
 void check(std::span<const DistanceMatrix> matrices, std::span<const double> weights) {
   if (matrices.empty() || matrices.size() != weights.size()) {
-    throw std::invalid_argument("distances need at least one matrix and a weight for each to be fused, not " +
-                                std::to_string(matrices.size()) + " matrices and " + std::to_string(weights.size()) +
-                                " weights");
+    throw ArgumentError("distances need at least one matrix and a weight for each to be fused, not " +
+                        std::to_string(matrices.size()) + " matrices and " + std::to_string(weights.size()) +
+                        " weights");
   }
   double total = 0;
   for (const double weight : weights) {
     if (!(weight >= 0) || !std::isfinite(weight)) {
-      throw std::invalid_argument("a weight of fused distances is " + std::to_string(weight) +
-                                  "; it must be finite and not negative");
+      throw ArgumentError("a weight of fused distances is " + std::to_string(weight) +
+                          "; it must be finite and not negative");
     }
     total += weight;
   }
-  if (!(total > 0)) throw std::invalid_argument("of the weights of fused distances one at least must be positive");
+  if (!(total > 0)) throw ArgumentError("of the weights of fused distances one at least must be positive");
   const Eigen::Index size = matrices.front().rows();
   for (const DistanceMatrix& matrix : matrices) {
     if (matrix.rows() != size || matrix.cols() != size) {
-      throw std::invalid_argument("fused distance matrices must be square and of one size; there are " +
-                                  std::to_string(size) + " models and a matrix of " + std::to_string(matrix.rows()) +
-                                  " x " + std::to_string(matrix.cols()));
+      throw ArgumentError("fused distance matrices must be square and of one size; there are " + std::to_string(size) +
+                          " models and a matrix of " + std::to_string(matrix.rows()) + " x " +
+                          std::to_string(matrix.cols()));
     }
     if (size > 0 && !(matrix.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw std::invalid_argument("fused distances must be numbers that are not negative");
+      throw ArgumentError("fused distances must be numbers that are not negative");
     }
   }
 }
@@ -122,8 +122,8 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
     if (weights[k] == 0) continue;
     const double unit = scale_of(matrices[k], scale);
     if (!(unit > 0)) {
-      throw std::invalid_argument("the median or mean of the distances of matrix " + std::to_string(k) +
-                                  " (counted from 0) is 0: it cannot be divided by it");
+      throw ArgumentError("the median or mean of the distances of matrix " + std::to_string(k) +
+                          " (counted from 0) is 0: it cannot be divided by it");
     }
     sum += weights[k] / unit * matrices[k];
   }

@@ -13,7 +13,7 @@ enum class DistanceScale { none, median, mean };
 
 /// The sum of distance matrices of the same models, each divided by its scale and multiplied by its weight. A distance
 /// that is infinite in a matrix of positive weight is infinite in the sum; scales are over the finite ones. Sums of
-/// finite distances are finite: too large ones become the largest number. Throws std::invalid_argument where there are
+/// finite distances are finite: too large ones become the largest number. Throws ArgumentError where there are
 /// no matrices, they differ in size or are not square, weights are not as many, a weight is negative or not finite, a
 /// distance is negative or not a number, all weights are 0, or a scale is 0.
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,

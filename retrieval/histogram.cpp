@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -11,18 +12,18 @@ namespace {
 
 void check_sizes(const ScalarField& field) {
   if (field.values.size() != field.weights.size()) {
-    throw std::invalid_argument("a field has " + std::to_string(field.values.size()) + " values but " +
-                                std::to_string(field.weights.size()) + " weights");
+    throw ArgumentError("a field has " + std::to_string(field.values.size()) + " values but " +
+                        std::to_string(field.weights.size()) + " weights");
   }
 }
 
 void check_options(const Interval& range, const HistogramOptions& options) {
   if (options.bins < 1) {
-    throw std::invalid_argument("a histogram needs at least one bin, not " + std::to_string(options.bins));
+    throw ArgumentError("a histogram needs at least one bin, not " + std::to_string(options.bins));
   }
   if (!(range.low <= range.high) || !std::isfinite(range.high - range.low)) {
-    throw std::invalid_argument("the range of a histogram must be finite and ascending, not [" +
-                                std::to_string(range.low) + ", " + std::to_string(range.high) + "]");
+    throw ArgumentError("the range of a histogram must be finite and ascending, not [" + std::to_string(range.low) +
+                        ", " + std::to_string(range.high) + "]");
   }
 }
 
@@ -50,7 +51,7 @@ std::optional<Interval> value_range(const ScalarField& field) {
 }
 
 Interval enclosing_interval(std::span<const Interval> intervals) {
-  if (intervals.empty()) throw std::invalid_argument("no intervals to enclose");
+  if (intervals.empty()) throw ArgumentError("no intervals to enclose");
   Interval enclosing = intervals.front();
   for (const Interval& interval : intervals) {
     enclosing.low = std::min(enclosing.low, interval.low);
@@ -67,15 +68,15 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
   for (Eigen::Index i = 0; i < field.values.size(); ++i) {
     const double weight = field.weights[i];
     if (!(weight >= 0) || !std::isfinite(weight)) {
-      throw std::invalid_argument("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
-                                  "; weights must be finite and not negative");
+      throw ArgumentError("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
+                          "; weights must be finite and not negative");
     }
     if (std::isnan(field.values[i])) continue;
     counts[bin_of(field.values[i], range, options.bins)] += weight;
     total += weight;
   }
-  if (!(total > 0)) throw std::invalid_argument("a field without any value of positive weight has no histogram");
-  if (!std::isfinite(total)) throw std::invalid_argument("the weights of a field sum to more than a number can hold");
+  if (!(total > 0)) throw ArgumentError("a field without any value of positive weight has no histogram");
+  if (!std::isfinite(total)) throw ArgumentError("the weights of a field sum to more than a number can hold");
   return smooth_gaussian(counts / total, options.smoothing_bins).cast<float>();
 }
 
@@ -107,10 +108,10 @@ Eigen::Index mirrored_bin(Eigen::Index position, Eigen::Index bins) {
 
 Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standard_deviation) {
   const Eigen::Index bins = histogram.size();
-  if (bins == 0) throw std::invalid_argument("a histogram without bins cannot be smoothed");
+  if (bins == 0) throw ArgumentError("a histogram without bins cannot be smoothed");
   if (!(standard_deviation >= 0 && standard_deviation <= static_cast<double>(bins))) {
-    throw std::invalid_argument("the smoothing of a histogram must lie between 0 and its number of bins (" +
-                                std::to_string(bins) + "), not " + std::to_string(standard_deviation));
+    throw ArgumentError("the smoothing of a histogram must lie between 0 and its number of bins (" +
+                        std::to_string(bins) + "), not " + std::to_string(standard_deviation));
   }
   if (standard_deviation == 0) return histogram;
   const Eigen::VectorXd kernel = half_kernel(standard_deviation);
@@ -134,24 +135,24 @@ void normalise(Eigen::Ref<Eigen::RowVectorXf> signature) {
   for (Eigen::Index i = 0; i < signature.size(); ++i) {
     const float entry = signature[i];
     if (!(entry >= 0) || !std::isfinite(entry)) {
-      throw std::invalid_argument("entry " + std::to_string(i) + " of a signature is " + std::to_string(entry) +
-                                  "; only finite entries that are not negative can be concatenated");
+      throw ArgumentError("entry " + std::to_string(i) + " of a signature is " + std::to_string(entry) +
+                          "; only finite entries that are not negative can be concatenated");
     }
     total += entry;
   }
-  if (!(total > 0)) throw std::invalid_argument("a signature of zeros only cannot be normalised");
+  if (!(total > 0)) throw ArgumentError("a signature of zeros only cannot be normalised");
   signature = (signature.cast<double>() / total).cast<float>();
 }
 
 }  // namespace
 
 Signatures concatenate(std::span<const Signatures> parts) {
-  if (parts.empty()) throw std::invalid_argument("no signatures to concatenate");
+  if (parts.empty()) throw ArgumentError("no signatures to concatenate");
   Eigen::Index length = 0;
   for (const Signatures& part : parts) {
     if (part.rows() != parts.front().rows()) {
-      throw std::invalid_argument("signatures of " + std::to_string(parts.front().rows()) + " and of " +
-                                  std::to_string(part.rows()) + " shapes cannot be concatenated");
+      throw ArgumentError("signatures of " + std::to_string(parts.front().rows()) + " and of " +
+                          std::to_string(part.rows()) + " shapes cannot be concatenated");
     }
     length += part.cols();
   }

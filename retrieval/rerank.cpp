@@ -7,7 +7,6 @@
 #include <limits>
 #include <numeric>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,8 +53,8 @@ void check(const DiffusionOptions& options) { check_options("diffusion", diffusi
 
 RowSource rows_of(const DistanceMatrix& distances) {
   if (distances.rows() != distances.cols()) {
-    throw std::invalid_argument("only square distance matrices can be re-ranked, not " +
-                                std::to_string(distances.rows()) + " x " + std::to_string(distances.cols()));
+    throw ArgumentError("only square distance matrices can be re-ranked, not " + std::to_string(distances.rows()) +
+                        " x " + std::to_string(distances.cols()));
   }
   return [&distances](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
     return distances.middleRows(first, count);
@@ -69,8 +68,8 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
     const Eigen::Index count = std::min(rows_at_once, models - first);
     const DistanceMatrix block = rows(first, count);
     if (block.rows() != count || block.cols() != models) {
-      throw std::invalid_argument("rows of " + std::to_string(block.cols()) + " distances for " +
-                                  std::to_string(models) + " models");
+      throw ArgumentError("rows of " + std::to_string(block.cols()) + " distances for " + std::to_string(models) +
+                          " models");
     }
     visit(first, block);
   }
@@ -196,13 +195,13 @@ class ColumnSolver {
 }  // namespace
 
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
-  if (k < 1) throw std::invalid_argument("at least one nearest neighbour must be asked for, not " + std::to_string(k));
+  if (k < 1) throw ArgumentError("at least one nearest neighbour must be asked for, not " + std::to_string(k));
   const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
   NearestModels nearest{{models, count}, {models, count}};
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(models);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw std::invalid_argument("distances between models must be numbers that are not negative");
+      throw ArgumentError("distances between models must be numbers that are not negative");
     }
     parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
       std::vector<std::int32_t> order(static_cast<std::size_t>(models));

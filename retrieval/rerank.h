@@ -33,7 +33,7 @@ struct NearestModels {
 using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
 
 /// The nearest others among n models, from the rows of their distances; k is lowered to n - 1. Throws
-/// std::invalid_argument for a k below 1, and for rows of another length or with a distance that is negative or NaN.
+/// ArgumentError for a k below 1, and for rows of another length or with a distance that is negative or NaN.
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 
 /// Settings of diffusion.
@@ -62,7 +62,7 @@ DistanceMatrix diffused_affinities(const Eigen::SparseMatrix<double, Eigen::RowM
 void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
              const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit);
 
-/// The same for a matrix in memory, by one dense factorisation, made symmetric. Throws std::invalid_argument as above
+/// The same for a matrix in memory, by one dense factorisation, made symmetric. Throws ArgumentError as above
 /// and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
 

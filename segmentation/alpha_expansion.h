@@ -23,7 +23,7 @@ double labelling_cost(std::span<const std::int32_t> labels, const Eigen::MatrixX
 /// ends when no label can gain, or after so many rounds over all labels. The cost is at most that of the start and, at
 /// the end of the last round, at most twice the least possible one as far as edges go. Of two labels it is the least.
 ///
-/// `start` has a label for each node. Throws std::invalid_argument: a label or a node out of range, a cost that is
+/// `start` has a label for each node. Throws ArgumentError: a label or a node out of range, a cost that is
 /// negative (of an edge) or not finite, sizes that differ.
 std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
                                           std::vector<std::int32_t> start, int rounds = 20);

@@ -7,7 +7,6 @@
 #include <map>
 #include <queue>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -134,9 +133,9 @@ std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::
                     "concavity ({}) above 0",
                     options.width, options.strength, options.concavity));
   }
-  if (std::ssize(labels) != surface.graph.size()) throw std::invalid_argument("a surface needs one label a node");
+  if (std::ssize(labels) != surface.graph.size()) throw ArgumentError("a surface needs one label a node");
   if (std::ranges::any_of(labels, [](std::int32_t label) { return label < 0; })) {
-    throw std::invalid_argument("labels must not be negative");
+    throw ArgumentError("labels must not be negative");
   }
   std::vector<std::int32_t> result(labels.begin(), labels.end());
   const WaysToParts ways = ways_to_parts(surface, labels, options.width);

@@ -18,7 +18,7 @@ struct BoundarySmoothingOptions {
 /// Labels whose borders are shorter and follow concavities: of all labellings that differ near borders only, one of low
 /// cost (alpha_expansion). A node that goes to another part costs its area times the way to where that part was, as a
 /// share of `width`; a border costs its length, less where the surface is concave. No label disappears. Throws
-/// InputError for options out of range and std::invalid_argument where there is not one label, from 0 on, a node.
+/// InputError for options out of range and ArgumentError where there is not one label, from 0 on, a node.
 std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                               const BoundarySmoothingOptions& options);
 

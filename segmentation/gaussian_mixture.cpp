@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -108,8 +107,8 @@ double information_criterion(const GaussianMixture& mixture, Eigen::Index points
 }
 
 void check(const Eigen::MatrixXd& points, const MixtureOptions& options) {
-  if (points.rows() == 0 || points.cols() == 0) throw std::invalid_argument("a mixture needs points");
-  if (!points.allFinite()) throw std::invalid_argument("a mixture needs points that are finite");
+  if (points.rows() == 0 || points.cols() == 0) throw ArgumentError("a mixture needs points");
+  if (!points.allFinite()) throw ArgumentError("a mixture needs points that are finite");
   if (options.components < 0) throw InputError(fmt::format("there cannot be {} components", options.components));
   if (options.most_components < 1) {
     throw InputError(fmt::format("at least 1 component must be allowed, not {}", options.most_components));

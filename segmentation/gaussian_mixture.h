@@ -29,7 +29,7 @@ struct MixtureOptions {
 /// least Bayesian information criterion (Schwarz 1978), -2 log L + (2 k d + k - 1) log n. A component that dies out
 /// keeps a weight of 0. Coordinates in which the points do not differ say nothing.
 ///
-/// Throws InputError for options out of range, and std::invalid_argument for no points or one that is not finite.
+/// Throws InputError for options out of range, and ArgumentError for no points or one that is not finite.
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, const MixtureOptions& options);
 
 /// Logarithm of the density of each component, its weight included, at each point: points x components.

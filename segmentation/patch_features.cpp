@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -69,12 +68,12 @@ Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::In
 
 Eigen::MatrixXd patch_features(std::span<const std::int32_t> patch, std::span<const ScalarField> fields, int levels) {
   if (levels < 1) throw InputError(fmt::format("a distribution needs at least 1 level, not {}", levels));
-  if (fields.empty() || patch.empty()) throw std::invalid_argument("features of patches need a field and samples");
+  if (fields.empty() || patch.empty()) throw ArgumentError("features of patches need a field and samples");
   const Eigen::Index patches = *std::ranges::max_element(patch) + 1;
   Eigen::MatrixXd features(patches, std::ssize(fields) * levels);
   for (std::size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].values.size() != std::ssize(patch) || fields[f].weights.size() != std::ssize(patch)) {
-      throw std::invalid_argument("a field needs one value and one weight a sample");
+      throw ArgumentError("a field needs one value and one weight a sample");
     }
     const Eigen::MatrixXd shares = cumulative_shares(patch, patches, fields[f], levels);
     features.middleCols(static_cast<Eigen::Index>(f) * levels, levels) = shares.topRows(patches);

@@ -15,7 +15,7 @@ namespace shapegauge {
 /// whole surface's distribution.
 ///
 /// `patch[i]`, from 0 on, is the patch of sample i. Throws InputError for less than one level, and
-/// std::invalid_argument for no fields and a field that has not one value and one weight a sample.
+/// ArgumentError for no fields and a field that has not one value and one weight a sample.
 Eigen::MatrixXd patch_features(std::span<const std::int32_t> patch, std::span<const ScalarField> fields, int levels);
 
 }  // namespace shapegauge

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <limits>
 #include <queue>
-#include <stdexcept>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
@@ -128,7 +127,7 @@ std::vector<std::int32_t> patches(const SurfaceGraph& graph, const PatchOptions&
     throw InputError(fmt::format("the number of patches must be at least 1, not {}", options.count));
   if (options.rounds < 0)
     throw InputError(fmt::format("the number of rounds must not be negative: {}", options.rounds));
-  if (!costs.empty() && costs.size() != graph.links.size()) throw std::invalid_argument("one cost a link is needed");
+  if (!costs.empty() && costs.size() != graph.links.size()) throw ArgumentError("one cost a link is needed");
   std::vector<std::int32_t> centres = farthest_centres(graph, options, costs);
   std::vector<std::int32_t> patch = grown_from(graph, costs, centres);
   for (int round = 0; round < options.rounds; ++round) {

@@ -23,7 +23,7 @@ struct PatchOptions {
 /// without, a link costs its distance. There are more patches than wanted where the surface has more components, and
 /// fewer where it has fewer nodes. A patch is connected.
 ///
-/// Throws InputError for options out of range and std::invalid_argument where the number of costs is wrong.
+/// Throws InputError for options out of range and ArgumentError where the number of costs is wrong.
 std::vector<std::int32_t> patches(const SurfaceGraph& graph, const PatchOptions& options,
                                   std::span<const double> costs = {});
 

@@ -6,9 +6,9 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <unordered_map>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/connectivity.h"
 
 namespace shapegauge {
@@ -30,7 +30,7 @@ constexpr std::array<Colour, 12> palette = {{{68, 119, 170},
                                              {153, 153, 51}}};
 
 void check(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
-  if (std::ssize(labels) != graph.size()) throw std::invalid_argument("a surface needs one label a node");
+  if (std::ssize(labels) != graph.size()) throw ArgumentError("a surface needs one label a node");
 }
 
 /// Areas of labels, which go from 0 on, and the lengths of their borders with each other.

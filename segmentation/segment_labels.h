@@ -18,7 +18,7 @@ std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
 std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels);
 
 /// The connected parts of each label: nodes have the same number where links lead from one to the other within their
-/// label. Numbers go from 0 on, in the order of the parts' first nodes. Throws std::invalid_argument where there is not
+/// label. Numbers go from 0 on, in the order of the parts' first nodes. Throws ArgumentError where there is not
 /// one label a node.
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <numbers>
 #include <numeric>
-#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/region_merging.h"
 
@@ -167,7 +167,7 @@ Eigen::MatrixXd pairs_together(std::span<const std::int32_t> patch, std::int32_t
                                const std::vector<std::vector<std::int32_t>>& segmentations) {
   Eigen::MatrixXd together = Eigen::MatrixXd::Zero(regions, regions);
   for (const std::vector<std::int32_t>& segments : segmentations) {
-    if (segments.size() != patch.size()) throw std::invalid_argument("a segmentation needs one segment a node");
+    if (segments.size() != patch.size()) throw ArgumentError("a segmentation needs one segment a node");
     std::map<std::int32_t, Eigen::Index> columns;
     for (const std::int32_t segment : segments) columns.emplace(segment, std::ssize(columns));
     Eigen::MatrixXd counts = Eigen::MatrixXd::Zero(regions, std::ssize(columns));
@@ -197,9 +197,9 @@ std::vector<PartExample> part_examples(Regions regions, const Eigen::MatrixXd& t
 }
 
 PartModel train_part_model(const std::vector<PartExample>& examples, const TrainingOptions& options) {
-  if (examples.empty()) throw std::invalid_argument("training needs examples");
+  if (examples.empty()) throw ArgumentError("training needs examples");
   if (options.hidden_units < 1 || options.networks < 1 || options.epochs < 1 || !(options.rate > 0)) {
-    throw std::invalid_argument("the options of training must be positive");
+    throw ArgumentError("the options of training must be positive");
   }
   PartModel model;
   const TrainingSet set = standardised(examples, model);

@@ -38,7 +38,7 @@ struct TrainingOptions {
 };
 
 /// The model of least cross entropy with the examples: by Adam (Kingma and Ba 2015) in batches of 256. The same input
-/// gives the same model. Throws std::invalid_argument for no examples and options that are not positive.
+/// gives the same model. Throws ArgumentError for no examples and options that are not positive.
 PartModel train_part_model(const std::vector<PartExample>& examples, const TrainingOptions& options);
 
 }  // namespace shapegauge

@@ -26,12 +26,12 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
-#include "shapegauge/tools/part_model_training.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/seg_file.h"
 #include "shapegauge/segmentation/surface_regions.h"
+#include "shapegauge/tools/part_model_training.h"
 
 namespace shapegauge {
 namespace {

@@ -1,19 +1,38 @@
 // Writes what the registries say into the files of the repository: configs/experiment.schema.json and the tables of
 // docs/configuration.md. Run by the target update_reference.
+//
+//     write_reference REPOSITORY
+//     write_reference REPOSITORY --check    says which of the files are not up to date, and fails
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/configuration/schema.h"
 
-int main(int /*count*/, char** arguments) try {
+int main(int count, char** arguments) try {
+  if (count < 2) throw shapegauge::InputError("usage: write_reference REPOSITORY [--check]");
   const std::filesystem::path repository = arguments[1];
   const std::filesystem::path page = repository / "docs/configuration.md";
-  shapegauge::write_file_atomically(repository / "configs/experiment.schema.json", shapegauge::experiment_schema());
-  shapegauge::write_file_atomically(page, shapegauge::with_reference_tables(shapegauge::read_file_bytes(page)));
-  return 0;
+  const std::vector<std::pair<std::filesystem::path, std::string>> files{
+      {repository / "configs/experiment.schema.json", shapegauge::experiment_schema()},
+      {page, shapegauge::with_reference_tables(shapegauge::read_file_bytes(page))}};
+  int outdated = 0;
+  for (const auto& [path, text] : files) {
+    if (count == 2) {
+      shapegauge::write_file_atomically(path, text);
+    } else if (shapegauge::read_file_bytes(path) != text) {
+      std::fprintf(stderr, "%s: out of date; build the target update_reference\n", path.c_str());
+      ++outdated;
+    }
+  }
+  return outdated > 0 ? 1 : 0;
 } catch (const std::exception& error) {
-  std::fputs(error.what(), stderr);
+  std::fprintf(stderr, "write_reference: error: %s\n", error.what());
   return 1;
 }

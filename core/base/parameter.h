@@ -79,6 +79,11 @@ class ParameterValues {
 
   [[nodiscard]] std::span<const Parameter> parameters() const { return parameters_; }
 
+  /// Equal values of the same list.
+  bool operator==(const ParameterValues& other) const {
+    return parameters_.data() == other.parameters_.data() && values_ == other.values_;
+  }
+
  private:
   std::span<const Parameter> parameters_;
   std::vector<ParameterValue> values_;

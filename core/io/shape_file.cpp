@@ -20,9 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::vector<ShapeFormat>& format_registry() {
-  static std::vector<ShapeFormat> formats{off_format(), obj_format(), ply_format(), stl_format(), xyz_format()};
-  return formats;
+std::vector<ShapeFormat> own_formats() {
+  return {off_format(), obj_format(), ply_format(), stl_format(), xyz_format()};
 }
 
 std::vector<std::string_view> extensions_of(const ShapeFormat& format) {
@@ -38,15 +37,12 @@ const ShapeFormat* format_by_extension(std::string_view extension) {
                std::ranges::count(format.ambiguous_extensions, extension) >
            0;
   };
-  const auto found = std::ranges::find_if(format_registry(), has_it);
-  return found == format_registry().end() ? nullptr : &*found;
+  return shape_formats().find_if(has_it);
 }
 
 const ShapeFormat* format_by_content(std::string_view bytes) {
-  const auto found = std::ranges::find_if(format_registry(), [&](const ShapeFormat& format) {
-    return format.begins_like != nullptr && format.begins_like(bytes);
-  });
-  return found == format_registry().end() ? nullptr : &*found;
+  return shape_formats().find_if(
+      [&](const ShapeFormat& format) { return format.begins_like != nullptr && format.begins_like(bytes); });
 }
 
 /// The format by extension and, failing that, by content; null for an unknown one.
@@ -59,6 +55,14 @@ const ShapeFormat& format_of(const fs::path& path, std::string_view bytes) {
   if (const ShapeFormat* const format = find_format(path, bytes)) return *format;
   throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
                                path.extension().string(), fmt::join(shape_extensions(), ", ")));
+}
+
+void check_format(const ShapeFormat& format) {
+  for (const std::string_view extension : extensions_of(format)) {
+    if (format_by_extension(extension) != nullptr) {
+      throw ArgumentError(fmt::format("there is a shape format with the extension \"{}\" already", extension));
+    }
+  }
 }
 
 }  // namespace
@@ -93,32 +97,28 @@ ShapeWriter shape_writer(const fs::path& path) {
                                fmt::join(written_shape_extensions(), ", ")));
 }
 
-std::span<const ShapeFormat> shape_formats() { return format_registry(); }
-
-void register_shape_format(const ShapeFormat& format) {
-  for (const std::string_view extension : extensions_of(format)) {
-    if (format_by_extension(extension) != nullptr) {
-      throw InputError(fmt::format("there is a shape format with the extension \"{}\" already", extension));
-    }
-  }
-  format_registry().push_back(format);
+Registry<ShapeFormat>& shape_formats() {
+  static Registry<ShapeFormat> all("format of shapes", own_formats(), check_format);
+  return all;
 }
 
 std::vector<std::string_view> shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : format_registry()) std::ranges::copy(extensions_of(format), std::back_inserter(all));
+  for (const ShapeFormat& format : shape_formats().entries())
+    std::ranges::copy(extensions_of(format), std::back_inserter(all));
   return all;
 }
 
 std::vector<std::string_view> unambiguous_shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : format_registry()) std::ranges::copy(format.extensions, std::back_inserter(all));
+  for (const ShapeFormat& format : shape_formats().entries())
+    std::ranges::copy(format.extensions, std::back_inserter(all));
   return all;
 }
 
 std::vector<std::string_view> written_shape_extensions() {
   std::vector<std::string_view> all;
-  for (const ShapeFormat& format : format_registry()) {
+  for (const ShapeFormat& format : shape_formats().entries()) {
     if (format.write != nullptr) std::ranges::copy(format.extensions, std::back_inserter(all));
   }
   return all;
@@ -129,7 +129,7 @@ std::string_view without_shape_extension(std::string_view file_name) {
   if (dot == std::string_view::npos || dot == 0) return file_name;
   const std::string extension = lower_case(std::string(file_name.substr(dot)));
   const auto has_it = [&](const ShapeFormat& format) { return std::ranges::count(format.extensions, extension) > 0; };
-  return std::ranges::any_of(format_registry(), has_it) ? file_name.substr(0, dot) : file_name;
+  return shape_formats().find_if(has_it) != nullptr ? file_name.substr(0, dot) : file_name;
 }
 
 }  // namespace shapegauge

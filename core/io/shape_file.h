@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -58,13 +59,9 @@ struct ShapeFormat {
   ShapeWriter write = nullptr;  ///< null: not written
 };
 
-/// All formats of shapes: those of this folder, and those registered. A new one of this folder is one file, and one
-/// line in shape_file.cpp.
-std::span<const ShapeFormat> shape_formats();
-
-/// Adds a format, for the beginning of a program: spans that shape_formats() gave before are no longer valid. What the
-/// entry's views point to must last as long as the program. Throws InputError where an extension is taken.
-void register_shape_format(const ShapeFormat& format);
+/// All formats of shapes: those of this folder, one file each and one line in shape_file.cpp, then those that were
+/// added. An entry has extensions that no other has.
+Registry<ShapeFormat>& shape_formats();
 
 /// The extensions of all files that read_shape() knows by their names.
 std::vector<std::string_view> shape_extensions();

@@ -131,8 +131,8 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
   return random_motion(std::move(shape), settings.number("scale"), random);
 }
 
-std::vector<ShapePerturbation>& perturbation_registry() {
-  static std::vector<ShapePerturbation> entries{
+std::vector<ShapePerturbation> own_perturbations() {
+  return {
       {"vertex_noise", "Every vertex (or point) moves by a random vector.", vertex_noise_parameters,
        apply_vertex_noise},
       {"remove_faces", "Random faces (or points) are taken away.", remove_faces_parameters, apply_remove_faces},
@@ -146,7 +146,6 @@ std::vector<ShapePerturbation>& perturbation_registry() {
        apply_flip_orientation},
       {"motion", "A random rotation and translation, and a random scale.", motion_parameters, apply_random_motion},
   };
-  return entries;
 }
 
 }  // namespace
@@ -212,14 +211,9 @@ Shape random_motion(Shape shape, double scale, RandomNumbers& random) {
   return shape;
 }
 
-std::span<const ShapePerturbation> shape_perturbations() { return perturbation_registry(); }
-
-void register_shape_perturbation(const ShapePerturbation& perturbation) {
-  if (std::ranges::find(perturbation_registry(), perturbation.name, &ShapePerturbation::name) !=
-      perturbation_registry().end()) {
-    throw InputError(fmt::format("there is a perturbation \"{}\" already", perturbation.name));
-  }
-  perturbation_registry().push_back(perturbation);
+Registry<ShapePerturbation>& shape_perturbations() {
+  static Registry<ShapePerturbation> all("perturbation", own_perturbations());
+  return all;
 }
 
 Eigen::Vector3d gaussian_vector(RandomNumbers& random) {

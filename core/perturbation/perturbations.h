@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/shape/shape.h"
 
 /// Damage and change, at random but repeatable: the same stream of random numbers gives the same shape. See also
@@ -76,13 +77,8 @@ struct ShapePerturbation {
   int version = 1;  ///< to be raised with every change of what it makes of a shape, so that caches forget the old ones
 };
 
-/// All kinds of perturbations of a shape: those of this folder, and those registered.
-std::span<const ShapePerturbation> shape_perturbations();
-
-/// Adds a kind of perturbation, for the beginning of a program: spans that shape_perturbations() gave before are no
-/// longer valid. What the entry's views point to must last as long as the program. Throws InputError where the name is
-/// taken.
-void register_shape_perturbation(const ShapePerturbation& perturbation);
+/// All kinds of perturbations of a shape: those of this folder, then those that were added.
+Registry<ShapePerturbation>& shape_perturbations();
 
 // Building blocks.
 

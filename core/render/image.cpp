@@ -7,6 +7,7 @@
 #include <png.h>
 #include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 
 namespace shapegauge {
@@ -68,7 +69,7 @@ std::vector<Colour> colours_of(const Eigen::VectorXd& values, double lowest, dou
 
 std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0 || image.pixels.size() != byte_count(image.width, image.height)) {
-    throw std::invalid_argument(
+    throw ArgumentError(
         fmt::format("an image of {} x {} with {} bytes", image.width, image.height, image.pixels.size()));
   }
   png_image header = {};

@@ -26,7 +26,7 @@ struct Image {
   std::vector<std::uint8_t> pixels;
 };
 
-/// The image as the bytes of a PNG file. Throws std::invalid_argument where the number of pixels is not width x height,
+/// The image as the bytes of a PNG file. Throws ArgumentError where the number of pixels is not width x height,
 /// or zero.
 std::string encode_png(const Image& image);
 

@@ -13,13 +13,13 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/datasets/layouts/dataset.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 
 namespace shapegauge {
 

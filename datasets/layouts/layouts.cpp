@@ -11,10 +11,10 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
 
@@ -202,25 +202,18 @@ void require_folder(const fs::path& folder) {
 
 }  // namespace
 
-std::span<const DatasetLayout> dataset_layouts() {
-  static constexpr std::array layouts{
-      DatasetLayout{"shrec11", find_shrec11_dataset, "test.cla"},
-      DatasetLayout{"folders", find_folders_dataset, ""},
-      DatasetLayout{"csv", find_csv_dataset, "models.csv"},
-  };
-  return layouts;
-}
-
-const DatasetLayout& dataset_layout(std::string_view name) {
-  for (const DatasetLayout& layout : dataset_layouts()) {
-    if (layout.name == name) return layout;
-  }
-  throw InputError(fmt::format("there is no data set layout \"{}\"", name));
+Registry<DatasetLayout>& dataset_layouts() {
+  static Registry<DatasetLayout> all("layout of data sets", {
+                                                                {"shrec11", find_shrec11_dataset, "test.cla"},
+                                                                {"folders", find_folders_dataset, ""},
+                                                                {"csv", find_csv_dataset, "models.csv"},
+                                                            });
+  return all;
 }
 
 Dataset find_dataset(const DatasetLocation& location) {
   require_folder(location.root);
-  Dataset dataset = dataset_layout(location.layout).find(location);
+  Dataset dataset = dataset_layouts().at(location.layout).find(location);
   if (dataset.models.empty()) {
     throw InputError(fmt::format("{}: no models ({}) in the layout \"{}\"", location.root.string(),
                                  fmt::join(unambiguous_shape_extensions(), ", "), location.layout));
@@ -234,7 +227,7 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
     const bool table = classification.extension() == ".csv";
     return {.layout = table ? "csv" : "shrec11", .root = root, .classification = classification};
   }
-  for (const DatasetLayout& layout : dataset_layouts()) {
+  for (const DatasetLayout& layout : dataset_layouts().entries()) {
     const fs::path usual = root / layout.usual_classification;
     if (!layout.usual_classification.empty() && fs::exists(usual)) {
       return {.layout = std::string(layout.name), .root = root, .classification = usual};

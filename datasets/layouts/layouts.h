@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
@@ -17,11 +18,8 @@ struct DatasetLayout {
   std::string_view usual_classification;  ///< the file beside the models that says their classes; empty: none
 };
 
-/// All layouts.
-std::span<const DatasetLayout> dataset_layouts();
-
-/// The layout of that name. Throws InputError where there is none.
-const DatasetLayout& dataset_layout(std::string_view name);
+/// All layouts: those of layouts.cpp, then those that were added.
+Registry<DatasetLayout>& dataset_layouts();
 
 /// The data set at the location. Throws InputError: a folder or a classification that is absent or wrong, no models.
 Dataset find_dataset(const DatasetLocation& location);

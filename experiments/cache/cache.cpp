@@ -6,8 +6,8 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
 
 namespace shapegauge {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/experiments/configuration/schema.h"
 
 namespace shapegauge {

@@ -5,14 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/datasets/layouts/dataset.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"

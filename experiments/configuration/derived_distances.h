@@ -17,7 +17,7 @@ struct DerivedDistances {
   std::string key;                 ///< the setting that asks for them: "sum", "fuse_ranks" or "rerank"
   nlohmann::json settings;         ///< that setting and those that go with it, defaults filled in
   std::vector<std::string> names;  ///< of the signatures that they are made from
-  /// From those signatures' distances, in that order. Throws InputError or std::invalid_argument for distances that
+  /// From those signatures' distances, in that order. Throws InputError for distances that
   /// cannot be combined.
   std::function<DistanceMatrix(std::span<const DistanceMatrix>)> compute;
 };

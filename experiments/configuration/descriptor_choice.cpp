@@ -4,6 +4,7 @@
 #include <string>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 
@@ -33,7 +34,7 @@ std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
   std::vector<Field> fields;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = fmt::format("fields.{}", i);
-    fields.push_back(at(place, [&] { return make_field(list[i]); }));
+    fields.push_back(at(place, [&] { return read_field(list[i]); }));
     if (fields.back().samples != fields.front().samples) {
       throw ConfigurationError{place + ".at", R"(the fields of a descriptor must have the same "at")"};
     }
@@ -56,7 +57,7 @@ std::vector<ParameterValues> axes_of(const Json& list, const Descriptor& descrip
 }  // namespace
 
 DescriptorChoice make_descriptor(const Json& settings) {
-  const Descriptor& chosen = descriptor(settings.at("type").get<std::string>());
+  const Descriptor& chosen = descriptors().at(settings.at("type").get<std::string>());
   std::vector<Field> fields = fields_of(list_in(settings, "fields"), chosen);
   DescriptorChoice choice{.settings = {},
                           .descriptor = chosen,
@@ -66,7 +67,7 @@ DescriptorChoice make_descriptor(const Json& settings) {
   if (chosen.check != nullptr) chosen.check(choice.values);
   choice.settings = to_json(choice.values.values);
   choice.settings["type"] = chosen.name;
-  for (const Field& field : choice.fields) choice.settings["fields"].push_back(field.settings);
+  for (const Field& field : choice.fields) choice.settings["fields"].push_back(to_json(field.settings));
   if (chosen.axis_parameters.empty()) return choice;
   for (const ParameterValues& axis : choice.values.axes) choice.settings["axes"].push_back(to_json(axis));
   return choice;

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 
 namespace shapegauge {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 
 namespace shapegauge {
@@ -92,7 +92,7 @@ PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps
 
 std::vector<PerturbationType> perturbation_types() {
   std::vector<PerturbationType> types;
-  for (const ShapePerturbation& type : shape_perturbations()) {
+  for (const ShapePerturbation& type : shape_perturbations().entries()) {
     types.push_back({.name = type.name, .description = type.description, .parameters = type.parameters});
   }
   types.push_back(one_of_type);
@@ -101,14 +101,13 @@ std::vector<PerturbationType> perturbation_types() {
 
 Perturbation make_perturbation(const Json& settings) {
   const std::string name = settings.at("type");
-  const auto known = shape_perturbations();
-  const auto type = std::ranges::find(known, name, &ShapePerturbation::name);
-  if (type == known.end() && name != one_of_type.name) {
+  const ShapePerturbation* const type = shape_perturbations().find(name);
+  if (type == nullptr && name != one_of_type.name) {
     std::vector<std::string> names;
     for (const PerturbationType& any : perturbation_types()) names.emplace_back(any.name);
     throw InputError(fmt::format("there is no perturbation of type \"{}\"{}", name, suggestion(name, names)));
   }
-  Perturbation step = type == known.end() ? one_of(settings) : of_shape(*type, settings);
+  Perturbation step = type == nullptr ? one_of(settings) : of_shape(*type, settings);
   step.settings["type"] = name;
   return step;
 }

@@ -50,7 +50,7 @@ struct PerturbationType {
   bool has_choices = false;  ///< has the setting "choices", too: lists of steps
 };
 
-/// All types of perturbations: those of shape_perturbations(), to which register_shape_perturbation() adds, and
+/// All types of perturbations: those of shape_perturbations(), to which shape_perturbations().add() adds, and
 /// "one_of", which gives each model one of several lists of steps.
 std::vector<PerturbationType> perturbation_types();
 

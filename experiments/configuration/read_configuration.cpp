@@ -5,20 +5,19 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 
 namespace shapegauge {
 
@@ -176,7 +175,7 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
     signature.parts = parts_of(*kind, signature.derived->names, names);
     return signature;
   }
-  signature.field = at("field", [&] { return make_field(settings.at("field")); });
+  signature.field = at("field", [&] { return read_field(settings.at("field")); });
   signature.histogram = at("histogram", [&] { return histogram_of(settings.at("histogram")); });
   return signature;
 }
@@ -213,7 +212,7 @@ void read_evaluation(const Json& setting, Configuration& configuration) {
   if (!setting.contains("measures")) return;
   try {
     configuration.measures = measures_of(setting["measures"].get<std::vector<std::string>>());
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw ConfigurationError{"measures", error.what()};
   }
 }
@@ -282,7 +281,7 @@ DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
   if (dataset.contains("split")) throw ConfigurationError{"split", "only the layout \"folders\" has a split"};
   location.classification = dataset.contains("classification")
                                 ? path_value(dataset, "classification", location.root)
-                                : location.root / dataset_layout(location.layout).usual_classification;
+                                : location.root / dataset_layouts().at(location.layout).usual_classification;
   return location;
 }
 

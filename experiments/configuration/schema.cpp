@@ -6,16 +6,16 @@
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/field.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/derived_distances.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
-#include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
@@ -34,6 +34,13 @@ template <typename Types>
 std::vector<ParameterGroup> groups_of(const Types& types) {
   std::vector<ParameterGroup> groups;
   for (const auto& type : types) groups.push_back({type.name, type.description, type.parameters});
+  return groups;
+}
+
+template <typename Entry>
+std::vector<ParameterGroup> groups_of(const Registry<Entry>& registry) {
+  std::vector<ParameterGroup> groups;
+  for (const Entry& type : registry.entries()) groups.push_back({type.name, type.description, type.parameters});
   return groups;
 }
 
@@ -88,7 +95,7 @@ void add_fields(OrderedJson& schema) {
 
 void add_descriptors(OrderedJson& schema) {
   std::vector<OrderedJson> schemas;
-  for (const Descriptor& type : descriptors()) {
+  for (const Descriptor& type : descriptors().entries()) {
     OrderedJson& settings =
         schemas.emplace_back(schema_of(ParameterGroup{type.name, type.description, type.parameters}));
     if (type.most_fields == 0) continue;
@@ -164,7 +171,7 @@ std::vector<ParameterGroup> perturbation_groups() { return groups_of(perturbatio
 
 std::vector<ParameterGroup> descriptor_groups() {
   std::vector<ParameterGroup> groups = groups_of(descriptors());
-  for (std::size_t i = 0; i < groups.size(); ++i) groups[i].axis_parameters = descriptors()[i].axis_parameters;
+  for (ParameterGroup& group : groups) group.axis_parameters = descriptors().at(group.name).axis_parameters;
   return groups;
 }
 
@@ -184,17 +191,6 @@ std::vector<ParameterGroup> section_groups() {
           {.name = "segmentation_method", .description = {}, .parameters = segmentation_method_parameters()}};
 }
 
-const Parameter& registered_parameter(std::string_view group, std::string_view name) {
-  for (const auto& groups :
-       {field_groups(), perturbation_groups(), descriptor_groups(), rerank_groups(), section_groups()}) {
-    const auto found = std::ranges::find(groups, group, &ParameterGroup::name);
-    if (found == groups.end()) continue;
-    const auto parameter = std::ranges::find(found->parameters, name, &Parameter::name);
-    if (parameter != found->parameters.end()) return *parameter;
-  }
-  throw std::invalid_argument(fmt::format("there is no parameter {} of {}", name, group));
-}
-
 std::string experiment_schema() {
   OrderedJson schema = OrderedJson::parse(base_schema());
   OrderedJson& definitions = schema["definitions"];
@@ -208,15 +204,15 @@ std::string experiment_schema() {
   add_perturbations(definitions["perturbation"]);
   add_descriptors(definitions["descriptor"]);
   add_rerank_methods(definitions["rerank"]);
-  definitions["layout"]["enum"] = names_of(dataset_layouts());
+  definitions["layout"]["enum"] = dataset_layouts().names();
   OrderedJson& segmented_layouts = definitions["segmented_dataset"]["properties"]["layout"]["enum"];
-  segmented_layouts = names_of(dataset_layouts());
+  segmented_layouts = dataset_layouts().names();
   segmented_layouts.insert(segmented_layouts.begin(), segmentation_layout);
   definitions["protocol"]["enum"] = protocol_names();
-  definitions["distance"]["enum"] = distance_names();
+  definitions["distance"]["enum"] = distances().names();
   definitions["evaluation"]["properties"]["measures"]["description"] =
       fmt::format("Measures, as NN or P@10; without it those of the protocols. There are {}.",
-                  fmt::join(names_of(measure_definitions()), ", "));
+                  fmt::join(measure_definitions().names(), ", "));
   return schema.dump(2) + "\n";
 }
 

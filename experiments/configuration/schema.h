@@ -28,10 +28,6 @@ std::vector<ParameterGroup> rerank_groups();
 std::vector<ParameterGroup> section_groups();
 /// @}
 
-/// The parameter of a group, such as "offset" of "offset_sdf", with its default and its legal values. Throws
-/// std::invalid_argument where there is none.
-const Parameter& registered_parameter(std::string_view group, std::string_view name);
-
 /// The JSON Schema (draft 7) of an experiment's configuration: the structure (base_schema.json), filled in with the
 /// fields, descriptors, perturbations, distances, protocols and layouts that the registries have at the moment.
 /// configs/experiment.schema.json is this text, for editors.

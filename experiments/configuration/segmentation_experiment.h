@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/datasets/generator/generate_dataset.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/datasets/layouts/dataset.h"
-#include "shapegauge/datasets/generator/generate_dataset.h"
 
 namespace shapegauge {
 

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
-#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/datasets/files/compressed_files.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
+#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -41,7 +40,7 @@ OpenMatrix open_features(const EvaluationFiles& files) {
   const NamedDistance distance = feature_distance(files.distance);
   try {
     distance_rows(*features, 0, std::min<Eigen::Index>(features->rows(), 1), distance);  // throws what others would
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", files.matrix.string(), error.what()));
   }
   const auto read = [features, distance](const MatrixBlock& block) -> DistanceMatrix {
@@ -314,7 +313,7 @@ EvaluatedFiles evaluate_files(const EvaluationFiles& files, const EvaluationOpti
   MatrixChecks checks(task.same_rows_and_columns);
   try {
     result.evaluation = evaluate_rows(result.data, options, checks, progress);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}{}", files.matrix.string(), error.what(), advice_on(files, task)));
   }
   result.warnings = task.warnings;

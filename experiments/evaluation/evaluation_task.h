@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/datasets/files/ranked_answers.h"
+#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/metrics/retrieval_task.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 

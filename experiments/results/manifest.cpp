@@ -121,23 +121,17 @@ OrderedJson dataset_inputs(const Configuration& configuration, const std::vector
   return inputs_json(configuration, models, hashes);
 }
 
-OrderedJson manifest(const ExperimentResults& results, const std::vector<std::string>& files,
-                     const std::filesystem::path& folder) {
+OrderedJson manifest_entries(const ExperimentResults& results) {
+  return {{"seed", results.configuration.seed}, {"inputs", inputs(results)},
+          {"models", results.models.size()},    {"models_never_queries", left_out(results)},
+          {"failed_models", failures(results)}, {"fields", fields_json(results.fields)}};
+}
+
+OrderedJson execution_entries(const ExperimentResults& results) {
   OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
   if (results.processes > 1) execution["processes"] = results.processes;
   execution["cache"] = cache_json(results.cache);
-  OrderedJson json = program_json();
-  json.update({{"configuration", to_json(results.configuration)},
-               {"seed", results.configuration.seed},
-               {"inputs", inputs(results)},
-               {"models", results.models.size()},
-               {"models_never_queries", left_out(results)},
-               {"failed_models", failures(results)},
-               {"fields", fields_json(results.fields)},
-               {"files", files},
-               {"outputs", outputs_json(folder, files)},
-               {"execution", std::move(execution)}});
-  return json;
+  return execution;
 }
 
 }  // namespace shapegauge

@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/runner/compute_signatures.h"
 #include "shapegauge/experiments/runner/run_experiment.h"
 
 namespace shapegauge {
 
-/// The manifest of a run: all there is to know of it and to repeat it. Program (program_json()), configuration with all
-/// defaults filled in, SHA-256 of every input, outcomes of samples, failed models, and the files of its results, which
-/// are in the folder already, with their SHA-256. Nothing in it but "execution" (threads, timings, use of the cache)
-/// depends on the number of threads or on the cache.
-nlohmann::ordered_json manifest(const ExperimentResults& results, const std::vector<std::string>& files,
-                                const std::filesystem::path& folder);
+/// What the manifest of a retrieval experiment says besides the program, the configuration and the files: seed, SHA-256
+/// of every input, models, failures, outcomes of samples.
+nlohmann::ordered_json manifest_entries(const ExperimentResults& results);
+
+/// Its "execution": threads, processes, timings, and how many results of each kind came from the cache.
+nlohmann::ordered_json execution_entries(const ExperimentResults& results);
 
 /// The inputs of a run of a data set on disk as its manifest would record them. Models whose file cannot be read are
 /// left out. Runs in the calling TBB arena.

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "shapegauge/core/base/setting_names.h"
-#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/metrics/method_comparison.h"
 

@@ -1,3 +1,5 @@
+#include "shapegauge/experiments/results/write_comparison.h"
+
 #include <fmt/format.h>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -8,10 +10,11 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
-#include "shapegauge/experiments/results/write_results.h"
 
 namespace shapegauge {
 
@@ -180,37 +183,61 @@ OrderedJson read_files(const ComparisonResults& results) {
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};
 }
 
-OrderedJson manifest(const ComparisonResults& results, const std::vector<std::string>& files,
-                     const std::filesystem::path& folder) {
+OrderedJson manifest_entries(const ComparisonResults& results) {
   OrderedJson failures = OrderedJson::array();
-  for (const FailedShape& failure : results.failures) {
-    failures.push_back({{"shape", failure.name}, {"error", failure.message}});
+  for (const LeftOutShape& failure : results.failures) {
+    failures.push_back({{"shape", failure.id}, {"error", failure.message}});
   }
-  OrderedJson json = program_json();
-  json.update({{"configuration", to_json(results.comparison)},
-               {"seed", results.comparison.seed},
-               {"inputs", read_files(results)},
-               {"shapes", results.shapes.size()},
-               {"failed_shapes", std::move(failures)},
-               {"fields", fields_json(results.fields)},
-               {"files", files},
-               {"outputs", outputs_json(folder, files)},
-               {"execution", execution_json(results.threads, results.timings, results.fields)}});
-  return json;
+  return {{"seed", results.comparison.seed},
+          {"inputs", read_files(results)},
+          {"shapes", results.shapes.size()},
+          {"failed_shapes", std::move(failures)},
+          {"fields", fields_json(results.fields)}};
+}
+
+RunOutcome write_files(const std::filesystem::path& folder, const ComparisonResults& results) {
+  RunOutcome outcome{.manifest = manifest_entries(results),
+                     .execution = execution_json(results.threads, results.timings, results.fields),
+                     .summary = summary_text(results),
+                     .warnings = field_warnings(results.fields),
+                     .left_out = results.failures,
+                     .used = results.shapes.size(),
+                     .noun = "shape"};
+  for (const auto& [name, text] : comparison_files(results)) {
+    write_file_atomically(folder / name, text);
+    outcome.files.push_back(name);
+  }
+  return outcome;
+}
+
+/// Rank 0 measures alone: its times are those of a machine that does nothing else for the run.
+RunOutcome run_alone(const Comparison& comparison, const RunContext& context) {
+  return on_all_ranks(context.ranks, [&] {
+    return context.ranks.rank() == 0 ? write_files(context.results, run_comparison(comparison, context.control))
+                                     : RunOutcome();
+  });
+}
+
+Experiment read_comparison(const nlohmann::json& document, const std::string& source,
+                           const std::filesystem::path& folder) {
+  const Comparison comparison = comparison_from_json(document, source, folder);
+  return {.name = comparison.name,
+          .configuration = to_json(comparison),
+          .run = [comparison](const RunContext& context) { return run_alone(comparison, context); }};
 }
 
 }  // namespace
 
+ExperimentKind comparison_kind() {
+  return {.name = "comparison",
+          .description = "A few shapes, compared with one of them: values, normals, histograms, times.",
+          .describes = is_comparison,
+          .read = read_comparison};
+}
+
 void write_comparison(const std::filesystem::path& destination, const ComparisonResults& results) {
-  StagedResults staged(destination);
-  const std::filesystem::path& folder = staged.folder();
-  std::vector<std::string> files;
-  for (const auto& [name, text] : comparison_files(results)) {
-    write_file_atomically(folder / name, text);
-    files.push_back(name);
-  }
-  write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
-  staged.publish(files);
+  publish_results(destination, to_json(results.comparison),
+                  [&](const std::filesystem::path& folder) { return write_files(folder, results); });
 }
 
 std::string summary_text(const ComparisonResults& results) {

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/manifest.h"
@@ -117,55 +118,94 @@ std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-/// Writes all but the distances, which are there, and makes the results those of the folder.
-void publish_results(StagedResults& staged, const ExperimentResults& results) {
-  const fs::path& folder = staged.folder();
-  std::vector<std::string> files;
+/// Writes all files but the distances, which are there.
+RunOutcome write_files(const fs::path& folder, const ExperimentResults& results) {
+  RunOutcome outcome{.manifest = manifest_entries(results),
+                     .execution = execution_entries(results),
+                     .summary = summary_text(results),
+                     .warnings = run_warnings(results),
+                     .used = results.models.size(),
+                     .cache = results.cache};
+  for (const FailedModel& failure : results.failures) {
+    outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
+  }
   for (const auto& [name, text] : text_files(results)) {
     write_file_atomically(folder / name, text);
-    files.push_back(name);
+    outcome.files.push_back(name);
   }
   for (const std::vector<std::string>& more :
        {distance_files(results.configuration), write_features(folder, results)}) {
-    files.insert(files.end(), more.begin(), more.end());
+    outcome.files.insert(outcome.files.end(), more.begin(), more.end());
   }
   if (results.configuration.report.wanted) {
     write_file_atomically(folder / report_name, report_page(report_of(results)));
-    files.emplace_back(report_name);
+    outcome.files.emplace_back(report_name);
   }
-  write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
-  staged.publish(files);
+  return outcome;
+}
+
+RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
+  RunPlaces places{.generated_folder = context.generated, .distance_files = {}};
+  for (const std::string& file : method_files("distances", configuration)) {
+    places.distance_files.push_back(context.results / file);
+  }
+  on_all_ranks(context.ranks, [&] {
+    if (context.ranks.rank() == 0 && configuration.keep_distances) make_folder(context.results / "distances");
+  });
+  const ExperimentResults results =
+      run_experiment(configuration, places, context.control, context.cache, context.ranks);
+  return on_all_ranks(context.ranks, [&] {
+    RunOutcome outcome;
+    if (context.ranks.rank() == 0) {
+      with_threads(context.control.threads, [&] { outcome = write_files(context.results, results); });
+    }
+    return outcome;
+  });
+}
+
+nlohmann::json inputs_of(const Configuration& configuration, int threads) {
+  nlohmann::json inputs;
+  with_threads(threads,
+               [&] { inputs = dataset_inputs(configuration, find_dataset(configuration.location.value()).models); });
+  return inputs;
+}
+
+Experiment read_retrieval(const nlohmann::json& document, const std::string& source, const fs::path& folder) {
+  return retrieval_experiment(configuration_from_json(document, source, folder));
 }
 
 }  // namespace
 
-void write_results(const fs::path& destination, const ExperimentResults& results) {
-  StagedResults staged(destination);
-  const std::vector<std::string> files = distance_files(results.configuration);
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    make_folder(staged.folder() / "distances");
-    write_npy(staged.folder() / files[i], results.methods[i].distances);
+Experiment retrieval_experiment(Configuration configuration) {
+  Experiment experiment{.name = configuration.name,
+                        .configuration = to_json(configuration),
+                        .dataset = configuration.location,
+                        .run = {}};
+  if (configuration.location) {
+    experiment.inputs = [configuration](int threads) { return inputs_of(configuration, threads); };
   }
-  publish_results(staged, results);
+  experiment.run = [configuration = std::move(configuration)](const RunContext& context) {
+    return run_retrieval(configuration, context);
+  };
+  return experiment;
 }
 
-ExperimentResults run_into_folder(const fs::path& destination, const Configuration& configuration,
-                                  const RunControl& control, Cache& cache, Communicator& ranks) {
-  std::optional<StagedResults> staged;
-  RunPlaces places{.generated_folder = destination / "dataset", .distance_files = {}};
-  const std::string folder = on_first_rank(ranks, [&] {
-    staged.emplace(destination);
-    if (configuration.keep_distances) make_folder(staged->folder() / "distances");
-    return fs::absolute(staged->folder()).string();
+ExperimentKind retrieval_kind() {
+  return {.name = "retrieval",
+          .description = "Signatures of the models of a data set, their distances, and what these are worth.",
+          .describes = [](const nlohmann::json& document) { return document.contains("signatures"); },
+          .read = read_retrieval};
+}
+
+void write_results(const fs::path& destination, const ExperimentResults& results) {
+  publish_results(destination, to_json(results.configuration), [&](const fs::path& folder) {
+    const std::vector<std::string> files = distance_files(results.configuration);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      make_folder(folder / "distances");
+      write_npy(folder / files[i], results.methods[i].distances);
+    }
+    return write_files(folder, results);
   });
-  for (const std::string& file : method_files("distances", configuration)) {
-    places.distance_files.push_back(fs::path(folder) / file);
-  }
-  ExperimentResults results = run_experiment(configuration, places, control, cache, ranks);
-  on_all_ranks(ranks, [&] {
-    if (staged) with_threads(control.threads, [&] { publish_results(*staged, results); });
-  });
-  return results;
 }
 
 std::string summary_text(const ExperimentResults& results) {

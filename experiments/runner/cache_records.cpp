@@ -11,10 +11,11 @@
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
-#include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/runner/build_information.h"
 #include "shapegauge/experiments/view/coarse_view.h"
 
@@ -137,9 +138,9 @@ std::string samples_key(const std::string& shape, const SamplePlan& plan) {
 }
 
 std::string field_key(const std::string& shape, const Field& field) {
-  return key_of(
-      EntryKind::field,
-      {{"samples", samples_key(shape, field.samples)}, {"settings", field.settings}, {"versions", field.versions}});
+  return key_of(EntryKind::field, {{"samples", samples_key(shape, field.settings.samples)},
+                                   {"settings", to_json(field.settings)},
+                                   {"versions", field.versions}});
 }
 
 std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram) {

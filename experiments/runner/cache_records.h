@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/model_picture.h"

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <mutex>
-#include <stdexcept>
 #include <tbb/task_arena.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/runner/cache_records.h"
@@ -110,8 +110,8 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   }
 }
 
-std::invalid_argument different_lengths(Eigen::Index one, Eigen::Index other) {
-  return std::invalid_argument(fmt::format("a descriptor gives {} features of one model, {} of another", one, other));
+ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
+  return ArgumentError(fmt::format("a descriptor gives {} features of one model, {} of another", one, other));
 }
 
 /// The features of one descriptor of all models.
@@ -174,7 +174,7 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
   std::vector<FieldReport> reports;
   for (std::size_t field = 0; field < plan.size(); ++field) {
     FieldReport& report = reports.emplace_back();
-    report.settings = plan[field].field.settings;
+    report.settings = to_json(plan[field].field.settings);
     report.models = models.size();
     for (const ModelDescription* model : models) {
       report.seconds += model->fields[field].seconds;

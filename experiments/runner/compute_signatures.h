@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/diagnostics.h"
-#include "shapegauge/experiments/cache/cache.h"
-#include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -38,12 +39,21 @@ std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& m
 
 /// The signatures, in the configuration's order, of all models: row i is of models[i]. Those that are derived from
 /// distances are empty. `data_set_ranges`: by field of the plan that over the whole data set, where a histogram asks
-/// for it. Runs in the calling TBB arena. Throws std::invalid_argument where a descriptor gives features of different
+/// for it. Runs in the calling TBB arena. Throws ArgumentError where a descriptor gives features of different
 /// lengths.
 std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
                                             std::span<const PlannedField> plan,
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges);
+
+/// What a run did with a field, over all models used.
+struct FieldReport {
+  nlohmann::json settings;  ///< as of a configuration
+  FieldOutcomes outcomes;   ///< sums
+  double seconds = 0;       ///< sum over the models, whatever ran at the same time
+  std::size_t models = 0;
+  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()): it leaks into them
+};
 
 /// What the plan's fields did, over all models.
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,

@@ -137,21 +137,6 @@ FeatureDescription describe(const Lesson& lesson, const std::string& shape_key, 
 
 }  // namespace
 
-std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks) {
-  Packer packer;
-  for (const ModelFailure& failure : own) packer.add(failure.model).add(failure.message);
-  Packer together;
-  for (const std::string& part : ranks.gather(std::move(packer).bytes())) together.add_bytes(part.data(), part.size());
-  const std::string bytes = ranks.broadcast(std::move(together).bytes());
-  std::vector<ModelFailure> all;
-  for (Unpacker unpacker(bytes); !unpacker.is_at_end();) {
-    ModelFailure& failure = all.emplace_back();
-    unpacker.take(failure.model).take(failure.message);
-  }
-  std::ranges::sort(all, {}, &ModelFailure::model);
-  return all;
-}
-
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
                                           Communicator& ranks) {

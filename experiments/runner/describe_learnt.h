@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -22,13 +22,10 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 /// from the fields of all; each describes its own models. Models that are absent take no part. Returns the models that
 /// cannot be described, in order, the same on all ranks; those after the first may be left out. Without them the others
 /// learn something else: where there are any, nothing is complete, and it has to be called again without them. Throws
-/// InputError or std::invalid_argument where nothing can be learnt, and Interrupted. Collective. Runs in the calling
+/// InputError where nothing can be learnt, and Interrupted. Collective. Runs in the calling
 /// TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
                                           Communicator& ranks);
-
-/// Collective. The failures of all ranks, in the models' order.
-std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks);
 
 }  // namespace shapegauge

@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/samples.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 
 namespace shapegauge {
 
@@ -103,7 +104,7 @@ class SamplesByPlan {
 /// The values' range, which also says whether there are any.
 Interval range_of(const ScalarField& field, const Field& what) {
   if (const std::optional<Interval> range = value_range(field)) return *range;
-  throw InputError(fmt::format("no sample has a value of the field {}", what.settings.dump()));
+  throw InputError(fmt::format("no sample has a value of the field {}", to_json(what.settings).dump()));
 }
 
 }  // namespace
@@ -144,7 +145,7 @@ void describe_fields(PreparedModel& model, const std::vector<SignatureConfigurat
   FieldSource source(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const auto start = std::chrono::steady_clock::now();
-    const Samples& sites = samples.at(plan[i].field.samples);
+    const Samples& sites = samples.at(plan[i].field.settings.samples);
     FieldValues computed = plan[i].field.compute(source, sites, parallel);
     const auto end = std::chrono::steady_clock::now();
     if (observe) observe(i, prepared, sites, computed);

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/fields.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
@@ -94,7 +94,7 @@ struct PreparedModel {
 PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
 
 /// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. parallel:
-/// spread the samples over threads. Throws InputError or std::invalid_argument where the shape is of no use, and what
+/// spread the samples over threads. Throws InputError where the shape is of no use, and what
 /// the observer throws.
 void describe_fields(PreparedModel& model, const std::vector<SignatureConfiguration>& signatures,
                      std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});

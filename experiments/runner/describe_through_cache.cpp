@@ -4,7 +4,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -115,7 +114,7 @@ class DescribedModel {
   void draw(const Shape& shape) {
     if (is_picture_missing()) {
       const PartlyKnownField& field = fields_[*pictured_];
-      picture_ = model_picture(shape, take_samples(shape, field.rest.field.samples), field.drawn,
+      picture_ = model_picture(shape, take_samples(shape, field.rest.field.settings.samples), field.drawn,
                                configuration_->report.picture_options);
       cache_->store(EntryKind::picture, picture_key_, picture_record(*picture_));
     }
@@ -123,7 +122,7 @@ class DescribedModel {
     std::map<SamplePlan, Samples> samples;
     std::vector<SampledField> fields;
     for (const std::size_t i : viewed_) {
-      const SamplePlan& plan = fields_[i].rest.field.samples;
+      const SamplePlan& plan = fields_[i].rest.field.settings.samples;
       if (!samples.contains(plan)) samples.emplace(plan, take_samples(shape, plan));
       fields.push_back({.samples = samples.at(plan), .values = fields_[i].drawn});
     }
@@ -187,7 +186,7 @@ class DescribedModel {
     facts.outcomes = computed.outcomes;
     facts.offset = computed.offset;
     facts.seconds = computed.build_seconds + computed.query_seconds;
-    const std::string weights = samples_key(shape_key_, field.rest.field.samples);
+    const std::string weights = samples_key(shape_key_, field.rest.field.settings.samples);
     if (weights_stored_.insert(weights).second) {
       cache_->store(EntryKind::samples, weights, numbers_record(samples.weights));
     }
@@ -236,7 +235,7 @@ class DescribedModel {
 
   /// What the values in the cache tell of the field, with the histograms that are still to be computed.
   std::optional<FieldDescription> lookup_values(PartlyKnownField& field) {
-    const std::string samples = samples_key(shape_key_, field.rest.field.samples);
+    const std::string samples = samples_key(shape_key_, field.rest.field.settings.samples);
     const auto weights = cache_->lookup(EntryKind::samples, samples, read_numbers);
     if (!weights) return std::nullopt;
     auto cached = cache_->lookup(EntryKind::field, field.key, read_field_record);
@@ -247,10 +246,8 @@ class DescribedModel {
     try {
       describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
                      cached->facts, histograms);
-    } catch (const std::invalid_argument&) {
-      return std::nullopt;  // no histogram of these values: whoever computes the field will say so
     } catch (const InputError&) {
-      return std::nullopt;
+      return std::nullopt;  // no histogram of these values: whoever computes the field will say so
     }
     store_histograms(field, cached->facts, histograms);
     return std::move(cached->facts);

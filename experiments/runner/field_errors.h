@@ -3,22 +3,22 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/triangle_bvh.h"
-#include "shapegauge/experiments/configuration/fields.h"
 
 namespace shapegauge {
 
 /// Weighted quantile: the smallest value such that the values up to it carry at least this fraction of the total
 /// weight. With 0.5 it is the (lower) median, always one of the values. NaN where there are no values or no weight.
-/// Throws std::invalid_argument where values and weights differ in number.
+/// Throws ArgumentError where values and weights differ in number.
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction);
 
 /// Ground-truth normals: those of a mesh's triangles.
 class TrueNormals {
  public:
-  /// Throws std::invalid_argument for a point cloud.
+  /// Throws ArgumentError for a point cloud.
   explicit TrueNormals(const Shape& mesh);
 
   /// The unit normal, by its corners' order, of the triangle nearest to the point; zero where that has no area.

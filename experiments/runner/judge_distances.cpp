@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
-#include "shapegauge/datasets/files/npy.h"
 
 namespace shapegauge {
 

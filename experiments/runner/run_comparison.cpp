@@ -194,7 +194,7 @@ void run_stages(const RunControl& control, ComparisonResults& results) {
   std::optional<std::size_t> reference_row;
   for (std::size_t i = 0; i < measured.shapes.size(); ++i) {
     if (!measured.shapes[i]) {
-      results.failures.push_back({.name = comparison.shapes[i].name, .message = measured.failures[i]});
+      results.failures.push_back({.id = comparison.shapes[i].name, .message = measured.failures[i]});
       continue;
     }
     if (comparison.reference == i) reference_row = models.size();
@@ -217,12 +217,7 @@ ComparisonResults run_comparison(const Comparison& comparison, const RunControl&
   ComparisonResults results;
   results.comparison = comparison;
   results.threads = control.threads > 0 ? control.threads : available_threads();
-  try {
-    with_threads(control, [&] { run_stages(control, results); });
-  } catch (const std::invalid_argument& error) {
-    // What the modules below say of data that they cannot use: here the data come from the user.
-    throw InputError(error.what());
-  }
+  with_threads(control, [&] { run_stages(control, results); });
   return results;
 }
 

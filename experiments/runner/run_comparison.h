@@ -41,17 +41,11 @@ struct SignatureResults {
   std::vector<double> distances;  ///< of the shapes from the reference; empty without one
 };
 
-/// A shape that a comparison went on without.
-struct FailedShape {
-  std::string name;
-  std::string message;
-};
-
 /// All that a comparison found.
 struct ComparisonResults {
   Comparison comparison;
   std::vector<ShapeMeasurement> shapes;  ///< those that could be used
-  std::vector<FailedShape> failures;
+  std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
   std::vector<SignatureResults> signatures;  ///< by signature of the comparison
   int threads = 1;

@@ -11,6 +11,7 @@
 
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/distributed/packing.h"
 
 namespace shapegauge {
 
@@ -75,6 +76,36 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   std::ranges::sort(failures, {}, &ModelFailure::model);
   if (stop_at_failure && failures.size() > 1) failures.resize(1);
   return failures;
+}
+
+std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks) {
+  Packer packer;
+  for (const ModelFailure& failure : own) packer.add(failure.model).add(failure.message);
+  Packer together;
+  for (const std::string& part : ranks.gather(std::move(packer).bytes())) together.add_bytes(part.data(), part.size());
+  const std::string bytes = ranks.broadcast(std::move(together).bytes());
+  std::vector<ModelFailure> all;
+  for (Unpacker unpacker(bytes); !unpacker.is_at_end();) {
+    ModelFailure& failure = all.emplace_back();
+    unpacker.take(failure.model).take(failure.message);
+  }
+  std::ranges::sort(all, {}, &ModelFailure::model);
+  return all;
+}
+
+CacheReport report_of(const Cache& cache, Communicator& ranks) {
+  CacheReport report = cache.report();
+  const std::vector<std::string> parts = ranks.gather(std::move(Packer().add(report.uses)).bytes());
+  if (parts.empty()) return report;
+  report.uses = {};
+  for (const std::string& part : parts) {
+    const auto uses = Unpacker(part).take_value<decltype(report.uses)>();
+    for (std::size_t kind = 0; kind < uses.size(); ++kind) {
+      report.uses.at(kind).hits += uses.at(kind).hits;
+      report.uses.at(kind).computed += uses.at(kind).computed;
+    }
+  }
+  return report;
 }
 
 std::vector<ModelFailure> validate_models(const Dataset& dataset, const RunControl& control) {

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 
 namespace shapegauge {
@@ -21,6 +22,12 @@ struct RunControl {
   /// Told what is being done and how far it is; one call at a time.
   std::function<void(std::string_view stage, std::size_t done, std::size_t total)> progress =
       [](std::string_view, std::size_t, std::size_t) {};
+};
+
+/// A shape that a run went on without.
+struct LeftOutShape {
+  std::string id;
+  std::string message;
 };
 
 /// The number of hardware threads, which 0 stands for.
@@ -44,6 +51,12 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
 std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, std::string_view stage,
                                          bool stop_at_failure, const RunControl& control, Communicator& ranks,
                                          const std::function<void(std::size_t model)>& job);
+
+/// Collective. The failures of all ranks, in the models' order.
+std::vector<ModelFailure> failures_of_all(const std::vector<ModelFailure>& own, Communicator& ranks);
+
+/// Collective. What all ranks took from the cache, on rank 0.
+CacheReport report_of(const Cache& cache, Communicator& ranks);
 
 /// Reads every model as a run would, in parallel, and returns those that a run could not use, in order. Throws
 /// Interrupted. Runs in the calling TBB arena.

@@ -5,18 +5,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <functional>
-#include <stdexcept>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/version.h"
-#include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/runner/cache_records.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
+#include "shapegauge/experiments/runner/generated_dataset.h"
 #include "shapegauge/experiments/runner/judge_distances.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/metrics/protocol.h"
@@ -26,37 +23,6 @@ namespace shapegauge {
 namespace fs = std::filesystem;
 
 namespace {
-
-using Json = nlohmann::json;
-
-/// What the folder's own record says of the data set in it; null where there is none.
-Json record_in(const fs::path& file) {
-  try {
-    return fs::exists(file) ? read_json(file) : Json();
-  } catch (const InputError&) {
-    return {};
-  }
-}
-
-void generate(const fs::path& folder, const GeneratorOptions& options, const RunControl& control) {
-  const fs::path record_file = folder / "generated.json";
-  Json record{{"generate", to_json(options)}, {"version", version()}, {"commit", commit()}, {"complete", true}};
-  const Json earlier = record_in(record_file);
-  if (earlier == record) return;
-
-  // The record comes first, to know the folder for our own again after an interruption.
-  fs::create_directories(folder);
-  record["complete"] = false;
-  GeneratorOptions now = options;
-  now.force = earlier.is_object();
-  if (now.force || fs::is_empty(folder)) write_file_atomically(record_file, record.dump(2) + "\n");
-  generate_dataset(folder, now, [&](int done, int total) {
-    if (control.interrupted()) throw Interrupted();
-    control.progress("generating models", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
-  });
-  record["complete"] = true;
-  write_file_atomically(record_file, record.dump(2) + "\n");
-}
 
 constexpr Eigen::Index most_shapes_kept = 2900;
 
@@ -85,14 +51,14 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature,
   for (const std::size_t part : signature.parts) parts.push_back(distances[part]);
   try {
     return signature.derived->compute(parts);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
   }
 }
 
 /// The distance between two signatures of that kind.
 NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
-  if (!signature.descriptor) return distance_named(configuration.distance);
+  if (!signature.descriptor) return distances().at(configuration.distance);
   return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
 }
 
@@ -266,39 +232,21 @@ class MethodsRun {
   std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
 };
 
-/// Collective. What all ranks took from the cache, on rank 0.
-CacheReport report_of(const Cache& cache, Communicator& ranks) {
-  CacheReport report = cache.report();
-  const std::vector<std::string> parts = ranks.gather(std::move(Packer().add(report.uses)).bytes());
-  if (parts.empty()) return report;
-  report.uses = {};
-  for (const std::string& part : parts) {
-    const auto uses = Unpacker(part).take_value<decltype(report.uses)>();
-    for (std::size_t kind = 0; kind < uses.size(); ++kind) {
-      report.uses.at(kind).hits += uses.at(kind).hits;
-      report.uses.at(kind).computed += uses.at(kind).computed;
-    }
-  }
-  return report;
-}
-
-/// Collective. The data set, which rank 0 makes where it is to be made.
-Dataset dataset_of_all(const Configuration& configuration, const fs::path& generated_folder, const RunControl& control,
-                       Communicator& ranks) {
-  Dataset dataset;
-  on_all_ranks(ranks, [&] {
-    if (ranks.rank() == 0) dataset = prepare_dataset(configuration, generated_folder, control);
+/// Collective. The data set of the configuration. One that the program makes lies in the given folder.
+Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder, const RunControl& control,
+                        Communicator& ranks) {
+  if (configuration.generator) prepare_generated(generated_folder, *configuration.generator, control, ranks);
+  return on_all_ranks(ranks, [&] {
+    if (!configuration.generator) return find_dataset(configuration.location.value());
+    return find_dataset(
+        {.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
   });
-  on_all_ranks(ranks, [&] {
-    if (ranks.rank() != 0) dataset = prepare_dataset(configuration, generated_folder, control);
-  });
-  return dataset;
 }
 
 void run_stages(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
                 Communicator& ranks, ExperimentResults& results) {
   Stopwatch stopwatch;
-  const Dataset dataset = dataset_of_all(configuration, places.generated_folder, control, ranks);
+  const Dataset dataset = prepare_dataset(configuration, places.generated_folder, control, ranks);
   results.timings.emplace_back("dataset", stopwatch.lap());
 
   ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache, ranks);
@@ -318,13 +266,6 @@ void run_stages(const Configuration& configuration, const RunPlaces& places, con
 }
 
 }  // namespace
-
-Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder,
-                        const RunControl& control) {
-  if (!configuration.generator) return find_dataset(configuration.location.value());
-  generate(generated_folder, *configuration.generator, control);
-  return find_dataset({.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
-}
 
 namespace {
 
@@ -362,12 +303,7 @@ ExperimentResults run_experiment(const Configuration& configuration, const RunPl
   results.processes = ranks.size();
   results.configuration = configuration;
   results.threads = control.threads > 0 ? control.threads : available_threads();
-  try {
-    with_threads(control, [&] { run_stages(configuration, places, control, cache, ranks, results); });
-  } catch (const std::invalid_argument& error) {
-    // What the modules below say of data that they cannot use: here the data come from the user.
-    throw InputError(error.what());
-  }
+  with_threads(control, [&] { run_stages(configuration, places, control, cache, ranks, results); });
   results.cache = report_of(cache, ranks);
   return results;
 }

@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/fields/field.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/fields.h"
-#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/compute_signatures.h"
 #include "shapegauge/experiments/runner/run_control.h"
@@ -53,12 +53,6 @@ struct ExperimentResults {
   int processes = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
-
-/// The data set of the configuration. One that the program makes lies in the given folder: it is made there unless it
-/// was made before, by this version and commit with these settings. Throws InputError as find_dataset and
-/// generate_dataset do, and Interrupted.
-Dataset prepare_dataset(const Configuration& configuration, const std::filesystem::path& generated_folder,
-                        const RunControl& control);
 
 /// distance_matrix(), taken from the cache where it is there, and else kept there. A matrix of more than 64 MB (2,900
 /// shapes) is not kept: it is computed as fast as it is read. Throws as distance_matrix() does.

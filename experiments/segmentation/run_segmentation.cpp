@@ -8,6 +8,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -23,9 +24,13 @@
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/distributed/packing.h"
 #include "shapegauge/experiments/runner/cache_records.h"
+#include "shapegauge/experiments/runner/compute_signatures.h"
+#include "shapegauge/experiments/runner/generated_dataset.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -156,17 +161,12 @@ SegmentationBenchmark without_people(const Dataset& dataset) {
 }
 
 SegmentationBenchmark benchmark_of(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                   const RunControl& control) {
+                                   const RunControl& control, Communicator& ranks) {
   if (!experiment.generator && experiment.location.layout == segmentation_layout) {
     return find_segmentation_benchmark(experiment.location.root);
   }
   if (!experiment.generator) return without_people(find_dataset(experiment.location));
-  GeneratorOptions options = *experiment.generator;
-  options.force = true;  // of this folder, which is the run's own
-  generate_dataset(generated, options, [&](int done, int total) {
-    if (control.interrupted()) throw Interrupted();
-    control.progress("generated shapes", static_cast<std::size_t>(done), static_cast<std::size_t>(total));
-  });
+  prepare_generated(generated, *experiment.generator, control, ranks);
   return find_generated_parts(generated);
 }
 
@@ -189,7 +189,7 @@ std::vector<std::size_t> split_failures(const std::vector<ModelFailure>& failed,
       left.push_back(i);
       used.push_back(results.benchmark.models[i]);
     } else {
-      results.failures.push_back({results.benchmark.models[i], failure->message});
+      results.failures.push_back({.id = results.benchmark.models[i].id, .message = failure->message});
     }
   }
   results.benchmark.models = std::move(used);
@@ -201,34 +201,107 @@ void check_failures(const std::vector<ModelFailure>& failed, const SegmentationR
   const std::string first =
       fmt::format("shape {}: {}", results.benchmark.models[failed.front().model].id, failed.front().message);
   if (results.experiment.on_error == OnError::stop) {
-    throw InputError(first + R"(; repair or remove it, or set "on_error" to "skip")");
+    throw SharedError(first + R"(; repair or remove it, or set "on_error" to "skip")");
   }
   if (failed.size() == results.benchmark.models.size())
-    throw InputError("no shape can be used; the first one, " + first);
+    throw SharedError("no shape can be used; the first one, " + first);
 }
 
-void run_stages(const RunControl& control, Cache& cache, const std::filesystem::path& generated,
+/// What was found of a shape, as it goes from process to process.
+struct CutShape {
+  SegmentedShape shape;
+  std::vector<SegmentationErrors> errors;  ///< by method, then people's
+};
+
+void pack_texts(const std::vector<std::string>& texts, Packer& packer) {
+  packer.add(texts.size());
+  for (const std::string& text : texts) packer.add(text);
+}
+
+std::vector<std::string> unpack_texts(Unpacker& unpacker) {
+  std::vector<std::string> texts(unpacker.take_value<std::size_t>());
+  for (std::string& text : texts) unpacker.take(text);
+  return texts;
+}
+
+template <typename Number>
+void pack_lists(const std::vector<std::vector<Number>>& lists, Packer& packer) {
+  packer.add(lists.size());
+  for (const std::vector<Number>& list : lists) packer.add(list);
+}
+
+template <typename Number>
+void unpack_lists(std::vector<std::vector<Number>>& lists, Unpacker& unpacker) {
+  lists.resize(unpacker.take_value<std::size_t>());
+  for (std::vector<Number>& list : lists) unpacker.take(list);
+}
+
+void pack(const CutShape& cut, Packer& packer) {
+  const SegmentedShape& shape = cut.shape;
+  packer.add(shape.mesh_sha256).add(shape.has_polygons).add(shape.moved).add(cut.errors);
+  pack_texts(shape.people_sha256, packer);
+  pack_texts(shape.pictures, packer);
+  pack_lists(shape.labels, packer);
+  pack_lists(shape.part_sizes, packer);
+}
+
+CutShape unpack_cut_shape(Unpacker& unpacker) {
+  CutShape cut;
+  SegmentedShape& shape = cut.shape;
+  unpacker.take(shape.mesh_sha256).take(shape.has_polygons).take(shape.moved).take(cut.errors);
+  shape.people_sha256 = unpack_texts(unpacker);
+  shape.pictures = unpack_texts(unpacker);
+  unpack_lists(shape.labels, unpacker);
+  unpack_lists(shape.part_sizes, unpacker);
+  return cut;
+}
+
+/// Collective. The shapes that the ranks have cut, by index, on rank 0.
+std::map<std::size_t, CutShape> cut_by_all(std::map<std::size_t, CutShape> own, Communicator& ranks) {
+  if (ranks.size() == 1) return own;
+  Packer packer;
+  for (const auto& [index, cut] : own) {
+    packer.add(index);
+    pack(cut, packer);
+  }
+  std::map<std::size_t, CutShape> all;
+  for (const std::string& part : ranks.gather(std::move(packer).bytes())) {
+    Unpacker unpacker(part);
+    while (!unpacker.is_at_end()) {
+      const auto index = unpacker.take_value<std::size_t>();
+      all.emplace(index, unpack_cut_shape(unpacker));
+    }
+  }
+  return all;
+}
+
+void run_stages(const RunControl& control, Cache& cache, const std::filesystem::path& generated, Communicator& ranks,
                 SegmentationResults& results) {
   const auto start = std::chrono::steady_clock::now();
-  results.benchmark = benchmark_of(results.experiment, generated, control);
+  results.benchmark = benchmark_of(results.experiment, generated, control, ranks);
   results.has_people =
       std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
   std::vector<std::size_t> all(results.benchmark.models.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  std::vector<std::optional<SegmentedShape>> shapes(all.size());
-  std::vector<std::vector<SegmentationErrors>> errors(all.size());
+  std::map<std::size_t, CutShape> own;
+  std::mutex mutex;
   const bool stop = results.experiment.on_error == OnError::stop;
-  const std::vector<ModelFailure> failed = for_each_model(all, "shapes", stop, control, [&](std::size_t i) {
-    ShapeJob job(results.experiment, results.benchmark.models[i], i, cache);
-    shapes[i] = std::move(job.result);
-    errors[i] = std::move(job.errors);
-  });
+  const std::vector<ModelFailure> own_failures =
+      for_each_model(all, "shapes", stop, control, ranks, [&](std::size_t i) {
+        ShapeJob job(results.experiment, results.benchmark.models[i], i, cache);
+        const std::scoped_lock lock(mutex);
+        own.emplace(i, CutShape{.shape = std::move(job.result), .errors = std::move(job.errors)});
+      });
+  const std::vector<ModelFailure> failed = failures_of_all(own_failures, ranks);
   check_failures(failed, results);
+  std::map<std::size_t, CutShape> cut = cut_by_all(std::move(own), ranks);
+  if (ranks.rank() != 0) return;
   const std::vector<std::size_t> left = split_failures(failed, results);
   results.scores = empty_scores(results.benchmark, method_names(results.experiment, results.benchmark));
   for (std::size_t k = 0; k < left.size(); ++k) {
-    for (std::size_t m = 0; m < results.scores.methods.size(); ++m) results.scores.errors[m][k] = errors[left[k]][m];
-    results.shapes.push_back(*std::move(shapes[left[k]]));
+    for (std::size_t m = 0; m < results.scores.methods.size(); ++m)
+      results.scores.errors[m][k] = cut.at(left[k]).errors[m];
+    results.shapes.push_back(std::move(cut.at(left[k]).shape));
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   results.timings.emplace_back("shapes", seconds.count());
@@ -264,13 +337,18 @@ Labels segmented(const Shape& given, const SegmentationMethod& method) {
 }
 
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
-                                     const RunControl& control, Cache& cache) {
+                                     const RunControl& control, Cache& cache, Communicator& ranks) {
   SegmentationResults results;
   results.experiment = experiment;
   results.threads = control.threads > 0 ? control.threads : available_threads();
-  with_threads(control, [&] { run_stages(control, cache, generated, results); });
-  results.cache = cache.report();
+  with_threads(control, [&] { run_stages(control, cache, generated, ranks, results); });
+  results.cache = report_of(cache, ranks);
   return results;
+}
+
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                                     const RunControl& control, Cache& cache) {
+  return run_segmentation(experiment, generated, control, cache, *single_process());
 }
 
 }  // namespace shapegauge

@@ -10,6 +10,7 @@
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
 #include "shapegauge/experiments/segmentation/segmentation_tables.h"
@@ -29,12 +30,6 @@ struct SegmentedShape {
   std::vector<std::string> pictures;  ///< PNG files: the first person's parts where there are any, then by method
 };
 
-/// A shape that the run went on without.
-struct FailedSegmentation {
-  SegmentedModel model;
-  std::string message;
-};
-
 /// All that a segmentation experiment found.
 struct SegmentationResults {
   SegmentationExperiment experiment;
@@ -42,7 +37,7 @@ struct SegmentationResults {
   bool has_people = true;              ///< somebody cut the shapes
   SegmentationScores scores;           ///< of the methods, and of people where a shape has two
   std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark's
-  std::vector<FailedSegmentation> failures;
+  std::vector<LeftOutShape> failures;
   CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
@@ -56,8 +51,13 @@ std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod
 nlohmann::json versions_of(const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
-/// Generated shapes are written to `generated`. All but the timings is the same for any number of threads. Throws
+/// Generated shapes lie in `generated`, and are made there unless they were before (prepare_generated()). All but the
+/// timings is the same for any number of threads and of processes, of which rank 0 has the results. Collective. Throws
 /// InputError for a shape that fails with OnError::stop and where no shape is left, and Interrupted.
+SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
+                                     const RunControl& control, Cache& cache, Communicator& ranks);
+
+/// The same in this process alone.
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                                      const RunControl& control, Cache& cache);
 

@@ -154,8 +154,8 @@ std::string segmentation_page(const SegmentationResults& results) {
       "with the same number, and how much the parts differ in size (0: not at all, 1: wholly): among the shapes of "
       "the class, and from those of other classes.</p>\n" +
       html_table(consistency_table(results));
-  for (const FailedSegmentation& failure : results.failures) {
-    html += fmt::format("<p>Left out {}: {}</p>\n", html_text(failure.model.id), html_text(failure.message));
+  for (const LeftOutShape& failure : results.failures) {
+    html += fmt::format("<p>Left out {}: {}</p>\n", html_text(failure.id), html_text(failure.message));
   }
   if (results.experiment.pictures) {
     html += fmt::format("<h2>Gallery</h2>\n<p>Of each class {}.</p>\n",

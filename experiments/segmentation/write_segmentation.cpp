@@ -1,6 +1,8 @@
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -8,6 +10,7 @@
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
@@ -65,25 +68,22 @@ Json inputs(const SegmentationResults& results) {
   return {{"algorithm", "SHA-256"}, {"models", std::move(models)}};
 }
 
-Json manifest(const SegmentationResults& results, const std::vector<std::string>& files,
-              const std::filesystem::path& folder) {
+Json manifest_entries(const SegmentationResults& results) {
   Json failures = Json::array();
-  for (const FailedSegmentation& failure : results.failures) {
-    failures.push_back({{"model", failure.model.id}, {"error", failure.message}});
+  for (const LeftOutShape& failure : results.failures) {
+    failures.push_back({{"model", failure.id}, {"error", failure.message}});
   }
+  return {{"inputs", inputs(results)},
+          {"shapes", results.shapes.size()},
+          {"without_people", results.benchmark.without_people},
+          {"failed_models", std::move(failures)}};
+}
+
+Json execution_entries(const SegmentationResults& results) {
   Json execution = execution_json(results.threads, results.timings, {});
   const CacheUse& use = results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   execution["cache"] = {{"from_cache", use.hits}, {"computed", use.computed}};
-  Json json = program_json();
-  json.update({{"configuration", to_json(results.experiment)},
-               {"inputs", inputs(results)},
-               {"shapes", results.shapes.size()},
-               {"without_people", results.benchmark.without_people},
-               {"failed_models", std::move(failures)},
-               {"files", files},
-               {"outputs", outputs_json(folder, files)},
-               {"execution", std::move(execution)}});
-  return json;
+  return execution;
 }
 
 /// Of each method a folder with a .seg file for each shape. Returns their names.
@@ -102,19 +102,61 @@ std::vector<std::string> write_parts(const std::filesystem::path& folder, const 
   return files;
 }
 
-}  // namespace
+std::vector<std::string> notes(const SegmentationResults& results) {
+  const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons);
+  if (count == 0) return {};
+  return {
+      fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a line for "
+                  "each face of the file, the part with most of its area",
+                  count, results.shapes.size())};
+}
 
-void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results) {
-  StagedResults staged(destination);
-  const std::filesystem::path& folder = staged.folder();
-  std::vector<std::string> files;
+RunOutcome write_files(const std::filesystem::path& folder, const SegmentationResults& results) {
+  RunOutcome outcome{.manifest = manifest_entries(results),
+                     .execution = execution_entries(results),
+                     .summary = summary_text(results),
+                     .notes = notes(results),
+                     .left_out = results.failures,
+                     .used = results.shapes.size(),
+                     .noun = "shape",
+                     .cache = results.cache};
   for (const auto& [name, text] : text_files(results)) {
     write_file_atomically(folder / name, text);
-    files.push_back(name);
+    outcome.files.push_back(name);
   }
-  for (std::string& file : write_parts(folder, results)) files.push_back(std::move(file));
-  write_file_atomically(folder / manifest_name, manifest(results, files, folder).dump(2) + "\n");
-  staged.publish(files);
+  std::ranges::move(write_parts(folder, results), std::back_inserter(outcome.files));
+  return outcome;
+}
+
+RunOutcome run_and_write(const SegmentationExperiment& experiment, const RunContext& context) {
+  const SegmentationResults results =
+      run_segmentation(experiment, context.generated, context.control, context.cache, context.ranks);
+  return on_all_ranks(context.ranks,
+                      [&] { return context.ranks.rank() == 0 ? write_files(context.results, results) : RunOutcome(); });
+}
+
+Experiment read_segmentation(const nlohmann::json& document, const std::string& source,
+                             const std::filesystem::path& folder) {
+  const SegmentationExperiment experiment = segmentation_from_json(document, source, folder);
+  Experiment read{.name = experiment.name,
+                  .configuration = to_json(experiment),
+                  .run = [experiment](const RunContext& context) { return run_and_write(experiment, context); }};
+  if (!experiment.generator) read.dataset = experiment.location;
+  return read;
+}
+
+}  // namespace
+
+ExperimentKind segmentation_kind() {
+  return {.name = "segmentation",
+          .description = "The parts of the shapes of a data set by several methods, compared with those of people.",
+          .describes = is_segmentation,
+          .read = read_segmentation};
+}
+
+void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results) {
+  publish_results(destination, to_json(results.experiment),
+                  [&](const std::filesystem::path& folder) { return write_files(folder, results); });
 }
 
 std::string summary_text(const SegmentationResults& results) { return summary(results, to_plain_text); }

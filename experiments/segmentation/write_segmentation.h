@@ -3,9 +3,13 @@
 #include <filesystem>
 #include <string>
 
+#include "shapegauge/experiments/results/experiment.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 
 namespace shapegauge {
+
+/// The entry of the registry (experiment_kinds()).
+ExperimentKind segmentation_kind();
 
 /// Writes all result files of a segmentation experiment (docs/segmentation.md#experiments) into the folder, each whole
 /// or not at all, the manifest last, as write_results() does.

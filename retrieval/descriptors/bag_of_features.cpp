@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "shapegauge/core/base/error.h"
@@ -39,12 +38,12 @@ using Vectors = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowM
 
 void check_fields(ShapeFields fields, std::size_t expected) {
   if (fields.empty() || fields.size() != expected) {
-    throw std::invalid_argument("a bag of features is of one field or more, the same for all shapes; there are " +
-                                std::to_string(fields.size()) + " and " + std::to_string(expected));
+    throw ArgumentError("a bag of features is of one field or more, the same for all shapes; there are " +
+                        std::to_string(fields.size()) + " and " + std::to_string(expected));
   }
   for (const ScalarField& field : fields) {
     if (field.values.size() != fields.front().values.size() || field.weights.size() != field.values.size()) {
-      throw std::invalid_argument("the fields of a bag of features must be at the same samples");
+      throw ArgumentError("the fields of a bag of features must be at the same samples");
     }
   }
 }
@@ -83,7 +82,7 @@ Vectors samples_of(std::span<const ShapeFields> shapes, int per_shape) {
     check_fields(fields, shapes.front().size());
     append_samples(fields, per_shape, samples);
   }
-  if (samples.empty()) throw std::invalid_argument("fields without any value of positive weight make no codebook");
+  if (samples.empty()) throw ArgumentError("fields without any value of positive weight make no codebook");
   Vectors matrix(std::ssize(samples), samples.front().size());
   for (std::size_t i = 0; i < samples.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = samples[i];
   return matrix;
@@ -189,7 +188,7 @@ Codebook as_codebook(const LearntFeatures& matrix) {
 
 Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOptions& options) {
   check_options("bag_of_features", table, options);
-  if (shapes.empty()) throw std::invalid_argument("there are no shapes to learn a codebook from");
+  if (shapes.empty()) throw ArgumentError("there are no shapes to learn a codebook from");
   Vectors samples = samples_of(shapes, options.samples_per_shape);
   Codebook result{Eigen::RowVectorXf::Ones(samples.cols()), {}};
   if (options.standardise) result.scales = deviations_of(samples);
@@ -217,7 +216,7 @@ Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, co
     }
   }
   const double total = bag.sum();
-  if (!(total > 0)) throw std::invalid_argument("fields without any value of positive weight have no bag of features");
+  if (!(total > 0)) throw ArgumentError("fields without any value of positive weight have no bag of features");
   Eigen::VectorXf features = Eigen::VectorXf::Zero(std::max<Eigen::Index>(options.words, bag.size()));
   features.head(bag.size()) = (bag / total).cast<float>();
   return features;

@@ -35,7 +35,7 @@ using ShapeFields = std::span<const ScalarField>;
 /// k-means (Lloyd's algorithm from a k-means++ seed; Arthur and Vassilvitskii 2007) over samples of all shapes, so many
 /// of each, spread by weight. Samples with a value that is not finite do not count. The same bytes for any number of
 /// threads. There are fewer words where there are fewer different samples. Throws InputError for options out of range,
-/// and std::invalid_argument for fields that differ in number or length and where no sample counts.
+/// and ArgumentError for fields that differ in number or length and where no sample counts.
 Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOptions& options = {});
 
 /// How much of a shape's weight belongs to each word, normalised to sum 1 (Sivic and Zisserman 2003; soft: van Gemert

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <stdexcept>
+#include <iterator>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
@@ -17,31 +17,32 @@ namespace shapegauge {
 
 namespace {
 
-std::vector<Descriptor>& registry() {
-  static std::vector<Descriptor> registered = {
+std::vector<Descriptor> own_descriptors() {
+  return {
       joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(), d2_descriptor(),
       spherical_harmonics_descriptor(), shape_dna_descriptor(),
   };
-  return registered;
+}
+
+void check_descriptor(const Descriptor& added) {
+  const auto reserved = [](const Parameter& parameter) {
+    return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
+  };
+  if (added.describe == nullptr || added.distance == nullptr || added.most_fields < added.fewest_fields ||
+      std::ranges::any_of(added.parameters, reserved)) {
+    throw ArgumentError(
+        fmt::format("a descriptor needs functions, at least as many fields at most as at fewest, and parameters that "
+                    "are not called "
+                    "type, fields or axes: \"{}\"",
+                    added.name));
+  }
 }
 
 }  // namespace
 
-std::span<const Descriptor> descriptors() { return registry(); }
-
-void register_descriptor(const Descriptor& added) {
-  const auto reserved = [](const Parameter& parameter) {
-    return parameter.name == "type" || parameter.name == "fields" || parameter.name == "axes";
-  };
-  const bool known = std::ranges::find(registry(), added.name, &Descriptor::name) != registry().end();
-  if (added.name.empty() || known || added.describe == nullptr || added.distance == nullptr ||
-      added.most_fields < added.fewest_fields || std::ranges::any_of(added.parameters, reserved)) {
-    throw std::invalid_argument(fmt::format(
-        "a descriptor needs a name of its own, functions, at least as many fields at most as at fewest, and parameters "
-        "that are not called type, fields or axes: \"{}\"",
-        added.name));
-  }
-  registry().push_back(added);
+Registry<Descriptor>& descriptors() {
+  static Registry<Descriptor> all("descriptor", own_descriptors(), check_descriptor);
+  return all;
 }
 
 bool learns(const Descriptor& one, const DescriptorSettings& settings) {
@@ -62,15 +63,6 @@ Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& in
   return features;
 }
 
-const Descriptor& descriptor(std::string_view name) {
-  const auto known = descriptors();
-  const auto found = std::ranges::find(known, name, &Descriptor::name);
-  if (found != known.end()) return *found;
-  std::string message = fmt::format("there is no descriptor named \"{}\"; known are:", name);
-  for (const Descriptor& one : known) message.append(" ").append(one.name);
-  throw InputError(message);
-}
-
 DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features) {
   for (Eigen::Index i = 0; i < features.rows(); ++i) {
     if (features.row(i).allFinite()) continue;
@@ -87,16 +79,14 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
 }
 
 std::vector<std::string> feature_distance_names() {
-  std::vector<std::string> names = distance_names();
-  for (const Descriptor& one : descriptors()) names.emplace_back(one.name);
+  std::vector<std::string> names = distances().names();
+  std::ranges::move(descriptors().names(), std::back_inserter(names));
   return names;
 }
 
 NamedDistance feature_distance(const std::string& name) {
-  const auto known = descriptors();
-  const auto found = std::ranges::find(known, name, &Descriptor::name);
-  if (found == known.end()) return distance_named(name);
-  return {.name = name, .function = found->distance};
+  if (const Descriptor* const known = descriptors().find(name)) return {.name = name, .function = known->distance};
+  return distances().at(name);
 }
 
 }  // namespace shapegauge

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -32,7 +33,7 @@ struct DescriptorInput {
 using LearntFeatures = Eigen::MatrixXf;
 
 /// A descriptor: from a shape, or fields on it, to features of a length that only the settings decide, and the distance
-/// between two such. Functions throw InputError or std::invalid_argument for settings out of range and for what cannot
+/// between two such. Functions throw InputError for settings out of range and for what cannot
 /// be described. Names, parameters and descriptions are referred to, not copied.
 struct Descriptor {
   std::string_view name;
@@ -52,14 +53,9 @@ struct Descriptor {
   void (*check)(const DescriptorSettings&) = nullptr;
 };
 
-/// All descriptors. A new one of the library is one file in this folder and one line in descriptor.cpp
-/// (docs/extending.md).
-std::span<const Descriptor> descriptors();
-
-/// Adds a descriptor for the rest of the program: configurations, their schema and descriptor() know it then. Throws
-/// std::invalid_argument for a name that is empty or taken, without `describe` or `distance`, and for parameters of
-/// reserved names. Not to be called while other threads use descriptors.
-void register_descriptor(const Descriptor& added);
+/// All descriptors: those of this folder, one line each in descriptor.cpp (docs/extending.md), then those that were
+/// added. An entry has `describe` and `distance`, and no parameters called type, fields or axes.
+Registry<Descriptor>& descriptors();
 
 /// Whether the descriptor must see all shapes before it can describe one.
 bool learns(const Descriptor& one, const DescriptorSettings& settings);
@@ -72,9 +68,6 @@ DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
                                  const DescriptorSettings& settings);
 
-/// The descriptor of that name. Throws InputError, naming those there are.
-const Descriptor& descriptor(std::string_view name);
-
 /// All distances between shapes with such features, one shape a row; in parallel, the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
 DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features);
@@ -83,7 +76,7 @@ DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& feat
 std::vector<std::string> feature_distance_names();
 
 /// The distance of that name between features; by a descriptor's name that descriptor's own. Throws
-/// std::invalid_argument, naming those there are.
+/// InputError, naming those there are.
 NamedDistance feature_distance(const std::string& name);
 
 }  // namespace shapegauge

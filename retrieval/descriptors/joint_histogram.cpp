@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <fmt/format.h>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,8 +54,7 @@ double unit_of(const ScalarField& field, bool divide_by_mean) {
   if (!divide_by_mean) return 1;
   const double mean = mean_of(field);
   if (!(mean > 0) || !std::isfinite(mean)) {
-    throw std::invalid_argument("a field can only be divided by its mean where that is positive, not " +
-                                std::to_string(mean));
+    throw ArgumentError("a field can only be divided by its mean where that is positive, not " + std::to_string(mean));
   }
   return mean;
 }
@@ -84,21 +82,21 @@ JointAxis resolved(JointAxis axis, const ScalarField& field) {
 
 std::size_t checked_size(std::span<const ScalarField> fields, std::span<const JointAxis> axes) {
   if (fields.size() < 2 || axes.size() != fields.size()) {
-    throw std::invalid_argument("a joint histogram needs two fields or more and an axis for each, not " +
-                                std::to_string(fields.size()) + " fields and " + std::to_string(axes.size()) + " axes");
+    throw ArgumentError("a joint histogram needs two fields or more and an axis for each, not " +
+                        std::to_string(fields.size()) + " fields and " + std::to_string(axes.size()) + " axes");
   }
   const Eigen::Index samples = fields.front().values.size();
   for (const ScalarField& field : fields) {
     if (field.values.size() != samples || field.weights.size() != samples) {
-      throw std::invalid_argument("the fields of a joint histogram must be at the same samples; there are " +
-                                  std::to_string(field.values.size()) + " and " + std::to_string(samples));
+      throw ArgumentError("the fields of a joint histogram must be at the same samples; there are " +
+                          std::to_string(field.values.size()) + " and " + std::to_string(samples));
     }
   }
   constexpr std::size_t most = 1'000'000;
   std::size_t bins = 1;
   for (const JointAxis& axis : axes) {
     bins *= static_cast<std::size_t>(axis.bins);
-    if (bins > most) throw std::invalid_argument("a joint histogram has at most " + std::to_string(most) + " bins");
+    if (bins > most) throw ArgumentError("a joint histogram has at most " + std::to_string(most) + " bins");
   }
   return bins;
 }
@@ -119,7 +117,7 @@ void smooth_axis(Eigen::VectorXd& counts, const JointAxis& axis, Eigen::Index st
 
 Interval joint_range(const ScalarField& field, bool divide_by_mean) {
   const std::optional<Interval> range = value_range(field);
-  if (!range) throw std::invalid_argument("a field without any value of positive weight has no range");
+  if (!range) throw ArgumentError("a field without any value of positive weight has no range");
   const double unit = unit_of(field, divide_by_mean);
   return {range->low / unit, range->high / unit};
 }
@@ -138,8 +136,8 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
   for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
     const double weight = fields.front().weights[i];
     if (!(weight >= 0) || !std::isfinite(weight)) {
-      throw std::invalid_argument("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
-                                  "; weights must be finite and not negative");
+      throw ArgumentError("the weight of sample " + std::to_string(i) + " is " + std::to_string(weight) +
+                          "; weights must be finite and not negative");
     }
     Eigen::Index bin = 0;
     bool counted = true;
@@ -156,7 +154,7 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
     total += weight;
   }
   if (!(total > 0) || !std::isfinite(total)) {
-    throw std::invalid_argument("fields without any sample at which all have a value have no joint histogram");
+    throw ArgumentError("fields without any sample at which all have a value have no joint histogram");
   }
   counts /= total;
   Eigen::Index stride = counts.size();

@@ -30,7 +30,7 @@ struct JointHistogramOptions {
   bool square_roots = false;  ///< their square roots, so that small shares count more (as in Hellinger's distance)
 };
 
-/// The range of a field's values, after division by their mean where that is asked for. Throws std::invalid_argument
+/// The range of a field's values, after division by their mean where that is asked for. Throws ArgumentError
 /// where no value counts, or the mean is not positive.
 Interval joint_range(const ScalarField& field, bool divide_by_mean);
 
@@ -39,7 +39,7 @@ Interval joint_range(const ScalarField& field, bool divide_by_mean);
 /// Cohen-Or 2007. A sample counts where all of its values are numbers. Compared by L1.
 ///
 /// On independent fields it is the product of their histograms. Throws InputError for an axis out of range, and
-/// std::invalid_argument for less than two fields, fields that differ in number, axes that are not as many, more than
+/// ArgumentError for less than two fields, fields that differ in number, axes that are not as many, more than
 /// 1,000,000 bins, and as histogram().
 Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes,
                                 const JointHistogramOptions& options = {});

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -150,14 +149,14 @@ using Bytes = std::array<std::uint8_t, light_field_sets * light_field_views * vi
 
 Bytes bytes_of(std::span<const float> features) {
   if (features.size() != light_field_features) {
-    throw std::invalid_argument("a light field has " + std::to_string(light_field_features) + " features, not " +
-                                std::to_string(features.size()));
+    throw ArgumentError("a light field has " + std::to_string(light_field_features) + " features, not " +
+                        std::to_string(features.size()));
   }
   Bytes bytes{};
   for (std::size_t view = 0; view < light_field_sets * light_field_views; ++view) {
     for (std::size_t k = 0; k < silhouette_feature_count; ++k) {
       const float feature = features[view * silhouette_feature_count + k];
-      if (!(feature >= 0 && feature <= 255)) throw std::invalid_argument("a light field has features from 0 to 255");
+      if (!(feature >= 0 && feature <= 255)) throw ArgumentError("a light field has features from 0 to 255");
       bytes[view * view_size + k] = static_cast<std::uint8_t>(feature);
     }
   }

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <utility>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -259,8 +260,8 @@ SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
 
 std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std::span<const std::uint8_t> image) const {
   if (std::ssize(image) != basis_.rows()) {
-    throw std::invalid_argument("a silhouette of " + std::to_string(image.size()) + " pixels, not " +
-                                std::to_string(basis_.rows()));
+    throw ArgumentError("a silhouette of " + std::to_string(image.size()) + " pixels, not " +
+                        std::to_string(basis_.rows()));
   }
   Eigen::Matrix<float, 1, 2 * zernike_moments> moments = Eigen::Matrix<float, 1, 2 * zernike_moments>::Zero();
   for (std::size_t i = 0; i < image.size(); ++i) {

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -194,9 +193,8 @@ Points harmonic_directions(int bandwidth) {
 
 Eigen::VectorXd harmonic_norms(const Eigen::VectorXd& values, int bandwidth) {
   if (bandwidth < 1 || values.size() != circles_of(bandwidth) * meridians_of(bandwidth)) {
-    throw std::invalid_argument("spherical harmonics below " + std::to_string(bandwidth) +
-                                " need a value for each of " + "their directions, not " +
-                                std::to_string(values.size()));
+    throw ArgumentError("spherical harmonics below " + std::to_string(bandwidth) + " need a value for each of " +
+                        "their directions, not " + std::to_string(values.size()));
   }
   return HarmonicTransform(bandwidth).norms(values);
 }

@@ -100,7 +100,7 @@ TEST_F(DescribeCommand, TellsWhatIsWrongInALine) {
 TEST_F(DescribeCommand, ListsTheDescriptorsAndTheirSettings) {
   const Outcome outcome = run_executable("describe --list");
   EXPECT_EQ(outcome.status, 0);
-  for (const Descriptor& one : descriptors()) EXPECT_THAT(outcome.output, HasSubstr(std::string(one.name)));
+  for (const Descriptor& one : descriptors().entries()) EXPECT_THAT(outcome.output, HasSubstr(std::string(one.name)));
   EXPECT_THAT(outcome.output, HasSubstr("axes.N.smoothing_bins"));
 }
 
@@ -109,7 +109,7 @@ TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {
   test::write_text(at("classes.txt"), "a\na\nb\n");
   EXPECT_EQ(describe(fmt::format("--descriptor light_field --set pixels=16 -o '{}'", at("x.npy").string())).status, 0);
   const Signatures features = read_number_table(at("x.npy")).numbers.cast<float>();
-  write_npy(at("matrix/x.npy"), descriptor_distances(descriptor("light_field"), features));
+  write_npy(at("matrix/x.npy"), descriptor_distances(descriptors().at("light_field"), features));
   const auto evaluate = [&](const std::string& matrix, const std::string& distance) {
     return run_executable(fmt::format("evaluate '{}' {} --labels '{}' --per-query '{}'", at(matrix).string(), distance,
                                       at("classes.txt").string(), at(matrix + ".csv").string()));

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <tbb/global_control.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/bootstrap.h"
 #include "tests/metrics/simulated_methods.h"
 
@@ -43,8 +43,8 @@ TEST(Units, HaveTheirNamesBothWays) {
 }
 
 TEST(Units, RefuseWhatDoesNotFit) {
-  EXPECT_THROW(units_of(values, std::vector<int>{1}, Blocks::classes, Average::micro), std::invalid_argument);
-  EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, Blocks::classes, Average::micro), std::invalid_argument);
+  EXPECT_THROW(units_of(values, std::vector<int>{1}, Blocks::classes, Average::micro), ArgumentError);
+  EXPECT_THROW(units_of(Eigen::MatrixXd(0, 1), {}, Blocks::classes, Average::micro), ArgumentError);
 }
 
 Units example() {
@@ -122,10 +122,10 @@ TEST(Bootstrap, MoreConfidenceIsAWiderInterval) {
 
 TEST(Bootstrap, RefusesWhatHasNoInterval) {
   const Units one{Eigen::MatrixXd::Ones(1, 1), Eigen::VectorXd::Ones(1)};
-  EXPECT_THROW(bootstrap_intervals(one), std::invalid_argument);
-  EXPECT_THROW(bootstrap_intervals(example(), 0), std::invalid_argument);
-  EXPECT_THROW(bootstrap_intervals(example(), 1), std::invalid_argument);
-  EXPECT_THROW(bootstrap_intervals(example(), 0.95, {.resamples = 0}), std::invalid_argument);
+  EXPECT_THROW(bootstrap_intervals(one), ArgumentError);
+  EXPECT_THROW(bootstrap_intervals(example(), 0), ArgumentError);
+  EXPECT_THROW(bootstrap_intervals(example(), 1), ArgumentError);
+  EXPECT_THROW(bootstrap_intervals(example(), 0.95, {.resamples = 0}), ArgumentError);
 }
 
 // The share of data sets whose interval holds the true average, 0.6.

@@ -8,11 +8,11 @@
 #include <random>
 #include <rapidcheck/gtest.h>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <tbb/global_control.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/metrics/random_cases.h"
@@ -42,7 +42,7 @@ Evaluation scores_of(const EvaluationCase& data, Ties ties = Ties::index) {
 std::string error_of(const naive::Matrix& distances, const std::vector<int>& labels, const EvaluationOptions& options) {
   try {
     evaluate(distances, labels, options);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     return error.what();
   }
   return "no error";
@@ -122,7 +122,7 @@ RC_GTEST_PROP(Evaluation, QueriesAreTheModelsOfLargeEnoughClasses, ()) {
     classes.insert(data.labels[i]);
   }
   if (queries.empty()) {
-    RC_ASSERT_THROWS_AS(evaluate(data.distances, data.labels, under(data.protocol, minimum)), std::invalid_argument);
+    RC_ASSERT_THROWS_AS(evaluate(data.distances, data.labels, under(data.protocol, minimum)), ArgumentError);
     return;
   }
   const Evaluation result = evaluate(data.distances, data.labels, under(data.protocol, minimum));

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <set>
-#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/measures.h"
 
 namespace shapegauge {
@@ -151,7 +151,7 @@ TEST(AreaUnderCurve, IsOneForAPerfectList) { EXPECT_EQ(value("AUC-PR", list_of_h
 std::string measure_error_of(const std::string& name) {
   try {
     measure_of(name);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     return error.what();
   }
   return "no error";
@@ -159,7 +159,7 @@ std::string measure_error_of(const std::string& name) {
 
 std::vector<Measure> one_of_each() {
   std::vector<Measure> measures;
-  for (const MeasureDefinition& definition : measure_definitions()) {
+  for (const MeasureDefinition& definition : measure_definitions().entries()) {
     std::string name(definition.name);
     if (definition.value_at != nullptr) name.back() = '3';
     measures.push_back(measure_of(name));
@@ -169,7 +169,7 @@ std::vector<Measure> one_of_each() {
 
 TEST(MeasureRegistry, NamesAreDifferentAndEverythingIsExplained) {
   std::set<std::string> names;
-  for (const MeasureDefinition& definition : measure_definitions()) {
+  for (const MeasureDefinition& definition : measure_definitions().entries()) {
     names.insert(definition.name);
     for (const std::string& text : {definition.name, definition.title, definition.definition, definition.source}) {
       EXPECT_FALSE(text.empty()) << definition.name;
@@ -178,7 +178,7 @@ TEST(MeasureRegistry, NamesAreDifferentAndEverythingIsExplained) {
     EXPECT_NE(definition.value == nullptr, definition.value_at == nullptr) << definition.name;
     EXPECT_EQ(definition.value_at != nullptr, definition.name.ends_with("@k")) << definition.name;
   }
-  EXPECT_EQ(names.size(), measure_definitions().size());
+  EXPECT_EQ(names.size(), measure_definitions().entries().size());
 }
 
 TEST(MeasureRegistry, FindsMeasuresByName) {
@@ -190,7 +190,7 @@ TEST(MeasureRegistry, FindsMeasuresByName) {
 
 TEST(MeasureRegistry, NoMeasureIsNamedTwice) {
   EXPECT_EQ(measures_of(std::vector<std::string>{"P@1", "P@2"}).size(), 2U);
-  EXPECT_THROW(measures_of(std::vector<std::string>{"mAP", "FT", "AP"}), std::invalid_argument);
+  EXPECT_THROW(measures_of(std::vector<std::string>{"mAP", "FT", "AP"}), ArgumentError);
 }
 
 TEST(MeasureRegistry, OtherNamesAreErrors) {
@@ -206,16 +206,16 @@ TEST(MeasureRegistry, OtherNamesAreErrors) {
 
 // What a consumer of the library does to have a measure of their own.
 TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
-  register_measure({.name = "Miss@k",
-                    .title = "misses at k",
-                    .definition = "The fraction of misses among the first k ranks.",
-                    .source = "this test",
-                    .caveat = "none",
-                    .value_at = [](const RankedList& list, std::size_t k) {
-                      return 1 - hits_among_first(list, k) / static_cast<double>(k);
-                    }});
+  measure_definitions().add({.name = "Miss@k",
+                             .title = "misses at k",
+                             .definition = "The fraction of misses among the first k ranks.",
+                             .source = "this test",
+                             .caveat = "none",
+                             .value_at = [](const RankedList& list, std::size_t k) {
+                               return 1 - hits_among_first(list, k) / static_cast<double>(k);
+                             }});
   EXPECT_EQ(value("Miss@4", list_of_hits({true, false, false, true, true})), 0.5);
-  EXPECT_EQ(measure_definitions().back().name, "Miss@k");
+  EXPECT_EQ(measure_definitions().names().back(), "Miss@k");
   EXPECT_THAT(measure_error_of("nowhere"), HasSubstr(" Miss@k"));
 }
 
@@ -223,13 +223,13 @@ TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {
   const auto half = [](const RankedList&) { return 0.5; };
   const auto half_at = [](const RankedList&, std::size_t) { return 0.5; };
   for (const char* name : {"", "@k", "a b", "a,b", "a@3", "FT", "AP"}) {
-    EXPECT_THROW(register_measure({.name = name, .value = half}), std::invalid_argument) << name;
+    EXPECT_THROW(measure_definitions().add({.name = name, .value = half}), ArgumentError) << name;
   }
-  EXPECT_THROW(register_measure({.name = "P@k", .value_at = half_at}), std::invalid_argument);
-  EXPECT_THROW(register_measure({.name = "X", .value_at = half_at}), std::invalid_argument);
-  EXPECT_THROW(register_measure({.name = "X@k", .value = half}), std::invalid_argument);
-  EXPECT_THROW(register_measure({.name = "X", .value = half, .value_at = half_at}), std::invalid_argument);
-  EXPECT_THROW(register_measure({.name = "X"}), std::invalid_argument);
+  EXPECT_THROW(measure_definitions().add({.name = "P@k", .value_at = half_at}), ArgumentError);
+  EXPECT_THROW(measure_definitions().add({.name = "X", .value_at = half_at}), ArgumentError);
+  EXPECT_THROW(measure_definitions().add({.name = "X@k", .value = half}), ArgumentError);
+  EXPECT_THROW(measure_definitions().add({.name = "X", .value = half, .value_at = half_at}), ArgumentError);
+  EXPECT_THROW(measure_definitions().add({.name = "X"}), ArgumentError);
   EXPECT_THAT(measure_error_of("X"), HasSubstr("no measure"));
 }
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <tbb/global_control.h>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/metrics/significance_tests.h"
 #include "tests/metrics/simulated_methods.h"
@@ -96,12 +96,12 @@ TEST(MethodComparison, EqualMethodsAreTied) {
 
 TEST(MethodComparison, RefusesWhatCannotBeCompared) {
   const Example data;
-  EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), std::invalid_argument);
-  EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4)), std::invalid_argument);
-  EXPECT_THROW(compare_methods(data.per_query, data.classes, {.reference = 3}), std::invalid_argument);
+  EXPECT_THROW(compare_methods(data.per_query.leftCols(1), data.classes), ArgumentError);
+  EXPECT_THROW(compare_methods(data.per_query, std::vector<int>(150, 4)), ArgumentError);
+  EXPECT_THROW(compare_methods(data.per_query, data.classes, {.reference = 3}), ArgumentError);
   Eigen::MatrixXd infinite = data.per_query;
   infinite(3, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(compare_methods(infinite, data.classes), std::invalid_argument);
+  EXPECT_THROW(compare_methods(infinite, data.classes), ArgumentError);
 }
 
 // The randomisation of n units has 2^n outcomes, and the two of one sign each cannot be told from each other.

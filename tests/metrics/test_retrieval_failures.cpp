@@ -5,9 +5,9 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/ranked_list.h"
 #include "shapegauge/metrics/retrieval_failures.h"
@@ -77,10 +77,10 @@ TEST(ConfusionMatrix, RefusesWhatDoesNotFit) {
   const std::vector<int> labels = {0, 1, 0};
   const std::vector<Eigen::Index> queries = {0};
   const Nearest nearest = {1, 0, 1};
-  EXPECT_THROW(confusion_matrix(nearest, labels, queries, 1), std::invalid_argument) << "label 1 of 1 class";
-  EXPECT_THROW(confusion_matrix(nearest, labels, std::vector<Eigen::Index>{3}, 2), std::invalid_argument);
-  EXPECT_THROW(confusion_matrix(Nearest{1, 0}, labels, queries, 2), std::invalid_argument);
-  EXPECT_THROW(confusion_matrix(Nearest{1, 0, 3}, labels, queries, 2), std::invalid_argument);
+  EXPECT_THROW(confusion_matrix(nearest, labels, queries, 1), ArgumentError) << "label 1 of 1 class";
+  EXPECT_THROW(confusion_matrix(nearest, labels, std::vector<Eigen::Index>{3}, 2), ArgumentError);
+  EXPECT_THROW(confusion_matrix(Nearest{1, 0}, labels, queries, 2), ArgumentError);
+  EXPECT_THROW(confusion_matrix(Nearest{1, 0, 3}, labels, queries, 2), ArgumentError);
 }
 
 Evaluation evaluation() {
@@ -101,9 +101,7 @@ TEST(WorstQueries, NoMoreThanThereAre) {
   EXPECT_THAT(worst_queries(evaluation(), "FT", 0), ElementsAre());
 }
 
-TEST(WorstQueries, AnUnknownMeasureIsRefused) {
-  EXPECT_THROW(worst_queries(evaluation(), "mAP", 1), std::invalid_argument);
-}
+TEST(WorstQueries, AnUnknownMeasureIsRefused) { EXPECT_THROW(worst_queries(evaluation(), "mAP", 1), ArgumentError); }
 
 }  // namespace
 

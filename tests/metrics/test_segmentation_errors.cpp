@@ -5,10 +5,10 @@
 #include <map>
 #include <rapidcheck/gtest.h>
 #include <set>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/segmentation_errors.h"
 
 namespace shapegauge {
@@ -159,12 +159,12 @@ TEST(SegmentationErrors, OfARefinementAreMissingButConsistent) {
 TEST(SegmentationErrors, OfOneElement) { EXPECT_EQ(segmentation_errors(Labels{3}, Labels{5}).rand_index, 0); }
 
 TEST(SegmentationErrors, RefuseWhatIsNoSegmentation) {
-  EXPECT_THROW(segmentation_errors(Labels{}, Labels{}), std::invalid_argument);
-  EXPECT_THROW(segmentation_errors(Labels{1, 2}, Labels{1}), std::invalid_argument);
-  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{1, 1}), std::invalid_argument);
-  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{-1}), std::invalid_argument);
-  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{0}), std::invalid_argument);
-  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(segmentation_errors(Labels{}, Labels{}), ArgumentError);
+  EXPECT_THROW(segmentation_errors(Labels{1, 2}, Labels{1}), ArgumentError);
+  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{1, 1}), ArgumentError);
+  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{-1}), ArgumentError);
+  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{0}), ArgumentError);
+  EXPECT_THROW(segmentation_errors(Labels{1}, Labels{1}, Weights{std::nan("")}), ArgumentError);
 }
 
 TEST(SegmentationErrors, EachHasANameOfItsOwn) {
@@ -226,13 +226,13 @@ TEST(CutDiscrepancy, IsUndefinedAgainstNoCuts) {
 TEST(CutDiscrepancy, RefusesEdgesThatLeadNowhere) {
   const Labels labels = {0, 1, 1};
   std::vector<MeshEdge> edges = ladder(3);
-  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 7, 1.0), std::invalid_argument);
-  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 0.0), std::invalid_argument);
+  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 7, 1.0), ArgumentError);
+  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 0.0), ArgumentError);
   edges[0].triangles = {3, -1};
-  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 1.0), std::invalid_argument);
+  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 1.0), ArgumentError);
   edges[0].triangles = {0, -1};
   edges[0].length = std::nan("");
-  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 1.0), std::invalid_argument);
+  EXPECT_THROW(cut_discrepancy(labels, labels, edges, 8, 1.0), ArgumentError);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 #include <limits>
 #include <random>
 #include <rapidcheck/gtest.h>
-#include <stdexcept>
 #include <tbb/global_control.h>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -26,7 +26,7 @@ DistanceMatrix with_threads(const Signatures& signatures, std::size_t threads) {
 }
 
 TEST(DistanceMatrix, KnowsItsDistances) {
-  EXPECT_THAT(distance_names(),
+  EXPECT_THAT(distances().names(),
               testing::ElementsAre("l1", "l2", "cosine", "chi2", "hellinger", "jensen-shannon", "emd"));
 }
 
@@ -49,21 +49,21 @@ TEST(DistanceMatrix, SameBytesForAnyNumberOfThreads) {
 
 TEST(DistanceMatrix, RowsAreThoseOfTheWhole) {
   const Signatures signatures = random_signatures(101, 43, 11);
-  for (const std::string& distance : distance_names()) {
+  for (const std::string& distance : distances().names()) {
     const DistanceMatrix whole = distance_matrix(signatures, distance);
-    const NamedDistance named = distance_named(distance);
+    const NamedDistance named = distances().at(distance);
     EXPECT_EQ(distance_rows(signatures, 0, 101, named), whole) << distance;
     EXPECT_EQ(distance_rows(signatures, 37, 40, named), whole.middleRows(37, 40)) << distance;
   }
-  EXPECT_EQ(distance_rows(signatures, 101, 0, distance_named("l1")).size(), 0);
-  EXPECT_THROW(distance_rows(signatures, 100, 2, distance_named("l1")), std::invalid_argument);
+  EXPECT_EQ(distance_rows(signatures, 101, 0, distances().at("l1")).size(), 0);
+  EXPECT_THROW(distance_rows(signatures, 100, 2, distances().at("l1")), ArgumentError);
 }
 
 TEST(DistanceMatrix, BlocksAreThoseOfTheWholeWhereverTheyBegin) {
   const Signatures signatures = random_signatures(7, 5, 4);
   const DistanceMatrix whole = distance_matrix(signatures, "l2");
   for (const Eigen::Index first : {0, 2, 4}) {
-    const DistanceMatrix block = distances_between(distance_named("l2"), {signatures.middleRows(1, 4), 1},
+    const DistanceMatrix block = distances_between(distances().at("l2"), {signatures.middleRows(1, 4), 1},
                                                    {signatures.middleRows(first, 3), first});
     EXPECT_EQ(block, whole.block(1, first, 4, 3)) << first;
   }
@@ -73,7 +73,7 @@ TEST(DistanceMatrix, UnknownNameSaysWhatIsKnown) {
   try {
     distance_matrix(Signatures(2, 2), "manhatten");
     FAIL() << "no error";
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("\"manhatten\""), testing::HasSubstr("l1")));
   }
 }
@@ -85,7 +85,7 @@ TEST(DistanceMatrix, NotFiniteSaysWhere) {
     try {
       distance_matrix(signatures);
       FAIL() << "no error";
-    } catch (const std::invalid_argument& error) {
+    } catch (const ArgumentError& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("entry 1 of signature 2"));
     }
   }
@@ -94,7 +94,7 @@ TEST(DistanceMatrix, NotFiniteSaysWhere) {
 std::string error_of(const Signatures& signatures, const std::string& distance) {
   try {
     distance_matrix(signatures, distance);
-  } catch (const std::invalid_argument& error) {
+  } catch (const ArgumentError& error) {
     return error.what();
   }
   return "no error";

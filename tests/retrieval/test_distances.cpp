@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/distances.h"
 
@@ -17,8 +17,7 @@ namespace {
 using Vector = std::vector<float>;
 
 double distance(const std::string& name, const Vector& a, const Vector& b) {
-  const std::vector<NamedDistance> all = distances();
-  return std::ranges::find(all, name, &NamedDistance::name)->function(a, b);
+  return distances().at(name).function(a, b);
 }
 
 TEST(Chi2, WeighsDifferencesByTheirSum) {
@@ -72,8 +71,8 @@ std::vector<float> random_histogram(std::mt19937& random) {
 
 TEST(DistanceRegistry, NamesAreDifferent) {
   std::set<std::string> names;
-  for (const NamedDistance& distance : distances()) names.insert(distance.name);
-  EXPECT_EQ(names.size(), distances().size());
+  for (const NamedDistance& distance : distances().entries()) names.insert(distance.name);
+  EXPECT_EQ(names.size(), distances().entries().size());
 }
 
 // What a distance matrix relies on.
@@ -82,7 +81,7 @@ TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatu
   for (int i = 0; i < 50; ++i) {
     const std::vector<float> a = random_histogram(random);
     const std::vector<float> b = random_histogram(random);
-    for (const NamedDistance& distance : distances()) {
+    for (const NamedDistance& distance : distances().entries()) {
       EXPECT_EQ(distance.function(a, a), 0) << distance.name;
       EXPECT_GT(distance.function(a, b), 0) << distance.name;
       EXPECT_NEAR(distance.function(a, b), distance.function(b, a), 1e-15) << distance.name;
@@ -92,23 +91,23 @@ TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatu
 
 // What a consumer of the library does to have a distance of their own.
 TEST(DistanceRegistry, TakesADistanceFromOutsideTheLibrary) {
-  register_distance({.name = "chebyshev", .function = [](std::span<const float> a, std::span<const float> b) {
-                       double largest = 0;
-                       for (std::size_t i = 0; i < a.size(); ++i) {
-                         largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
-                       }
-                       return largest;
-                     }});
-  EXPECT_EQ(distance_names().back(), "chebyshev");
+  distances().add({.name = "chebyshev", .function = [](std::span<const float> a, std::span<const float> b) {
+                     double largest = 0;
+                     for (std::size_t i = 0; i < a.size(); ++i) {
+                       largest = std::max(largest, std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])));
+                     }
+                     return largest;
+                   }});
+  EXPECT_EQ(distances().names().back(), "chebyshev");
   const Signatures signatures{{0, 0}, {1, 3}, {2, -1}};
   EXPECT_EQ(distance_matrix(signatures, "chebyshev"), (DistanceMatrix{{0, 3, 2}, {3, 0, 4}, {2, 4, 0}}));
 }
 
 TEST(DistanceRegistry, RefusesWhatItCouldNotServe) {
   const auto zero = [](std::span<const float>, std::span<const float>) { return 0.0; };
-  EXPECT_THROW(register_distance({.name = "", .function = zero}), std::invalid_argument);
-  EXPECT_THROW(register_distance({.name = "l1", .function = zero}), std::invalid_argument);
-  EXPECT_THROW(register_distance({.name = "nothing"}), std::invalid_argument);
+  EXPECT_THROW(distances().add({.name = "", .function = zero}), ArgumentError);
+  EXPECT_THROW(distances().add({.name = "l1", .function = zero}), ArgumentError);
+  EXPECT_THROW(distances().add({.name = "nothing"}), ArgumentError);
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
-#include <stdexcept>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/fusion.h"
 
@@ -157,15 +157,15 @@ TEST(Fusion, RefusesWhatCannotBeAdded) {
   const std::vector<std::vector<DistanceMatrix>> unusable = {
       {}, {a}, {a, random_distances(6, 1)}, {a, DistanceMatrix::Zero(5, 4)}, {a, broken}, {a, -a}};
   for (const auto& matrices : unusable) {
-    EXPECT_THROW(sum_of_distances(matrices, equal), std::invalid_argument);
-    EXPECT_THROW(fusion_of_ranks(matrices, equal), std::invalid_argument);
+    EXPECT_THROW(sum_of_distances(matrices, equal), ArgumentError);
+    EXPECT_THROW(fusion_of_ranks(matrices, equal), ArgumentError);
   }
   const std::vector both = {a, a};
   for (const std::vector<double>& weights : {std::vector<double>{0, 0}, {1, -1}, {1}}) {
-    EXPECT_THROW(sum_of_distances(both, weights), std::invalid_argument);
+    EXPECT_THROW(sum_of_distances(both, weights), ArgumentError);
   }
   const std::vector<DistanceMatrix> zero = {a, DistanceMatrix::Zero(5, 5)};
-  EXPECT_THROW(sum_of_distances(zero, equal), std::invalid_argument);
+  EXPECT_THROW(sum_of_distances(zero, equal), ArgumentError);
 }
 
 }  // namespace

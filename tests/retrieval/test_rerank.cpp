@@ -6,7 +6,6 @@
 #include <limits>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <string_view>
 #include <tbb/task_arena.h>
 #include <vector>
@@ -393,9 +392,9 @@ TEST_P(Reranking, TheDiagonalPlaysNoPart) {
 TEST_P(Reranking, RefusesDistancesThatAreNone) {
   DistanceMatrix distances = distances_of(arcs(5, 2, 1));
   distances(2, 3) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(GetParam().rerank(distances), std::invalid_argument);
+  EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
   distances(2, 3) = -1;
-  EXPECT_THROW(GetParam().rerank(distances), std::invalid_argument);
+  EXPECT_THROW(GetParam().rerank(distances), ArgumentError);
 }
 
 TEST(NearestModels, AreInOrderAndTheLesserIndexFirst) {
@@ -460,7 +459,7 @@ TEST(Rerank, RefusesOptionsOutOfRange) {
   EXPECT_THROW(k_reciprocal(distances, {.neighbours = 4, .expansion_neighbours = 5}), InputError);
   EXPECT_THROW(k_reciprocal(distances, {.original = 2}), InputError);
   EXPECT_THROW(query_expansion(distances, {.neighbours = 0}), InputError);
-  EXPECT_THROW(diffused(distances.leftCols(4)), std::invalid_argument);
+  EXPECT_THROW(diffused(distances.leftCols(4)), ArgumentError);
 }
 
 }  // namespace

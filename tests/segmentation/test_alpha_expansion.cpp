@@ -6,10 +6,10 @@
 #include <limits>
 #include <map>
 #include <rapidcheck/gtest.h>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/segmentation/alpha_expansion.h"
 
 namespace shapegauge {
@@ -128,11 +128,11 @@ TEST(AlphaExpansion, AnEdgePullsEitherEnd) {
 
 TEST(AlphaExpansion, RefusesWhatIsNoProblem) {
   const Eigen::MatrixXd costs = Eigen::MatrixXd::Zero(2, 2);
-  EXPECT_THROW(alpha_expansion(costs, {}, {0}), std::invalid_argument);
-  EXPECT_THROW(alpha_expansion(costs, {}, {0, 2}), std::invalid_argument);
-  EXPECT_THROW(alpha_expansion(costs, {{0, 2, 1}}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW(alpha_expansion(costs, {{0, 1, -1}}, {0, 0}), std::invalid_argument);
-  EXPECT_THROW(alpha_expansion(Eigen::MatrixXd::Constant(2, 2, NAN), {}, {0, 0}), std::invalid_argument);
+  EXPECT_THROW(alpha_expansion(costs, {}, {0}), ArgumentError);
+  EXPECT_THROW(alpha_expansion(costs, {}, {0, 2}), ArgumentError);
+  EXPECT_THROW(alpha_expansion(costs, {{0, 2, 1}}, {0, 0}), ArgumentError);
+  EXPECT_THROW(alpha_expansion(costs, {{0, 1, -1}}, {0, 0}), ArgumentError);
+  EXPECT_THROW(alpha_expansion(Eigen::MatrixXd::Constant(2, 2, NAN), {}, {0, 0}), ArgumentError);
 }
 
 }  // namespace

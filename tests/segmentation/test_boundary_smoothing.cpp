@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -131,8 +130,8 @@ TEST(BoundarySmoothing, RefusesOptionsOutOfRange) {
   EXPECT_THROW(smoothed_boundaries(surface, labels, {.width = -1}), InputError);
   EXPECT_THROW(smoothed_boundaries(surface, labels, {.strength = NAN}), InputError);
   EXPECT_THROW(smoothed_boundaries(surface, labels, {.concavity = 0}), InputError);
-  EXPECT_THROW(smoothed_boundaries(surface, Labels{0}, {}), std::invalid_argument);
-  EXPECT_THROW(smoothed_boundaries(surface, Labels(20, -1), {}), std::invalid_argument);
+  EXPECT_THROW(smoothed_boundaries(surface, Labels{0}, {}), ArgumentError);
+  EXPECT_THROW(smoothed_boundaries(surface, Labels(20, -1), {}), ArgumentError);
 }
 
 TEST(BoundarySmoothing, AFoldDrawsABorderByItsCurvatureOverTheConcavity) {

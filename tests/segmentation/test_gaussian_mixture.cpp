@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -111,8 +110,8 @@ TEST(GaussianMixture, RefusesOptionsOutOfRange) {
   EXPECT_THROW(fit_gaussian_mixture(points, {.restarts = 0}), InputError);
   EXPECT_THROW(fit_gaussian_mixture(points, {.iterations = 0}), InputError);
   EXPECT_THROW(fit_gaussian_mixture(points, {.regularisation = 0}), InputError);
-  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), {}), std::invalid_argument);
-  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), {}), std::invalid_argument);
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd(0, 2), {}), ArgumentError);
+  EXPECT_THROW(fit_gaussian_mixture(Eigen::MatrixXd::Constant(2, 2, NAN), {}), ArgumentError);
 }
 
 }  // namespace

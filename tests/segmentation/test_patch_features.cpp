@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -55,8 +54,8 @@ TEST(PatchFeatures, OfSeveralFieldsStandSideBySide) {
 
 TEST(PatchFeatures, RefuseFieldsOfAnotherShape) {
   const std::vector<std::int32_t> patch = {0, 1};
-  EXPECT_THROW(patch_features(patch, {}, 4), std::invalid_argument);
-  EXPECT_THROW(patch_features(patch, std::vector{field({0}, {1})}, 4), std::invalid_argument);
+  EXPECT_THROW(patch_features(patch, {}, 4), ArgumentError);
+  EXPECT_THROW(patch_features(patch, std::vector{field({0}, {1})}, 4), ArgumentError);
   EXPECT_THROW(patch_features(patch, std::vector{field({0, 1}, {1, 1})}, 0), InputError);
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
-#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
@@ -75,7 +74,7 @@ TEST(Patches, RefuseOptionsOutOfRange) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(patches(graph, {.count = 0}), InputError);
   EXPECT_THROW(patches(graph, {.rounds = -1}), InputError);
-  EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), std::invalid_argument);
+  EXPECT_THROW(patches(graph, {}, std::vector<double>{1}), ArgumentError);
 }
 
 TEST(Patches, TakeANodeHalfWayBetweenTwoByTheirOrder) {

@@ -1,9 +1,9 @@
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
-#include <stdexcept>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/segment_labels.h"
@@ -119,9 +119,9 @@ TEST(SegmentLabels, NeighboursHaveDifferentColours) {
 
 TEST(SegmentLabels, RefuseAnotherSurface) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
-  EXPECT_THROW(connected_parts(graph, Labels{1}), std::invalid_argument);
-  EXPECT_THROW(without_small_parts(graph, Labels{1}, 0.1), std::invalid_argument);
-  EXPECT_THROW(label_colours(graph, Labels{1}), std::invalid_argument);
+  EXPECT_THROW(connected_parts(graph, Labels{1}), ArgumentError);
+  EXPECT_THROW(without_small_parts(graph, Labels{1}, 0.1), ArgumentError);
+  EXPECT_THROW(label_colours(graph, Labels{1}), ArgumentError);
 }
 
 }  // namespace

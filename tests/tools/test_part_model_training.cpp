@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/tools/part_model_training.h"
 
@@ -44,8 +44,8 @@ TEST(PartModelTraining, IsRepeatable) {
 }
 
 TEST(PartModelTraining, RefusesNothingToLearn) {
-  EXPECT_THROW(train_part_model({}, {}), std::invalid_argument);
-  EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), std::invalid_argument);
+  EXPECT_THROW(train_part_model({}, {}), ArgumentError);
+  EXPECT_THROW(train_part_model(examples(5, 1), {.hidden_units = 0}), ArgumentError);
 }
 
 TEST(PartExamples, SayHowManyPairsPeoplePutTogether) {

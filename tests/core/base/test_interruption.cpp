@@ -1,9 +1,9 @@
 #include <atomic>
 #include <gtest/gtest.h>
-#include <stdexcept>
 #include <tbb/blocked_range.h>
 #include <thread>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/parallel.h"
 
@@ -17,7 +17,7 @@ TEST(Cancellation, RunsTheWorkAndThrowsWhatItThrows) {
   cancellation.run([&] { ++done; });
   cancellation.run([&] { ++done; });
   EXPECT_EQ(done, 2);
-  EXPECT_THROW(cancellation.run([] { throw std::invalid_argument("no"); }), std::invalid_argument);
+  EXPECT_THROW(cancellation.run([] { throw ArgumentError("no"); }), ArgumentError);
   EXPECT_NO_THROW(cancellation.run([] { check_interruption(); }));
 }
 

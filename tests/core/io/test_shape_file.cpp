@@ -178,7 +178,7 @@ TEST(ShapeFormats, ExtensionsAreInLowerCaseAndOfOneFormat) {
     EXPECT_TRUE(seen.insert(extension).second) << extension;
   }
   for (const std::string_view extension : written_shape_extensions()) EXPECT_TRUE(seen.contains(extension));
-  for (const ShapeFormat& format : shape_formats()) {
+  for (const ShapeFormat& format : shape_formats().entries()) {
     EXPECT_FALSE(format.name.empty());
     EXPECT_FALSE(format.description.empty()) << format.name;
   }
@@ -210,13 +210,13 @@ TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
                                  shape.vertices << bytes[0] - '0', bytes[1] - '0', bytes[2] - '0';
                                  return shape;
                                }};
-  register_shape_format(format);
+  shape_formats().add(format);
   const TemporaryFolder folder;
   EXPECT_EQ(read_shape(folder.file("a.Point", "123")).vertices, (Points(1, 3) << 1, 2, 3).finished());
   EXPECT_THROW(check_shape_header(folder.file("b.point", "12")), InputError);
   EXPECT_EQ(without_shape_extension("a.point"), "a");
   EXPECT_THROW(shape_writer("a.point"), InputError);
-  EXPECT_THROW(register_shape_format(format), InputError);
+  EXPECT_THROW(shape_formats().add(format), InputError);
 }
 
 }  // namespace

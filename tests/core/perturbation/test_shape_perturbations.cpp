@@ -12,17 +12,10 @@
 namespace shapegauge {
 namespace {
 
-const ShapePerturbation& perturbation(std::string_view name) {
-  const auto all = shape_perturbations();
-  const auto found = std::ranges::find(all, name, &ShapePerturbation::name);
-  if (found == all.end()) throw InputError("no such perturbation");
-  return *found;
-}
-
 using Settings = std::vector<std::pair<std::string_view, ParameterValue>>;
 
 Shape applied(std::string_view name, const Settings& settings, const Shape& shape) {
-  const ShapePerturbation& entry = perturbation(name);
+  const ShapePerturbation& entry = shape_perturbations().at(name);
   ParameterValues values(entry.parameters);
   for (const auto& [parameter, value] : settings) values.set(parameter, value);
   values.require_complete();
@@ -74,7 +67,7 @@ TEST(ShapePerturbations, AreTheFunctionsOfTheirNames) {
 
 TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
   std::set<std::string_view> names;
-  for (const ShapePerturbation& entry : shape_perturbations()) {
+  for (const ShapePerturbation& entry : shape_perturbations().entries()) {
     EXPECT_TRUE(names.insert(entry.name).second) << entry.name;
     EXPECT_FALSE(entry.description.empty()) << entry.name;
     std::set<std::string_view> of_parameters;
@@ -113,17 +106,17 @@ constexpr std::array stretch_parameters{Parameter{.name = "factor",
 
 /// What a user of the library writes to add a perturbation.
 TEST(RegisterShapePerturbation, AddsOneOfAUsersOwn) {
-  register_shape_perturbation({.name = "test_stretch",
-                               .description = "Stretched along x.",
-                               .parameters = stretch_parameters,
-                               .apply = [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
-                                 shape.vertices.col(0) *= settings.number("factor");
-                                 return shape;
-                               }});
+  shape_perturbations().add({.name = "test_stretch",
+                             .description = "Stretched along x.",
+                             .parameters = stretch_parameters,
+                             .apply = [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+                               shape.vertices.col(0) *= settings.number("factor");
+                               return shape;
+                             }});
   EXPECT_EQ(applied("test_stretch", {}, sphere).vertices.col(0), 2 * sphere.vertices.col(0));
   EXPECT_EQ(applied("test_stretch", {{"factor", 3}}, sphere).vertices.col(0), 3 * sphere.vertices.col(0));
   EXPECT_THROW(applied("test_stretch", {{"factor", 0}}, sphere), InputError);
-  EXPECT_THROW(register_shape_perturbation({.name = "motion", .description = "", .parameters = {}, .apply = nullptr}),
+  EXPECT_THROW(shape_perturbations().add({.name = "motion", .description = "", .parameters = {}, .apply = nullptr}),
                InputError);
 }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <png.h>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -104,10 +103,10 @@ TEST(Image, UnwritableFileIsAnInputError) {
 }
 
 TEST(Image, RefusesWhatIsNoImage) {
-  EXPECT_THROW(encode_png(Image{}), std::invalid_argument);
+  EXPECT_THROW(encode_png(Image{}), ArgumentError);
   Image short_of_a_pixel = gradient(3, 3, 0);
   short_of_a_pixel.pixels.resize(32);
-  EXPECT_THROW(encode_png(short_of_a_pixel), std::invalid_argument);
+  EXPECT_THROW(encode_png(short_of_a_pixel), ArgumentError);
 }
 
 }  // namespace

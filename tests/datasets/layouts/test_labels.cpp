@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 
-#include "shapegauge/datasets/layouts/labels.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/layouts/labels.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

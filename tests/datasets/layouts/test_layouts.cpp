@@ -26,7 +26,7 @@ class Layouts : public testing::Test {
   [[nodiscard]] Dataset find(const std::string& layout, const std::string& split = "all") const {
     return find_dataset({.layout = layout,
                          .root = root(),
-                         .classification = root() / dataset_layout(layout).usual_classification,
+                         .classification = root() / dataset_layouts().at(layout).usual_classification,
                          .split = split});
   }
   [[nodiscard]] std::string error(const std::string& layout, const std::string& split = "all") const {
@@ -86,7 +86,7 @@ TEST_F(Layouts, Shrec11WithoutClassificationIsAnError) {
 }
 
 TEST_F(Layouts, AMissingFolderIsAnErrorInEveryLayout) {
-  for (const DatasetLayout& layout : dataset_layouts()) {
+  for (const DatasetLayout& layout : dataset_layouts().entries()) {
     EXPECT_THAT(error(std::string(layout.name)), HasSubstr("data: no such folder")) << layout.name;
   }
 }

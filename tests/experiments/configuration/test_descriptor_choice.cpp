@@ -39,7 +39,7 @@ TEST(MakeDescriptor, IsTheRegisteredOneWithItsSettings) {
 TEST(MakeDescriptor, FieldsAndAxesAreFilledIn) {
   const DescriptorChoice choice = make_descriptor(joint_settings());
   ASSERT_EQ(choice.fields.size(), 2U);
-  EXPECT_EQ(choice.settings["fields"][1], choice.fields[1].settings);
+  EXPECT_EQ(choice.settings["fields"][1], to_json(choice.fields[1].settings));
   EXPECT_EQ(choice.values.axes[0].integer("bins"), 3);
   EXPECT_EQ(choice.values.axes[1].integer("bins"), 40);
   EXPECT_EQ(make_descriptor(choice.settings).settings, choice.settings);

@@ -162,15 +162,15 @@ TEST(MakePerturbation, VersionsAreThoseOfAllStepsThatMayBeApplied) {
 TEST(MakePerturbation, KnowsATypeThatWasRegistered) {
   static constexpr std::array parameters{
       Parameter{.name = "by", .default_value = 1.0, .bounds = {.low = 0}, .description = "How far."}};
-  register_shape_perturbation({.name = "test_shift",
-                               .description = "Moves the shape along x.",
-                               .parameters = parameters,
-                               .apply =
-                                   [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
-                                     shape.vertices.col(0).array() += settings.number("by");
-                                     return shape;
-                                   },
-                               .version = 4});
+  shape_perturbations().add({.name = "test_shift",
+                             .description = "Moves the shape along x.",
+                             .parameters = parameters,
+                             .apply =
+                                 [](Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
+                                   shape.vertices.col(0).array() += settings.number("by");
+                                   return shape;
+                                 },
+                             .version = 4});
   const std::size_t moved = std::ranges::count(perturbation_types(), "test_shift", &PerturbationType::name);
   EXPECT_EQ(moved, 1U);
   const Shape box = test::box({1, 2, 3}, 2);

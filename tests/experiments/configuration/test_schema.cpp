@@ -1,15 +1,15 @@
 #include <algorithm>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "tests/support/test_files.h"
@@ -195,11 +195,11 @@ std::vector<std::string> names_of(const Types& types) {
 }
 
 TEST(ExperimentSchema, NamesWhatTheRegistriesName) {
-  EXPECT_EQ(schema_at("/field/properties/type/enum"), Json(names_of(field_types())));
+  EXPECT_EQ(schema_at("/field/properties/type/enum"), Json(field_types().names()));
   EXPECT_EQ(schema_at("/perturbation/properties/type/enum"), Json(names_of(perturbation_types())));
-  EXPECT_EQ(schema_at("/layout/enum"), Json(names_of(dataset_layouts())));
+  EXPECT_EQ(schema_at("/layout/enum"), Json(dataset_layouts().names()));
   EXPECT_EQ(schema_at("/protocol/enum"), Json(protocol_names()));
-  EXPECT_EQ(schema_at("/distance/enum"), Json(distance_names()));
+  EXPECT_EQ(schema_at("/distance/enum"), Json(distances().names()));
   EXPECT_EQ(schema_at("/evaluation/properties/ties/enum"), Json(ties_names()));
 }
 
@@ -218,39 +218,16 @@ TEST(ExperimentSchema, HasTheParametersOfEachType) {
 TEST(ExperimentSchema, KnowsATypeThatWasRegistered) {
   const Json field{{"type", "test_flat"}, {"height", 2}};
   EXPECT_THAT(schema_error_with("/signatures/0/field", field), HasSubstr("unknown word \"test_flat\""));
-  register_field({.name = "test_flat",
-                  .description = "The same everywhere.",
-                  .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
-                  .make = field_types()[0].make});
+  field_types().add({.name = "test_flat",
+                     .description = "The same everywhere.",
+                     .parameters = {{.name = "height", .bounds = {.low = 1, .high = 3}, .description = "Everywhere."}},
+                     .make = field_types().at("offset_sdf").make});
   EXPECT_EQ(schema_error_with("/signatures/0/field", field), "no error");
   EXPECT_EQ(
       schema_error_with("/signatures/0/field/type", "test_flat"),
       "x.json: signatures.0.field: unknown key \"offset\"; known here: \"at\", \"bilateral\", \"height\", \"type\"");
   EXPECT_EQ(schema_error_with("/signatures/0/field", {{"type", "test_flat"}, {"height", 4}}),
             "x.json: signatures.0.field.height: must be from 1 to 3, not 4");
-}
-
-TEST(RegisteredParameter, IsFoundByGroupAndName) {
-  EXPECT_EQ(registered_parameter("offset_sdf", "offset").bounds.high, 1);
-  EXPECT_EQ(registered_parameter("vertex_noise", "amplitude").bounds.high, 1);
-  EXPECT_EQ(registered_parameter("histogram", "bins").default_value, ParameterValue(std::int64_t{80}));
-  EXPECT_THROW(registered_parameter("offset_sdf", "bins"), std::invalid_argument);
-  EXPECT_THROW(registered_parameter("histogramme", "bins"), std::invalid_argument);
-}
-
-// Each test has a process of its own under CTest; within one, what other tests registered is in the way.
-TEST(CommittedReference, IsWhatTheRegistriesSay) {
-  if (field_types().back().name.starts_with("test_")) GTEST_SKIP() << "run alone: another test has registered a field";
-  const std::string advice = "build the target update_reference";
-  EXPECT_TRUE(read_file_bytes(SHAPEGAUGE_CONFIGS_FOLDER "/experiment.schema.json") == experiment_schema()) << advice;
-  const std::string page = read_file_bytes(SHAPEGAUGE_CONFIGURATION_GUIDE);
-  EXPECT_TRUE(page == with_reference_tables(page)) << advice;
-  for (const auto& groups : {field_groups(), perturbation_groups(), section_groups()}) {
-    for (const ParameterGroup& group : groups) {
-      if (group.parameters.empty()) continue;
-      EXPECT_THAT(page, HasSubstr(markdown_table(group.parameters))) << group.name;
-    }
-  }
 }
 
 TEST(ExtendingGuide, ShowsCodeThatIsBuiltAndRun) {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <mutex>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/distributed/packing.h"
@@ -85,7 +85,7 @@ TEST(OnAllRanks, TheErrorOfOneIsThatOfAll) {
   test::on_thread_ranks(3, [&](Communicator& ranks) {
     try {
       on_all_ranks(ranks, [&] {
-        if (ranks.rank() > 0) throw std::invalid_argument("of rank " + std::to_string(ranks.rank()));
+        if (ranks.rank() > 0) throw ArgumentError("of rank " + std::to_string(ranks.rank()));
       });
     } catch (const SharedError& error) {
       EXPECT_STREQ(error.what(), "of rank 1") << "the lowest";
@@ -94,7 +94,7 @@ TEST(OnAllRanks, TheErrorOfOneIsThatOfAll) {
     EXPECT_EQ(on_first_rank(ranks, [&] { return std::to_string(ranks.rank()); }), "0");
   });
   EXPECT_EQ(errors, 3);
-  EXPECT_THROW(on_all_ranks(*single_process(), [] { throw std::invalid_argument("as it is"); }), std::invalid_argument);
+  EXPECT_THROW(on_all_ranks(*single_process(), [] { throw ArgumentError("as it is"); }), ArgumentError);
 }
 
 }  // namespace

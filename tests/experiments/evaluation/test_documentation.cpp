@@ -84,7 +84,7 @@ void expect_printed(const std::string& printed, double value, const std::string&
 TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
   const auto rows = table_behind("## Measures");
   std::size_t worked = 0;
-  for (const MeasureDefinition& definition : measure_definitions()) {
+  for (const MeasureDefinition& definition : measure_definitions().entries()) {
     for (const auto& row : rows) {
       const bool same =
           row[0] == definition.name ||
@@ -94,7 +94,7 @@ TEST_F(FiveShapes, EveryMeasureIsWorkedAndRight) {
       expect_printed(row.back(), value(row[0]), row[0]);
     }
   }
-  EXPECT_EQ(worked, measure_definitions().size());
+  EXPECT_EQ(worked, measure_definitions().entries().size());
   EXPECT_EQ(rows.size(), worked);
 }
 
@@ -124,7 +124,7 @@ TEST(Guide, NamesTheDistancesThatThereAre) {
       cell.remove_prefix(named.back().size() + 1);
     }
   }
-  EXPECT_THAT(named, testing::UnorderedElementsAreArray(distance_names()));
+  EXPECT_THAT(named, testing::UnorderedElementsAreArray(distances().names()));
 }
 
 TEST(Guide, NamesTheProtocolsAndTheCurvesThatThereAre) {

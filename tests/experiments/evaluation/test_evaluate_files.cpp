@@ -4,8 +4,8 @@
 #include <string>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"
@@ -81,7 +81,7 @@ class EvaluateFiles : public testing::Test {
 };
 
 TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteForEveryDistance) {
-  for (const std::string& distance : distance_names()) expect_same(distance, "labels.csv", {});
+  for (const std::string& distance : distances().names()) expect_same(distance, "labels.csv", {});
 }
 
 TEST_F(EvaluateFiles, FeaturesByRowsAreTheirMatrixToTheByteUnderEveryConvention) {

@@ -2,8 +2,8 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/support/test_files.h"
 

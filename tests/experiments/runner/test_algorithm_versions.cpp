@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -56,7 +56,7 @@ void PrintTo(const Recorded& recorded, std::ostream* stream) { *stream << record
 class FieldVersions : public testing::TestWithParam<Recorded> {};
 
 TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
-  const Field field = make_field(GetParam().settings);
+  const Field field = read_field(GetParam().settings);
   EXPECT_EQ(field.versions, GetParam().versions);
   const std::vector<Shape> all = shapes();
   ASSERT_EQ(GetParam().summaries.size(), all.size());
@@ -77,7 +77,7 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   const Shape arm = test::capsule(0.2, 2, 16, 6);
   const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
   const PreparedShape prepared = prepare_shape(crossing, {});
-  const Field field = make_field({{"type", "offset_sdf"}, {"offset", 0.05}});
+  const Field field = read_field({{"type", "offset_sdf"}, {"offset", 0.05}});
   const Samples samples = take_samples(prepared.shape, field.samples);
   FieldSource source(prepared.shape);
   const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);

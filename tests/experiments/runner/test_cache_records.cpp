@@ -4,7 +4,7 @@
 #include <limits>
 #include <set>
 
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/results/shape_tables.h"
 #include "shapegauge/experiments/runner/cache_records.h"
@@ -64,7 +64,7 @@ TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
         nlohmann::json{{"type", "offset_sdf"}, {"offset", "auto"}},
         nlohmann::json{{"type", "offset_sdf"}, {"offset", 0.01}, {"at", "vertices"}},
         nlohmann::json{{"type", "cone_sdf"}}, nlohmann::json{{"type", "cone_sdf"}, {"rays", 9}}}) {
-    Field field = make_field(settings);
+    Field field = read_field(settings);
     EXPECT_FALSE(field.versions.empty()) << settings;
     keys.insert(field_key("shape", field));
     keys.insert(field_key("other shape", field));

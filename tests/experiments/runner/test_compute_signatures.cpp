@@ -27,7 +27,7 @@ ModelDescription model_with_gaps(double gap_size, double chosen_offset) {
 SignatureConfiguration histogram_of(const char* name, const nlohmann::json& field, int bins = 80) {
   SignatureConfiguration signature;
   signature.name = name;
-  signature.field = make_field(field);
+  signature.field = read_field(field);
   signature.histogram.options.bins = bins;
   return signature;
 }

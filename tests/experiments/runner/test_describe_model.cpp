@@ -1,6 +1,6 @@
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 
 namespace shapegauge {
@@ -11,7 +11,7 @@ using testing::ElementsAre;
 
 SignatureConfiguration signature(const nlohmann::json& field, HistogramRange range) {
   return {.name = "x",
-          .field = make_field(field),
+          .field = read_field(field),
           .histogram = {.options = {}, .range = range, .fixed = {}},
           .descriptor = {},
           .derived = {},

@@ -84,7 +84,7 @@ TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
     EXPECT_EQ(method_named(results, "d2").signatures.row(i).transpose(), d2(shape, {.points = 64, .bins = 8}));
   }
   EXPECT_EQ(method_named(results, "d2").distances,
-            descriptor_distances(descriptor("d2"), method_named(results, "d2").signatures));
+            descriptor_distances(descriptors().at("d2"), method_named(results, "d2").signatures));
   const Signatures& joint = method_named(results, "joint").signatures;
   EXPECT_EQ(joint.cols(), 16);
   const Signatures& bag = method_named(results, "bag").signatures;

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/runner/field_errors.h"
 #include "tests/support/test_shapes.h"
@@ -24,7 +24,7 @@ TEST(WeightedQuantile, IsTheLeastValueWithThatShareOfTheWeight) {
 TEST(WeightedQuantile, OfNothingIsNotANumber) {
   EXPECT_TRUE(std::isnan(weighted_quantile({}, {}, 0.5)));
   EXPECT_TRUE(std::isnan(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::Vector2d(0, 0), 0.5)));
-  EXPECT_THROW(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::VectorXd::Ones(3), 0.5), std::invalid_argument);
+  EXPECT_THROW(weighted_quantile(Eigen::Vector2d(1, 2), Eigen::VectorXd::Ones(3), 0.5), ArgumentError);
 }
 
 }  // namespace
@@ -75,9 +75,7 @@ TEST(NormalErrors, WhatIsNotThereDoesNotCount) {
   EXPECT_TRUE(std::isnan(normal_errors(truth, samples.points, samples.normals, samples.weights, true).mean));
 }
 
-TEST(TrueNormals, ACloudHasNone) {
-  EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), std::invalid_argument);
-}
+TEST(TrueNormals, ACloudHasNone) { EXPECT_THROW(TrueNormals({test::sphere(1, 1).vertices, {}, {}}), ArgumentError); }
 
 }  // namespace
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/runner/judge_distances.h"
 #include "tests/support/test_files.h"
 #include "tests/support/thread_ranks.h"
@@ -64,7 +64,7 @@ TEST_P(JudgedDistances, AreThoseOfTheWholeMatrixOnAnyNumberOfRanks) {
     const std::filesystem::path file = folder.path() / "matrix.npy";
     Judgement found;
     test::on_thread_ranks(GetParam(), [&](Communicator& ranks) {
-      const NamedDistance distance = distance_named("l1");
+      const NamedDistance distance = distances().at("l1");
       const Signatures rows = part_of(signatures, ranks);
       const auto all = static_cast<std::size_t>(models);
       const SharedSignatures shared{.rows = rows, .all = all};
@@ -99,7 +99,7 @@ TEST(LargestOfFirst, IsThatOfAllRanksWhicheverHasIt) {
     signatures(far, 0) = 8;
     test::on_thread_ranks(3, [&](Communicator& ranks) {
       const SharedSignatures shared{.rows = part_of(signatures, ranks), .all = 6};
-      EXPECT_EQ(largest_of_first(distance_named("l1"), shared, ranks), 8) << far;
+      EXPECT_EQ(largest_of_first(distances().at("l1"), shared, ranks), 8) << far;
     });
   }
 }
@@ -111,7 +111,7 @@ TEST(VisitDistances, ASignatureWithoutADistanceIsAnErrorOfAllRanks) {
   std::mutex mutex;
   test::on_thread_ranks(3, [&](Communicator& ranks) {
     try {
-      visit_distances(distance_named("l1"), {.rows = part_of(signatures, ranks), .all = 10}, ranks,
+      visit_distances(distances().at("l1"), {.rows = part_of(signatures, ranks), .all = 10}, ranks,
                       [](Eigen::Index, const DistanceTable&) {});
     } catch (const SharedError& error) {
       EXPECT_NE(std::string(error.what()).find("signature 8"), std::string::npos);

@@ -2,10 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/core/io/off.h"
+#include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/configuration/comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/datasets/files/csv.h"
-#include "shapegauge/experiments/results/write_results.h"
+#include "shapegauge/experiments/results/write_comparison.h"
 #include "shapegauge/experiments/runner/run_comparison.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -165,7 +165,7 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
   changed["on_error"] = "skip";
   const ComparisonResults results = run(changed);
   ASSERT_EQ(results.failures.size(), 2U);
-  EXPECT_EQ(results.failures[0].name, "again");
+  EXPECT_EQ(results.failures[0].id, "again");
   EXPECT_THAT(results.failures[0].message, HasSubstr("area"));
   EXPECT_EQ(results.shapes.size(), 2U);
   EXPECT_EQ(results.signatures[0].distances[1], 0);

@@ -52,7 +52,7 @@ class RunOnRanks : public testing::Test {
   void run_on(int size, const std::string& output, const Configuration& configuration) const {
     test::on_thread_ranks(size, [&](Communicator& ranks) {
       Cache none;
-      run_into_folder(at(output), configuration, {.threads = 1}, none, ranks);
+      run_into_folder(retrieval_experiment(configuration), at(output), false, {.threads = 1}, none, ranks);
     });
   }
 
@@ -62,7 +62,7 @@ class RunOnRanks : public testing::Test {
 
 TEST_F(RunOnRanks, TheFilesAreTheSameBytes) {
   Cache none;
-  run_into_folder(at("alone"), configuration(), {.threads = 2}, none, *single_process());
+  run_into_folder(retrieval_experiment(configuration()), at("alone"), false, {.threads = 2}, none, *single_process());
   const auto expected = files_in(at("alone"));
   ASSERT_TRUE(expected.contains("features/d2.npy") && expected.contains("distances/sum.npy"));
   for (const int size : {2, 3, 10}) {  // ten: more than there are models
@@ -88,7 +88,7 @@ TEST_F(RunOnRanks, TiesAreTheSameBytes) {
 TEST_F(RunOnRanks, TheFilesAreThoseOfMatricesInMemory) {
   write_results(at("memory"), run_experiment(configuration(), at("generated"), {.threads = 1}));
   Cache none;
-  run_into_folder(at("alone"), configuration(), {.threads = 1}, none, *single_process());
+  run_into_folder(retrieval_experiment(configuration()), at("alone"), false, {.threads = 1}, none, *single_process());
   EXPECT_EQ(files_in(at("alone")), files_in(at("memory")));
 }
 
@@ -110,7 +110,7 @@ TEST_F(RunOnRanks, TheFirstModelThatFailsIsTheErrorOfAll) {
   test::on_thread_ranks(3, [&](Communicator& ranks) {
     try {
       Cache none;
-      run_into_folder(at("out"), configuration(), {.threads = 1}, none, ranks);
+      run_into_folder(retrieval_experiment(configuration()), at("out"), false, {.threads = 1}, none, ranks);
     } catch (const SharedError& error) {
       EXPECT_THAT(error.what(), HasSubstr("model 3: "));
       const std::scoped_lock lock(mutex);

@@ -25,7 +25,7 @@
 namespace {
 
 void add_field() {
-  shapegauge::register_field(
+  shapegauge::field_types().add(
       {.name = "height",
        .description = "Height above the lowest vertex.",
        .parameters = {{.name = "factor", .default_value = 1.0, .description = "What heights are multiplied by."}},
@@ -41,7 +41,7 @@ void add_field() {
 }
 
 void add_descriptor() {
-  shapegauge::register_descriptor(
+  shapegauge::descriptors().add(
       {.name = "extent",
        .description = "Side lengths of the bounding box.",
        .parameters = {},
@@ -57,7 +57,7 @@ void add_descriptor() {
 void add_perturbation() {
   static constexpr std::array parameters{shapegauge::Parameter{
       .name = "by", .default_value = 2.0, .bounds = {.low = 0.1, .high = 10}, .description = "Factor along z."}};
-  shapegauge::register_shape_perturbation(
+  shapegauge::shape_perturbations().add(
       {.name = "stretch",
        .description = "Stretches the shape along z.",
        .parameters = parameters,
@@ -68,43 +68,43 @@ void add_perturbation() {
 }
 
 void add_distance() {
-  shapegauge::register_distance({.name = "largest", .function = [](std::span<const float> a, std::span<const float> b) {
-                                   double largest = 0;
-                                   for (std::size_t i = 0; i < a.size(); ++i) {
-                                     largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-                                   }
-                                   return largest;
-                                 }});
+  shapegauge::distances().add({.name = "largest", .function = [](std::span<const float> a, std::span<const float> b) {
+                                 double largest = 0;
+                                 for (std::size_t i = 0; i < a.size(); ++i) {
+                                   largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
+                                 }
+                                 return largest;
+                               }});
 }
 
 void add_measure() {
-  shapegauge::register_measure({.name = "hit@k",
-                                .title = "Hit among the first k",
-                                .definition = "mean number of hits among the ranks 1 to k, at most 1",
-                                .source = "",
-                                .caveat = "",
-                                .value_at = [](const shapegauge::RankedList& list, std::size_t k) {
-                                  return std::min(1.0, shapegauge::hits_among_first(list, k));
-                                }});
+  shapegauge::measure_definitions().add({.name = "hit@k",
+                                         .title = "Hit among the first k",
+                                         .definition = "mean number of hits among the ranks 1 to k, at most 1",
+                                         .source = "",
+                                         .caveat = "",
+                                         .value_at = [](const shapegauge::RankedList& list, std::size_t k) {
+                                           return std::min(1.0, shapegauge::hits_among_first(list, k));
+                                         }});
 }
 
 void add_file_format() {
   static constexpr std::array<std::string_view, 1> extensions{".points"};
-  shapegauge::register_shape_format({.name = "points",
-                                     .description = "the coordinates of a point in each line",
-                                     .extensions = extensions,
-                                     .check_header = [](const std::string& /*bytes*/, const std::string& /*name*/) {},
-                                     .read =
-                                         [](const std::string& bytes, const std::string& /*name*/) {
-                                           shapegauge::Shape cloud;
-                                           std::istringstream text(bytes);
-                                           for (double x = 0, y = 0, z = 0; text >> x >> y >> z;) {
-                                             cloud.vertices.conservativeResize(cloud.vertices.rows() + 1,
-                                                                               Eigen::NoChange);
-                                             cloud.vertices.bottomRows<1>() << x, y, z;
-                                           }
-                                           return cloud;
-                                         }});
+  shapegauge::shape_formats().add({.name = "points",
+                                   .description = "the coordinates of a point in each line",
+                                   .extensions = extensions,
+                                   .check_header = [](const std::string& /*bytes*/, const std::string& /*name*/) {},
+                                   .read =
+                                       [](const std::string& bytes, const std::string& /*name*/) {
+                                         shapegauge::Shape cloud;
+                                         std::istringstream text(bytes);
+                                         for (double x = 0, y = 0, z = 0; text >> x >> y >> z;) {
+                                           cloud.vertices.conservativeResize(cloud.vertices.rows() + 1,
+                                                                             Eigen::NoChange);
+                                           cloud.vertices.bottomRows<1>() << x, y, z;
+                                         }
+                                         return cloud;
+                                       }});
 }
 
 nlohmann::json experiment() {

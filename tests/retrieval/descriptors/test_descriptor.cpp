@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <set>
-#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/shape/samples.h"
@@ -17,7 +16,7 @@ namespace {
 
 TEST(Descriptors, HaveNamesOfTheirOwnAndDefaultsWithinTheirBounds) {
   std::set<std::string_view> names;
-  for (const Descriptor& one : descriptors()) {
+  for (const Descriptor& one : descriptors().entries()) {
     EXPECT_TRUE(names.insert(one.name).second) << one.name;
     EXPECT_FALSE(one.description.empty());
     EXPECT_LE(one.fewest_fields, one.most_fields);
@@ -35,7 +34,7 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields = {{samples.points.col(0), samples.weights},
                                            {samples.points.col(2), samples.weights}};
-  for (const Descriptor& one : descriptors()) {
+  for (const Descriptor& one : descriptors().entries()) {
     const DescriptorInput input = {shape, std::span(fields).first(std::min<std::size_t>(one.most_fields, 2))};
     const DescriptorSettings settings = default_settings(one, input.fields.size());
     const LearntFeatures learnt = learns(one, settings) ? one.learn({&input, 1}, settings) : LearntFeatures{};
@@ -48,7 +47,7 @@ TEST(Descriptors, EachDescribesAShapeAndIsZeroFromItself) {
 
 TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
   const Shape shape = test::sphere(1, 1);
-  Descriptor broken = descriptor("d2");
+  Descriptor broken = descriptors().at("d2");
   const auto features = [&] { return compute_features(broken, {shape, {}}, {}, default_settings(broken)); };
   EXPECT_TRUE(features().allFinite());
   broken.describe = [](const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) {
@@ -63,7 +62,7 @@ TEST(Descriptors, FeaturesThatAreNoFiniteNumbersAreAnError) {
 
 TEST(Descriptors, SettingsChangeWhatTheySay) {
   const Shape shape = test::sphere(1, 2);
-  const Descriptor& one = descriptor("d2");
+  const Descriptor& one = descriptors().at("d2");
   DescriptorSettings settings = default_settings(one);
   settings.values.set("bins", std::int64_t{10});
   EXPECT_EQ(one.describe({shape, {}}, {}, settings), d2(shape, {.bins = 10}));
@@ -73,18 +72,18 @@ TEST(Descriptors, RefuseOptionsAndNamesThatAreNone) {
   const Shape shape = test::sphere(1, 1);
   EXPECT_THROW(d2(shape, {.bins = 0}), InputError);
   EXPECT_THROW(d2(shape, {.longest = std::nan("")}), InputError);
-  EXPECT_THROW(descriptor("d3"), InputError);
+  EXPECT_THROW(descriptors().at("d3"), InputError);
 }
 
 TEST(Descriptors, AreRegisteredOnlyWhole) {
-  Descriptor one = descriptor("d2");
-  EXPECT_THROW(register_descriptor(one), std::invalid_argument);  // the name is taken
+  Descriptor one = descriptors().at("d2");
+  EXPECT_THROW(descriptors().add(one), ArgumentError);  // the name is taken
   one.name = "";
-  EXPECT_THROW(register_descriptor(one), std::invalid_argument);
+  EXPECT_THROW(descriptors().add(one), ArgumentError);
   one.name = "test_without_distance";
   one.distance = nullptr;
-  EXPECT_THROW(register_descriptor(one), std::invalid_argument);
-  EXPECT_THROW(descriptor("test_without_distance"), InputError);
+  EXPECT_THROW(descriptors().add(one), ArgumentError);
+  EXPECT_THROW(descriptors().at("test_without_distance"), InputError);
 }
 
 TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
@@ -92,9 +91,9 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   const std::vector<ScalarField> fields(2, {samples.points.col(0), samples.weights});
   const DescriptorInput input = {shape, fields};
-  const Descriptor& bag = descriptor("bag_of_features");
+  const Descriptor& bag = descriptors().at("bag_of_features");
   EXPECT_THROW(bag.describe(input, {}, default_settings(bag, 2)), InputError);
-  const Descriptor& joint = descriptor("joint_histogram");
+  const Descriptor& joint = descriptors().at("joint_histogram");
   DescriptorSettings settings = default_settings(joint, 2);
   EXPECT_FALSE(learns(joint, settings));
   settings.axes[1].set("over_data_set", true);
@@ -105,18 +104,19 @@ TEST(Descriptors, RefuseToDescribeBeforeTheyHaveLearnt) {
 TEST(DescriptorDistances, AreThoseOfAllPairs) {
   Signatures features(3, 2);
   features << 0, 0, 1, 2, 4, 0;
-  const DistanceMatrix matrix = descriptor_distances(descriptor("d2"), features);
+  const DistanceMatrix matrix = descriptor_distances(descriptors().at("d2"), features);
   EXPECT_EQ(matrix, (DistanceMatrix{{0, 3, 4}, {3, 0, 5}, {4, 5, 0}}));
   features(1, 1) = std::numeric_limits<float>::infinity();
-  EXPECT_THROW(descriptor_distances(descriptor("d2"), features), InputError);
+  EXPECT_THROW(descriptor_distances(descriptors().at("d2"), features), InputError);
 }
 
 TEST(FeatureDistance, IsADistanceOrADescriptorsOwn) {
-  EXPECT_EQ(feature_distance("chi2").function, distance_named("chi2").function);
-  for (const Descriptor& one : descriptors()) EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);
+  EXPECT_EQ(feature_distance("chi2").function, distances().at("chi2").function);
+  for (const Descriptor& one : descriptors().entries())
+    EXPECT_EQ(feature_distance(std::string(one.name)).function, one.distance);
   for (const std::string& name : feature_distance_names()) EXPECT_EQ(feature_distance(name).name, name);
-  EXPECT_EQ(std::ssize(feature_distance_names()), std::ssize(distances()) + std::ssize(descriptors()));
-  EXPECT_THROW(feature_distance("l3"), std::invalid_argument);
+  EXPECT_EQ(std::ssize(feature_distance_names()), std::ssize(distances().names()) + std::ssize(descriptors().names()));
+  EXPECT_THROW(feature_distance("l3"), ArgumentError);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <stdexcept>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
@@ -111,7 +110,7 @@ TEST(JointHistogram, AsADescriptorItTakesTheDataSetsRange) {
   large[0].values *= 3;
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, small}, {none, large}};
-  const Descriptor& joint = descriptor("joint_histogram");
+  const Descriptor& joint = descriptors().at("joint_histogram");
   DescriptorSettings settings = default_settings(joint, 2);
   settings.axes[0].set("bins", std::int64_t{6});
   settings.axes[0].set("over_data_set", true);
@@ -129,7 +128,7 @@ TEST(JointHistogram, OverADataSetOfOneValueItIsThatOfEachShapesOwnRange) {
   fields[0].values.setConstant(0.7);
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, fields}, {none, fields}};
-  const Descriptor& joint = descriptor("joint_histogram");
+  const Descriptor& joint = descriptors().at("joint_histogram");
   const auto histogram_with = [&](const char* range) {
     DescriptorSettings settings = default_settings(joint, 2);
     settings.axes[0].set(range, true);
@@ -145,7 +144,7 @@ TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
   const std::vector<ScalarField> second = all_pairs(Eigen::Vector3d(10, 10, 40), Eigen::Vector3d(0.2, 0.4, 0.6));
   const Shape none;
   const std::vector<DescriptorInput> inputs = {{none, first}, {none, second}};
-  const Descriptor& joint = descriptor("joint_histogram");
+  const Descriptor& joint = descriptors().at("joint_histogram");
   DescriptorSettings settings = default_settings(joint, 2);
   settings.axes[0].set("over_data_set", true);
   settings.axes[0].set("divide_by_mean", true);
@@ -157,22 +156,22 @@ TEST(JointHistogram, TheDataSetsRangeIsOfTheDividedValues) {
 TEST(JointHistogram, RefusesWhatIsNone) {
   const std::vector<ScalarField> fields = all_pairs(random_values(5, 1), random_values(4, 2));
   const std::vector<JointAxis> axes(2);
-  EXPECT_THROW(joint_histogram(std::span(fields).first(1), std::span(axes).first(1)), std::invalid_argument);
-  EXPECT_THROW(joint_histogram(fields, std::span(axes).first(1)), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(std::span(fields).first(1), std::span(axes).first(1)), ArgumentError);
+  EXPECT_THROW(joint_histogram(fields, std::span(axes).first(1)), ArgumentError);
   for (const JointAxis& axis :
        {JointAxis{.bins = 0}, JointAxis{.smoothing_bins = -1}, JointAxis{.low = 1, .high = 1}}) {
     EXPECT_THROW(joint_histogram(fields, std::vector{axis, JointAxis{}}), InputError);
   }
   EXPECT_THROW(joint_histogram(fields, std::vector{JointAxis{.bins = 1001}, JointAxis{.bins = 1}}), InputError);
-  EXPECT_THROW(joint_histogram(fields, std::vector(3, JointAxis{})), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(fields, std::vector(3, JointAxis{})), ArgumentError);
   std::vector<ScalarField> other = fields;
   other[1].values.conservativeResize(3);
-  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(other, axes), ArgumentError);
   other = fields;
   other[0].weights[2] = -1;
-  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(other, axes), ArgumentError);
   other[0].values.setConstant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_THROW(joint_histogram(other, axes), std::invalid_argument);
+  EXPECT_THROW(joint_histogram(other, axes), ArgumentError);
 }
 
 TEST(JointHistogram, ARangeInMeansIsOfTheMeanByWeight) {

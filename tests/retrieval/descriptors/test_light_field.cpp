@@ -3,7 +3,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
@@ -74,10 +73,10 @@ TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
   Shape line = ball;
   line.vertices.rightCols<2>().setZero();
   EXPECT_THROW(light_field(line), InputError);
-  EXPECT_THROW(distance_of_light_fields(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), std::invalid_argument);
+  EXPECT_THROW(distance_of_light_fields(Eigen::VectorXf::Zero(5), Eigen::VectorXf::Zero(5)), ArgumentError);
   const Eigen::VectorXf zeros = Eigen::VectorXf::Zero(4500);
   for (const float no_byte : {-1.0F, 256.0F, std::nanf("")}) {
-    EXPECT_THROW(distance_of_light_fields(zeros, zeros.array() + no_byte), std::invalid_argument) << no_byte;
+    EXPECT_THROW(distance_of_light_fields(zeros, zeros.array() + no_byte), ArgumentError) << no_byte;
   }
 }
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <stdexcept>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
 #include "tests/support/test_shapes.h"
 
@@ -107,7 +107,7 @@ TEST(SilhouetteFeatures, EmptyImagesAndSinglePixelsHaveFeatures) {
   Image single(pixels * pixels, 0);
   single[4000] = 1;
   for (const double feature : features_of(single)) EXPECT_TRUE(std::isfinite(feature));
-  EXPECT_THROW(static_cast<void>(features_of(Image(7))), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(features_of(Image(7))), ArgumentError);
 }
 
 }  // namespace

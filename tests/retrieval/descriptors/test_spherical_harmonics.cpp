@@ -2,7 +2,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
@@ -47,7 +46,7 @@ TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
 }
 
 TEST(HarmonicNorms, WantAValueForEachDirection) {
-  EXPECT_THROW(harmonic_norms(Eigen::VectorXd::Zero(7), 4), std::invalid_argument);
+  EXPECT_THROW(harmonic_norms(Eigen::VectorXd::Zero(7), 4), ArgumentError);
 }
 
 double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {

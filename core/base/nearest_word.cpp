@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/core/base/nearest_word.h"
 
 #include <algorithm>
 #include <cctype>

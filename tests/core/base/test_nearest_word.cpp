@@ -2,7 +2,7 @@
 #include <rapidcheck/gtest.h>
 #include <vector>
 
-#include "shapegauge/experiments/configuration/nearest_word.h"
+#include "shapegauge/core/base/nearest_word.h"
 
 namespace shapegauge {
 

@@ -6,7 +6,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -54,12 +54,6 @@ struct SamplePlan {
   auto operator<=>(const SamplePlan&) const = default;
 };
 
-/// The setting "at" of fields: "faces" (default), "vertices" or {"surface": number of samples}.
-SamplePlan sample_plan_of(const nlohmann::json& settings);
-
-/// The setting that the plan was read from.
-nlohmann::json to_json(const SamplePlan& plan);
-
 /// The samples of a shape that the plan asks for (sample_shape, sample_surface_of).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
@@ -89,55 +83,57 @@ enum class FieldDimension { none = 0, length = 1, area = 2 };
 /// `length` to the power of the dimension: the factor of values where lengths change by the factor `length`.
 double unit_of(FieldDimension dimension, double length);
 
-/// A scalar field that a configuration asks for: where its samples are and how its values are computed.
-struct Field {
-  nlohmann::json settings;  ///< type and all settings, defaults filled in; fields with equal settings are one field
-  nlohmann::json versions;  ///< of the algorithms that the values depend on besides the samples, by name
-  FieldDimension dimension = FieldDimension::length;
-  SamplePlan samples;
-  FieldFunction compute;
-};
+/// Versions of algorithms by name. A version is raised with every change of a value, so that caches give none of the
+/// old ones.
+using AlgorithmVersions = std::map<std::string, int>;
 
-/// What a run did with a field, over all models used.
-struct FieldReport {
-  nlohmann::json settings;
-  FieldOutcomes outcomes;  ///< sums
-  double seconds = 0;      ///< sum over the models, whatever ran at the same time
-  std::size_t models = 0;
-  std::size_t leaking = 0;  ///< models with gaps wider than the field's offset (gap_size()): it leaks into them
-};
-
-/// How a field of given settings is computed, and the versions of the algorithms behind it: a version is raised with
-/// every change of a value, so that caches give none of the old ones.
+/// How a field of given settings is computed.
 struct FieldComputation {
-  nlohmann::json versions;                            ///< {"name": number, ...}
+  AlgorithmVersions versions;                         ///< of what the values depend on besides the samples
   FieldDimension dimension = FieldDimension::length;  ///< of the values; comparisons of shapes undo the scale by it
   FieldFunction compute;
 };
 
-/// A type of field that configurations can name.
+/// A type of field.
 struct FieldType {
-  std::string name;         ///< the value of "type"
+  std::string name;
   std::string description;  ///< one sentence
-  /// Its settings besides "type", "at" and "bilateral". Names, choices and descriptions are referred to, not copied.
+  /// Names, choices and descriptions are referred to, not copied.
   std::vector<Parameter> parameters;
   /// Throws InputError where settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
 };
 
-/// All types of fields. A new one of the library is a function and an entry in fields.cpp (docs/extending.md).
-std::span<const FieldType> field_types();
+/// All types of fields: those of this folder (docs/extending.md), then those that were added. An entry has a `make`,
+/// and no parameters called type, at or bilateral.
+Registry<FieldType>& field_types();
 
-/// Adds a type of field for the rest of the program: configurations, their schema and make_field() know it then. Throws
-/// std::invalid_argument for a name that is empty or taken, for a parameter "type", "at" or "bilateral", and without a
-/// `make`. Not to be called while other threads use field types.
-void register_field(FieldType type);
-
-/// The settings of "bilateral", by which any field is smoothed along the surface (bilateral_smoothing()).
+/// The settings by which any field is smoothed along the surface (bilateral_smoothing()).
 std::span<const Parameter> bilateral_parameters();
 
-/// The field that the settings describe, by their "type". Throws InputError for a type that is not in field_types(),
-/// and for settings that the type does not take.
-Field make_field(const nlohmann::json& settings);
+/// The settings of a field; those with equal settings are one field.
+struct FieldSettings {
+  std::string type;  ///< a name of field_types()
+  ParameterValues values;
+  SamplePlan samples = {};
+  std::optional<ParameterValues> smoothing = {};  ///< of bilateral_parameters(); none: as computed
+
+  bool operator==(const FieldSettings&) const = default;
+};
+
+/// The settings of a type with all defaults, at the faces. Throws InputError for a type that is not in field_types().
+FieldSettings field_settings(std::string_view type);
+
+/// A scalar field: what it is and how its values are computed.
+struct Field {
+  FieldSettings settings;
+  AlgorithmVersions versions;
+  FieldDimension dimension = FieldDimension::length;
+  FieldFunction compute;
+};
+
+/// The field of the settings. Throws InputError for a type that is not in field_types(), for a setting without a value,
+/// and for settings that contradict each other.
+Field make_field(FieldSettings settings);
 
 }  // namespace shapegauge

@@ -1,10 +1,9 @@
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/core/fields/field.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -17,14 +16,10 @@
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/experiments/configuration/nearest_word.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
 
 namespace shapegauge {
 
 namespace {
-
-using Json = nlohmann::json;
 
 /// The SDF of the offset surface (offset_sdf.h).
 FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -32,7 +27,7 @@ FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePla
   const std::optional<double> offset = given != nullptr ? std::optional(*given) : std::nullopt;  // else "auto"
   const auto word = std::ranges::find(OffsetSdfOptions::accuracy_words, values.word("accuracy"));
   const auto accuracy = static_cast<OffsetAccuracy>(word - OffsetSdfOptions::accuracy_words.begin());
-  Json versions{{"offset_sdf", offset_sdf_version}};
+  AlgorithmVersions versions{{"offset_sdf", offset_sdf_version}};
   if (!offset) versions["automatic_offset"] = automatic_offset_version;
   return {.versions = std::move(versions),
           .compute = [offset, accuracy](FieldSource& source, const Samples& samples, bool parallel) {
@@ -278,8 +273,8 @@ FieldComputation smoothed(FieldComputation field, const BilateralOptions& option
   return field;
 }
 
-std::vector<FieldType>& registry() {
-  static std::vector<FieldType> types{
+std::vector<FieldType> own_fields() {
+  return {
       {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field},
       {"cone_sdf", "Conventional shape diameter function: a cone of rays about the inward normal.",
        cone_sdf_parameters(), cone_sdf_field},
@@ -291,7 +286,16 @@ std::vector<FieldType>& registry() {
        scale_invariant_parameters(), scale_invariant_field},
       {"wave_kernel", "Wave kernel signature at one energy.", wave_kernel_parameters(), wave_kernel_field},
   };
-  return types;
+}
+
+void check_field_type(const FieldType& type) {
+  const auto reserved = [](const Parameter& parameter) {
+    return parameter.name == "type" || parameter.name == "at" || parameter.name == "bilateral";
+  };
+  if (!type.make || std::ranges::any_of(type.parameters, reserved)) {
+    throw ArgumentError(fmt::format(
+        "a field needs a function, and parameters that are not called type, at or bilateral: \"{}\"", type.name));
+  }
 }
 
 /// The function, with what every field tells: its own outcomes and seconds, or those that can be counted.
@@ -355,35 +359,13 @@ double unit_of(FieldDimension dimension, double length) {
   return length * length;
 }
 
-SamplePlan sample_plan_of(const Json& settings) {
-  const auto at = settings.find("at");
-  if (at == settings.end()) return {};
-  if (at->is_object()) return {.site = SampleSite::surface, .count = at->at("surface")};
-  return {.site = *at == "vertices" ? SampleSite::vertices : SampleSite::faces};
-}
-
-Json to_json(const SamplePlan& plan) {
-  if (plan.site == SampleSite::surface) return {{"surface", plan.count}};
-  return plan.site == SampleSite::vertices ? "vertices" : "faces";
-}
-
 Samples take_samples(const Shape& shape, const SamplePlan& plan) {
   return plan.site == SampleSite::surface ? sample_surface_of(shape, plan.count) : sample_shape(shape, plan.site);
 }
 
-std::span<const FieldType> field_types() { return registry(); }
-
-void register_field(FieldType type) {
-  const auto reserved = [](const Parameter& parameter) {
-    return parameter.name == "type" || parameter.name == "at" || parameter.name == "bilateral";
-  };
-  const bool known = std::ranges::find(registry(), type.name, &FieldType::name) != registry().end();
-  if (type.name.empty() || known || !type.make || std::ranges::any_of(type.parameters, reserved)) {
-    throw std::invalid_argument(fmt::format(
-        "a field needs a name of its own, a function, and parameters that are not called type, at or bilateral: \"{}\"",
-        type.name));
-  }
-  registry().push_back(std::move(type));
+Registry<FieldType>& field_types() {
+  static Registry<FieldType> all("field", own_fields(), check_field_type);
+  return all;
 }
 
 std::span<const Parameter> bilateral_parameters() {
@@ -391,31 +373,21 @@ std::span<const Parameter> bilateral_parameters() {
   return parameters;
 }
 
-Field make_field(const Json& settings) {
-  const std::string name = settings.at("type");
-  const auto type = std::ranges::find(registry(), name, &FieldType::name);
-  if (type == registry().end()) {
-    std::vector<std::string> names;
-    for (const FieldType& known : registry()) names.push_back(known.name);
-    throw InputError(fmt::format("there is no field of type \"{}\"{}", name, suggestion(name, names)));
+FieldSettings field_settings(std::string_view type) {
+  return {.type = std::string(type), .values = ParameterValues(field_types().at(type).parameters)};
+}
+
+Field make_field(FieldSettings settings) {
+  const FieldType& type = field_types().at(settings.type);
+  settings.values.require_complete();
+  FieldComputation computation = type.make(settings.values, settings.samples);
+  if (settings.smoothing) {
+    computation = smoothed(std::move(computation), options_from(bilateral_table, *settings.smoothing));
   }
-  const ParameterValues values = read_parameters(type->parameters, settings);
-  Field field;
-  field.samples = sample_plan_of(settings);
-  FieldComputation computation = type->make(values, field.samples);
-  std::optional<ParameterValues> smoothing;
-  if (const auto given = settings.find("bilateral"); given != settings.end()) {
-    smoothing = read_parameters(bilateral_parameters(), *given);
-    computation = smoothed(std::move(computation), options_from(bilateral_table, *smoothing));
-  }
-  field.versions = std::move(computation.versions);
-  field.dimension = computation.dimension;
-  field.compute = with_outcomes(std::move(computation.compute));
-  field.settings = to_json(values);
-  field.settings["type"] = name;
-  field.settings["at"] = to_json(field.samples);
-  if (smoothing) field.settings["bilateral"] = to_json(*smoothing);
-  return field;
+  return {.settings = std::move(settings),
+          .versions = std::move(computation.versions),
+          .dimension = computation.dimension,
+          .compute = with_outcomes(std::move(computation.compute))};
 }
 
 }  // namespace shapegauge

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <deque>
+#include <functional>
+#include <iterator>
+#include <mutex>
+#include <shared_mutex>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
+
+namespace shapegauge {
+
+/// What there is of one kind, by name: fields, descriptors, distances, measures and so on. `Entry` is a struct with a
+/// member `name`. Entries are in the order of registration, are not changed or removed, and stay where they are for the
+/// life of the program. All functions may be called from several threads at once.
+template <typename Entry>
+class Registry {
+ public:
+  /// - `kind`: what an entry is called in messages, for example "descriptor".
+  /// - `own`: the entries of the library, of different names.
+  /// - `check`: throws InputError for an entry that cannot be added; null: only the name counts.
+  Registry(std::string_view kind, std::vector<Entry> own, void (*check)(const Entry&) = nullptr)
+      : kind_(kind),
+        check_(check),
+        entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
+
+  /// Adds an entry, which configurations, listings and the schema know from then on. What its views and spans refer to
+  /// must live as long as the program. Throws InputError for a name that is empty or taken, and what the check throws.
+  void add(Entry entry) {
+    if (entry.name.empty()) throw InputError("a " + kind_ + " needs a name");
+    if (check_ != nullptr) check_(entry);
+    const std::unique_lock lock(mutex_);
+    if (std::ranges::any_of(entries_, [&](const Entry& known) { return known.name == entry.name; })) {
+      throw InputError("there is a " + kind_ + " \"" + std::string(entry.name) + "\" already");
+    }
+    entries_.push_back(std::move(entry));
+  }
+
+  /// The entry of that name; null where there is none.
+  [[nodiscard]] const Entry* find(std::string_view name) const {
+    return find_if([&](const Entry& entry) { return entry.name == name; });
+  }
+
+  /// The first entry of which the predicate is true; null where there is none.
+  template <typename Predicate>
+  [[nodiscard]] const Entry* find_if(const Predicate& predicate) const {
+    const std::shared_lock lock(mutex_);
+    const auto found = std::ranges::find_if(entries_, predicate);
+    return found == entries_.end() ? nullptr : &*found;
+  }
+
+  /// The entry of that name. Throws InputError, with the nearest name or all names, where there is none.
+  [[nodiscard]] const Entry& at(std::string_view name) const {
+    if (const Entry* const found = find(name)) return *found;
+    throw InputError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
+                     suggestion(name, names()));
+  }
+
+  /// All entries.
+  [[nodiscard]] std::vector<std::reference_wrapper<const Entry>> entries() const {
+    const std::shared_lock lock(mutex_);
+    return {entries_.begin(), entries_.end()};
+  }
+
+  /// The names of all entries.
+  [[nodiscard]] std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const Entry& entry : entries()) all.emplace_back(entry.name);
+    return all;
+  }
+
+ private:
+  std::string kind_;
+  void (*check_)(const Entry&);
+  mutable std::shared_mutex mutex_;
+  std::deque<Entry> entries_;
+};
+
+}  // namespace shapegauge

@@ -1,0 +1,37 @@
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
+
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/results/write_comparison.h"
+#include "shapegauge/experiments/results/write_results.h"
+#include "shapegauge/experiments/segmentation/write_segmentation.h"
+
+namespace shapegauge {
+
+namespace {
+
+void check_kind(const ExperimentKind& kind) {
+  if (kind.describes == nullptr || kind.read == nullptr) {
+    throw ArgumentError("the kind of experiment \"" + std::string(kind.name) + "\" needs both functions");
+  }
+}
+
+}  // namespace
+
+Registry<ExperimentKind>& experiment_kinds() {
+  static Registry<ExperimentKind> all("kind of experiment", {retrieval_kind(), comparison_kind(), segmentation_kind()},
+                                      check_kind);
+  return all;
+}
+
+Experiment read_experiment(const nlohmann::json& document, const std::string& source,
+                           const std::filesystem::path& folder) {
+  const auto kinds = experiment_kinds().entries();
+  const ExperimentKind* chosen = &kinds.front().get();
+  for (const ExperimentKind& kind : kinds) {
+    if (document.is_object() && kind.describes(document)) chosen = &kind;
+  }
+  return chosen->read(document, source, folder);
+}
+
+}  // namespace shapegauge

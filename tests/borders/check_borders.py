@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Holds the libraries to the borders of docs/architecture.md.
+
+    check_borders.py ARCHITECTURE.md LIBRARIES COMPILER
+
+LIBRARIES has a line for each library: its name, its headers and the include directories of its sources, between
+semicolons. An include of a header of another library must compile where the page says that the library knows it, by
+itself or through others, and must not be found where it does not.
+"""
+
+import concurrent.futures
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+
+def known_libraries(page):
+    """By library, those that the table of the page says it knows."""
+    row = re.compile(r"^\|[^|]*\| `shapegauge::(\w+)` \|[^|]*\|([^|]*)\|$", re.MULTILINE)
+    return {name: re.findall(r"\w+", known) for name, known in row.findall(page)}
+
+
+def closure(name, known):
+    """The libraries that one reaches, itself included."""
+    reached = {name}
+    waiting = [name]
+    while waiting:
+        for other in known[waiting.pop()]:
+            if other not in reached:
+                reached.add(other)
+                waiting.append(other)
+    return reached
+
+
+def compiles(compiler, header, folders):
+    """Whether the preprocessor finds the header itself; what that one includes does not count."""
+    command = [compiler, "-x", "c++", "-std=c++20", "-E", "-"]
+    command += [f"-I{folder}" for folder in folders]
+    program = f"#if !__has_include(<{header}>)\n#error absent\n#endif\n"
+    return subprocess.run(command, input=program, text=True, capture_output=True).returncode == 0
+
+
+def main():
+    page, listing, compiler = sys.argv[1:]
+    known = known_libraries(pathlib.Path(page).read_text())
+    libraries = {}
+    for line in pathlib.Path(listing).read_text().splitlines():
+        name, headers, folders = line.split("|")
+        libraries[name] = (headers.split(";"), [folder for folder in folders.split(";") if folder])
+    errors = [f"docs/architecture.md has no library {name}" for name in libraries.keys() - known.keys()]
+    errors += [f"there is no library {name} of docs/architecture.md" for name in known.keys() - libraries.keys()]
+    for name in known:
+        errors += [f"{name} knows {other}, which is no library" for other in known[name] if other not in known]
+    if errors:
+        sys.exit("\n".join(errors))
+
+    def check(name, other):
+        allowed = other in closure(name, known)
+        found = compiles(compiler, libraries[other][0][0], libraries[name][1])
+        if found == allowed:
+            return None
+        return f"{name} {'sees' if found else 'does not see'} {libraries[other][0][0]} of {other}"
+
+    pairs = [(name, other) for name in libraries for other in libraries]
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        wrong = [error for error in pool.map(lambda pair: check(*pair), pairs) if error]
+    forbidden = sum(other not in closure(name, known) for name, other in pairs)
+    if not forbidden:
+        wrong.append("no include is forbidden: nothing was tested")
+    print(f"{len(pairs)} includes tried, of which {forbidden} must not compile")
+    sys.exit("\n".join(wrong) if wrong else 0)
+
+
+main()

@@ -1,0 +1,70 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "shapegauge/core/base/registry.h"
+
+namespace shapegauge {
+namespace {
+
+using testing::ElementsAre;
+using testing::ThrowsMessage;
+
+struct Colour {
+  std::string name;
+  int wavelength = 0;
+};
+
+void check_visible(const Colour& colour) {
+  if (colour.wavelength < 380 || colour.wavelength > 750) throw ArgumentError("cannot be seen: " + colour.name);
+}
+
+TEST(Registry, HasTheLibrarysEntriesThenThoseAddedInTheirOrder) {
+  Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}});
+  colours.add({"blue", 470});
+  EXPECT_THAT(colours.names(), ElementsAre("red", "green", "blue"));
+  EXPECT_EQ(colours.at("blue").wavelength, 470);
+  EXPECT_EQ(colours.find("green")->wavelength, 530);
+  EXPECT_EQ(colours.find("violet"), nullptr);
+  EXPECT_EQ(colours.find_if([](const Colour& colour) { return colour.wavelength < 600; })->name, "green");
+}
+
+TEST(Registry, RefusesAnEntryWithoutANameOrWithOneThatIsTakenOrUnusable) {
+  Registry<Colour> colours("colour", {{"red", 700}}, check_visible);
+  EXPECT_THROW(colours.add({"", 500}), InputError);
+  EXPECT_THROW(colours.add({"red", 690}), InputError);
+  EXPECT_THROW(colours.add({"infrared", 900}), ArgumentError);
+  EXPECT_THAT(colours.names(), ElementsAre("red"));
+  EXPECT_EQ(colours.at("red").wavelength, 700);
+}
+
+TEST(Registry, SaysWhatWasProbablyMeant) {
+  const Registry<Colour> colours("colour", {{"red", 700}, {"green", 530}});
+  EXPECT_THAT([&] { return colours.at("gren"); },
+              ThrowsMessage<InputError>(R"(there is no colour "gren"; did you mean "green"?)"));
+  EXPECT_THAT([&] { return colours.at("ultramarine"); },
+              ThrowsMessage<InputError>(R"(there is no colour "ultramarine"; known here: "red", "green")"));
+}
+
+TEST(Registry, EntriesStayWhereTheyAreWhileThreadsAddOthers) {
+  Registry<Colour> colours("colour", {{"red", 700}});
+  const Colour& red = colours.at("red");
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&colours, i] {
+      for (int k = 0; k < 100; ++k) {
+        colours.add({std::to_string(i) + "/" + std::to_string(k), 400});
+        EXPECT_EQ(colours.entries().front().get().name, "red");
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(colours.names().size(), 401U);
+  EXPECT_EQ(&colours.at("red"), &red);
+  EXPECT_EQ(red.wavelength, 700);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,175 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
+#include "shapegauge/experiments/results/result_folder.h"
+#include "shapegauge/segmentation/seg_file.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+#include "tests/support/thread_ranks.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// Small experiments of each kind of the library.
+class ExperimentKinds : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::write_small_dataset(at("data"));
+    for (const char* name : {"a.off", "b.off"}) write_off(at(name), test::sphere(1, 2));
+  }
+
+  [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
+
+  [[nodiscard]] Json retrieval() const { return test::small_configuration(at("data")); }
+
+  [[nodiscard]] static Json comparison() {
+    return Json::parse(R"({
+      "name": "spheres",
+      "shapes": [{"name": "a", "file": "a.off"},
+                 {"name": "b", "file": "b.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]}],
+      "reference": "a",
+      "signatures": [{"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"bins": 10, "range": "dataset"}}]})");
+  }
+
+  [[nodiscard]] static Json segmentation() {
+    return Json::parse(R"({
+      "name": "parts",
+      "dataset": {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}},
+      "segmentation": [{"name": "best"}, {"name": "paper", "method": "paper"}]})");
+  }
+
+  [[nodiscard]] RunOutcome run(const Json& document, const std::string& output, Cache& cache, Communicator& ranks,
+                               const RunControl& control = {.threads = 1}) const {
+    return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache,
+                           ranks);
+  }
+
+  /// The result files that hold no seconds, by name; of the manifest what does not differ from run to run.
+  [[nodiscard]] std::map<std::string, std::string> results(const std::string& output) const {
+    Json manifest = Json::parse(test::text_of(at(output) / manifest_name));
+    manifest.erase("execution");
+    std::map<std::string, std::string> files{{"manifest", manifest.dump()}};
+    for (const std::string name : manifest.at("files")) {
+      if (!holds_timings(name)) files[name] = test::text_of(at(output) / name);
+    }
+    return files;
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
+  EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation"));
+  EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
+  EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 2U);
+  EXPECT_EQ(read_experiment(segmentation(), "test.json", at("")).name, "parts");
+  EXPECT_THAT(test::input_error_of([&] {
+                read_experiment(Json{{"nmae", "x"}}, "test.json", at(""));
+              }),
+              HasSubstr("test.json: unknown key \"nmae\""));
+}
+
+TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
+  for (const auto& [name, document] :
+       {std::pair{"retrieval", retrieval()}, {"comparison", comparison()}, {"segmentation", segmentation()}}) {
+    SCOPED_TRACE(name);
+    const std::string alone = std::string(name) + "/alone";
+    Cache none;
+    const RunOutcome outcome = run(document, alone, none, *single_process());
+    EXPECT_FALSE(outcome.summary.empty());
+    EXPECT_GT(outcome.used, 0U);
+    for (const int size : {2, 3}) {
+      const std::string together = std::string(name) + "/" + std::to_string(size);
+      test::on_thread_ranks(size, [&](Communicator& ranks) {
+        Cache own;
+        const RunOutcome shared = run(document, together, own, ranks);
+        EXPECT_EQ(shared.files, ranks.rank() == 0 ? outcome.files : std::vector<std::string>());
+      });
+      EXPECT_EQ(results(together), results(alone));
+    }
+  }
+}
+
+TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
+  for (const auto& [name, document] : {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}}) {
+    SCOPED_TRACE(name);
+    const std::string place = name;
+    Cache none;
+    (void)run(document, place + "/alone", none, *single_process());
+    std::size_t done = 0;
+    RunControl control{.threads = 1, .interrupted = [&] { return done >= 2; }};
+    control.progress = [&](std::string_view stage, std::size_t now, std::size_t) {
+      if (stage == "signatures" || stage == "shapes") done = now;
+    };
+    Cache first(at("cache"));
+    EXPECT_THROW((void)run(document, place + "/resumed", first, *single_process(), control), Interrupted);
+    EXPECT_FALSE(fs::exists(at(place + "/resumed") / manifest_name));
+    Cache second(at("cache"));
+    const RunOutcome outcome = run(document, place + "/resumed", second, *single_process());
+    std::size_t hits = 0;
+    for (const CacheUse& use : outcome.cache.uses) hits += use.hits;
+    EXPECT_GT(hits, 0U);
+    EXPECT_EQ(results(place + "/resumed"), results(place + "/alone"));
+  }
+}
+
+TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
+  Cache none;
+  (void)run(segmentation(), "parts", none, *single_process());
+  int generated = 0;
+  RunControl control{.threads = 1};
+  control.progress = [&](std::string_view stage, std::size_t, std::size_t) {
+    generated += stage == "generating models" ? 1 : 0;
+  };
+  (void)run(segmentation(), "parts", none, *single_process(), control);
+  EXPECT_EQ(generated, 0);
+}
+
+/// A kind from outside the library: it counts the characters of a text.
+Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& /*folder*/) {
+  return {.name = "count", .configuration = document, .run = [document](const RunContext& context) {
+            return on_all_ranks(context.ranks, [&] {
+              if (context.ranks.rank() != 0) return RunOutcome();
+              const std::string text = document.at("count");
+              write_file_atomically(context.results / "count.txt", std::to_string(text.size()) + "\n");
+              return RunOutcome{.files = {"count.txt"},
+                                .manifest = {{"inputs", Json::object()}},
+                                .execution = Json::object(),
+                                .summary = std::to_string(text.size()),
+                                .used = 1,
+                                .noun = "text"};
+            });
+          }};
+}
+
+TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
+  experiment_kinds().add({.name = "count",
+                          .description = "Counts characters.",
+                          .describes = [](const Json& document) { return document.contains("count"); },
+                          .read = read_count});
+  Cache none;
+  EXPECT_EQ(run({{"count", "shapes"}}, "count", none, *single_process()).summary, "6");
+  EXPECT_EQ(test::text_of(at("count/count.txt")), "6\n");
+  EXPECT_EQ(Json::parse(test::text_of(at("count/manifest.json"))).at("configuration"), (Json{{"count", "shapes"}}));
+  EXPECT_THROW(experiment_kinds().add({.name = "count", .describes = nullptr, .read = read_count}), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge
