@@ -16,7 +16,7 @@
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/files/sha256.h"
 #include "shapegauge/experiments/runner/build_information.h"
-#include "shapegauge/experiments/view/coarse_view.h"
+#include "shapegauge/pages/coarse_view.h"
 
 namespace shapegauge {
 
