@@ -21,8 +21,8 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
-#include "shapegauge/experiments/view/coarse_view.h"
-#include "shapegauge/experiments/view/shape_view.h"
+#include "shapegauge/pages/coarse_view.h"
+#include "shapegauge/pages/shape_view.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/segment_labels.h"
 

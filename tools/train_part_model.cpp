@@ -25,7 +25,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
+#include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"

@@ -13,7 +13,7 @@
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/datasets/files/npy.h"
-#include "shapegauge/experiments/view/shape_view.h"
+#include "shapegauge/pages/shape_view.h"
 #include "shapegauge/retrieval/histogram.h"
 
 namespace shapegauge {

@@ -10,11 +10,12 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/distributed/agreement.h"
-#include "shapegauge/experiments/report/report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/results/experiment_report.h"
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 

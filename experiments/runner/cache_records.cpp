@@ -17,7 +17,7 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 #include "shapegauge/experiments/runner/build_information.h"
-#include "shapegauge/experiments/view/coarse_view.h"
+#include "shapegauge/pages/coarse_view.h"
 
 namespace shapegauge {
 

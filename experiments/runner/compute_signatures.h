@@ -16,6 +16,7 @@
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/describe_model.h"
 #include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/pages/report.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
 namespace shapegauge {
@@ -66,12 +67,6 @@ ShapeReport report_shape(const ModelDescription& model);
 std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
                                        const HistogramConfiguration& wanted, std::size_t field);
 
-/// A field that the views of the models show.
-struct ViewedField {
-  std::string name;                 ///< of the first signature that is a histogram of it, or has it pictured
-  std::optional<Interval> colours;  ///< the values with the ends of the colour scale; else each model's own
-};
-
 /// The signatures of the models of a data set. Each of several processes has those of some models, which follow each
 /// other; all that is told of the models is on rank 0.
 struct ComputedSignatures {
@@ -82,7 +77,8 @@ struct ComputedSignatures {
   std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each model; empty where it has no field
   std::vector<std::string> pictures;  ///< of the models, where the configuration wants them; else none
   std::vector<std::string> views;     ///< the same, for shapes that one can turn
-  std::vector<ViewedField> viewed;    ///< the fields of the views
+  std::vector<ViewedField> viewed;    ///< the fields of the views, named after the first signature that is a histogram
+                                      ///< of it, or the one that has it pictured
   std::vector<FieldReport> fields;
   std::vector<ShapeReport> shapes;  ///< of the models that have signatures
 };

@@ -4,8 +4,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/view/coarse_view.h"
-#include "shapegauge/experiments/view/shape_view.h"
+#include "shapegauge/pages/coarse_view.h"
+#include "shapegauge/pages/shape_view.h"
 
 namespace shapegauge {
 

@@ -12,8 +12,8 @@
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/runner/run_control.h"
-#include "shapegauge/experiments/segmentation/segmentation_benchmark.h"
-#include "shapegauge/experiments/segmentation/segmentation_tables.h"
+#include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
+#include "shapegauge/experiments/evaluation/segmentation_tables.h"
 
 namespace shapegauge {
 

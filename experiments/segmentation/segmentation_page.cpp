@@ -8,7 +8,7 @@
 
 #include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
-#include "shapegauge/experiments/view/html_page.h"
+#include "shapegauge/pages/html_page.h"
 
 namespace shapegauge {
 

@@ -14,7 +14,7 @@
 #include "shapegauge/experiments/results/manifest.h"
 #include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
-#include "shapegauge/experiments/segmentation/segmentation_tables.h"
+#include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/segmentation/seg_file.h"
 
 namespace shapegauge {

@@ -1,0 +1,64 @@
+#include "shapegauge/pages/html_page.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <openssl/evp.h>
+#include <vector>
+
+namespace shapegauge {
+
+namespace {
+
+/// The text with every occurrence of a word replaced.
+std::string replaced(std::string_view text, std::string_view word, std::string_view replacement) {
+  std::string result;
+  std::size_t begin = 0;
+  for (std::size_t found = text.find(word); found != std::string_view::npos; found = text.find(word, begin)) {
+    result.append(text, begin, found - begin).append(replacement);
+    begin = found + word.size();
+  }
+  return result.append(text, begin);
+}
+
+}  // namespace
+
+std::string base64(std::string_view bytes) {
+  std::string text;
+  // In pieces, as OpenSSL counts in int; whole groups of three bytes, so that the pieces fit together.
+  constexpr std::size_t piece = 3 << 20;
+  for (std::size_t begin = 0; begin < bytes.size(); begin += piece) {
+    const std::string_view part = bytes.substr(begin, piece);
+    std::vector<unsigned char> encoded(4 * (part.size() + 2) / 3 + 4);
+    const std::vector<unsigned char> plain(part.begin(), part.end());
+    const int length = EVP_EncodeBlock(encoded.data(), plain.data(), static_cast<int>(plain.size()));
+    text.append(encoded.begin(), encoded.begin() + length);
+  }
+  return text;
+}
+
+double rounded(double value, int digits) {
+  return std::isfinite(value) ? std::stod(fmt::format("{:.{}g}", value, digits)) : value;
+}
+
+std::string html_text(std::string_view text) {
+  return replaced(replaced(replaced(replaced(text, "&", "&amp;"), "<", "&lt;"), ">", "&gt;"), "\"", "&quot;");
+}
+
+std::string script_data(const nlohmann::ordered_json& json) {
+  const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return replaced(text, "<", "\\u003c");
+}
+
+std::string filled_page(std::string_view page,
+                        std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents) {
+  std::string result;
+  for (const auto& [mark, content] : marks_and_contents) {
+    const std::size_t found = page.find(mark);
+    result.append(page, 0, found).append(content);
+    page.remove_prefix(found + mark.size());
+  }
+  return result.append(page);
+}
+
+}  // namespace shapegauge

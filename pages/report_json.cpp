@@ -1,0 +1,201 @@
+#include "shapegauge/pages/report_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <vector>
+
+#include "shapegauge/core/version.h"
+#include "shapegauge/metrics/retrieval_failures.h"
+#include "shapegauge/pages/html_page.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t worst_count = 20;
+constexpr int fraction_digits = 6;
+constexpr int distance_digits = 5;
+
+template <typename Values>
+Json fractions(const Values& values) {
+  Json json = Json::array();
+  for (const double value : values) json.push_back(rounded(value, fraction_digits));
+  return json;
+}
+
+Json rows_of(const Eigen::MatrixXd& table) {
+  Json json = Json::array();
+  for (Eigen::Index row = 0; row < table.rows(); ++row) json.push_back(fractions(table.row(row)));
+  return json;
+}
+
+/// The queries that did worst by average precision, or by the first measure where that is not among them, as positions.
+std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
+  const bool has_map = std::ranges::find(evaluation.measures, "mAP") != evaluation.measures.end();
+  return worst_queries(evaluation, has_map ? "mAP" : evaluation.measures.front(), worst_count);
+}
+
+Json evaluation_json(const Evaluation& evaluation) {
+  return {{"protocol", name_of(evaluation.protocol)},
+          {"left_out", evaluation.models_left_out},
+          {"measures", evaluation.measures},
+          {"micro", fractions(evaluation.micro)},
+          {"macro", fractions(evaluation.macro)},
+          {"classes", evaluation.classes},
+          {"per_class", rows_of(evaluation.per_class)},
+          {"queries", evaluation.queries},
+          {"per_query", rows_of(evaluation.per_query)},
+          {"worst", worst_of(evaluation)},
+          {"recall", evaluation.micro_curve.recall},
+          {"micro_curve", fractions(evaluation.micro_curve.precision)},
+          {"macro_curve", fractions(evaluation.macro_curve.precision)}};
+}
+
+/// The models whose nearest ones are listed, ascending.
+std::vector<Eigen::Index> models_with_neighbours(const Report& report, const ReportMethod& method) {
+  std::set<Eigen::Index> models;
+  if (report.ids.size() <= most_models_with_neighbours) {
+    for (std::size_t i = 0; i < report.ids.size(); ++i) models.insert(static_cast<Eigen::Index>(i));
+  }
+  for (const Evaluation& evaluation : method.evaluations) {
+    for (const std::size_t i : worst_of(evaluation)) models.insert(evaluation.queries[i]);
+  }
+  return {models.begin(), models.end()};
+}
+
+/// For each of those models its nearest ones, with their distances.
+Json neighbours_json(const Report& report, const ReportMethod& method) {
+  const std::vector<Eigen::Index> models = models_with_neighbours(report, method);
+  std::vector<std::vector<std::int32_t>> lists;
+  Json distances = Json::array();
+  for (const Eigen::Index model : models) {
+    const auto nearest = method.distances->nearest.row(model);
+    lists.emplace_back(nearest.begin(), nearest.end());
+    Json& row = distances.emplace_back(Json::array());
+    for (const double distance : method.distances->nearest_distances.row(model)) {
+      row.push_back(rounded(distance, distance_digits));
+    }
+  }
+  return {{"models", models}, {"lists", lists}, {"distances", std::move(distances)}};
+}
+
+Json confusion_json(const Report& report, const ReportMethod& method) {
+  const Eigen::Matrix<std::int32_t, Eigen::Dynamic, 1> nearest = method.distances->nearest.col(0);
+  const Eigen::MatrixXi counts =
+      confusion_matrix({nearest.data(), static_cast<std::size_t>(nearest.size())}, report.labels,
+                       method.evaluations.front().queries, static_cast<int>(report.classes.size()));
+  Json rows = Json::array();
+  for (Eigen::Index row = 0; row < counts.rows(); ++row) {
+    // Only what is not 0, as pairs of class and number: most of a large matrix is 0.
+    Json& entries = rows.emplace_back(Json::array());
+    for (Eigen::Index column = 0; column < counts.cols(); ++column) {
+      if (counts(row, column) > 0) entries.push_back({column, counts(row, column)});
+    }
+  }
+  return rows;
+}
+
+Json histograms_json(const ReportHistograms& histograms) {
+  if (histograms.table == nullptr) return nullptr;
+  const Eigen::VectorXd values = histograms.table->reshaped<Eigen::RowMajor>().cast<double>();
+  Json json = packed(values);
+  json["bins"] = histograms.table->cols();
+  json["ranges"] = Json::array();
+  for (const Interval& range : histograms.ranges) {
+    json["ranges"].push_back({rounded(range.low, distance_digits), rounded(range.high, distance_digits)});
+  }
+  return json;
+}
+
+Json method_json(const Report& report, const ReportMethod& method) {
+  Json evaluations = Json::array();
+  for (const Evaluation& evaluation : method.evaluations) evaluations.push_back(evaluation_json(evaluation));
+  return {{"name", method.name},
+          {"description", method.description},
+          {"evaluations", std::move(evaluations)},
+          {"heat_map", heat_map(*method.distances)},
+          {"confusion", confusion_json(report, method)},
+          {"nearest", neighbours_json(report, method)},
+          {"histograms", histograms_json(method.histograms)},
+          {"parts", method.histograms.parts}};
+}
+
+Json pictures_json(const ReportPictures& pictures) {
+  if (pictures.png.empty()) return nullptr;
+  Json images = Json::array();
+  for (const std::string& png : pictures.png) images.push_back(base64(png));
+  return {{"field", pictures.field},
+          {"low", pictures.range.low},
+          {"high", pictures.range.high},
+          {"png", std::move(images)}};
+}
+
+Json views_json(const ReportViews& views) {
+  if (views.shapes.empty()) return nullptr;
+  Json fields = Json::array();
+  for (const ViewedField& field : views.fields) {
+    Json& json = fields.emplace_back(Json{{"name", field.name}});
+    if (field.colours) json["colours"] = {{"from", field.colours->low}, {"to", field.colours->high}, {"root", true}};
+  }
+  Json shapes = Json::array();
+  for (const std::string& shape : views.shapes) shapes.push_back(Json::parse(shape));
+  return {{"fields", std::move(fields)}, {"shapes", std::move(shapes)}};
+}
+
+}  // namespace
+
+Json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  constexpr double levels = 65534;
+  double scale = 0;
+  for (const double value : values) {
+    if (std::isfinite(value)) scale = std::max(scale, value);
+  }
+  if (!(scale > 0)) scale = 1;
+  std::string bytes;
+  bytes.reserve(2 * static_cast<std::size_t>(values.size()));
+  for (const double value : values) {
+    const bool finite = std::isfinite(value);
+    const auto level =
+        finite ? static_cast<std::uint16_t>(std::lround(levels * std::max(0.0, value) / scale)) : std::uint16_t{65535};
+    bytes.push_back(static_cast<char>(level & 0xff));
+    bytes.push_back(static_cast<char>(level >> 8));
+  }
+  return {{"scale", scale}, {"values", base64(bytes)}};
+}
+
+Json heat_map(const DistanceOverview& distances) {
+  const Eigen::MatrixXd& cells = distances.cells;
+  const Eigen::Index side = cells.rows();
+  const bool symmetric = cells == cells.transpose();
+  std::vector<double> values;
+  for (Eigen::Index row = 0; row < side; ++row) {
+    for (Eigen::Index column = symmetric ? row : 0; column < side; ++column) values.push_back(cells(row, column));
+  }
+  Json json{{"side", side}, {"block", distances.block}, {"symmetric", symmetric}};
+  json.update(packed(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
+  return json;
+}
+
+Json report_json(const Report& report) {
+  Json methods = Json::array();
+  for (const ReportMethod& method : report.methods) methods.push_back(method_json(report, method));
+  return {{"version", version()},
+          {"title", report.title},
+          {"description", report.description},
+          {"facts", report.facts},
+          {"classes", report.classes},
+          {"ids", report.ids},
+          {"labels", report.labels},
+          {"methods", std::move(methods)},
+          {"pictures", pictures_json(report.pictures)},
+          {"views", views_json(report.views)},
+          {"warnings", report.warnings},
+          {"failures", report.failures}};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,247 @@
+#include "shapegauge/pages/shape_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/pages/html_page.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double levels = 65535;  ///< of a coordinate; of a value one less, as the last one stands for none
+constexpr int digits = 7;         ///< of numbers that are not packed
+
+void append_short(std::string& bytes, long number) {
+  bytes.push_back(static_cast<char>(number & 0xff));
+  bytes.push_back(static_cast<char>(number >> 8 & 0xff));
+}
+
+std::string packed_shorts(const std::vector<std::int32_t>& numbers) {
+  std::string bytes;
+  for (const std::int32_t number : numbers) append_short(bytes, number);
+  return base64(bytes);
+}
+
+/// The vertices in the order in which they are drawn first; those that are never drawn are not in it.
+struct VertexOrder {
+  std::vector<std::int32_t> vertices;
+  std::string corners;  ///< of the triangles, packed
+};
+
+/// Each corner becomes the number of vertices between it and the next one that is still unused, 7 bits a byte, least
+/// first: triangles near each other share vertices, so that most take one byte.
+VertexOrder order_of_use(const Shape& mesh) {
+  VertexOrder order;
+  std::vector<std::int32_t> position(static_cast<std::size_t>(mesh.vertices.rows()), -1);
+  std::string bytes;
+  for (const std::int32_t vertex : mesh.triangles.reshaped<Eigen::RowMajor>()) {
+    std::int32_t& at = position[static_cast<std::size_t>(vertex)];
+    const auto unused = static_cast<std::int32_t>(order.vertices.size());
+    if (at < 0) {
+      at = unused;
+      order.vertices.push_back(vertex);
+    }
+    auto back = static_cast<std::uint32_t>(unused - at);
+    for (; back > 127; back >>= 7) bytes.push_back(static_cast<char>(128 | (back & 127)));
+    bytes.push_back(static_cast<char>(back));
+  }
+  order.corners = base64(bytes);
+  return order;
+}
+
+Json packed_points(const Shape& shape, const std::vector<std::int32_t>& vertices) {
+  const Eigen::AlignedBox3d box = bounding_box(shape);
+  const double step = box.sizes().maxCoeff() / levels;
+  std::string bytes;
+  for (const std::int32_t vertex : vertices) {
+    for (int k = 0; k < 3; ++k) append_short(bytes, std::lround((shape.vertices(vertex, k) - box.min()[k]) / step));
+  }
+  return {{"step", rounded(step, digits)}, {"values", base64(bytes)}};
+}
+
+std::string packed_directions(const Points& directions, const std::vector<std::int32_t>& places) {
+  std::string bytes;
+  for (const std::int32_t place : places) {
+    for (int k = 0; k < 3; ++k) bytes.push_back(static_cast<char>(std::lround(127 * directions(place, k))));
+  }
+  return base64(bytes);
+}
+
+Json packed_field(const ViewField& field, const std::vector<std::int32_t>& places) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const std::int32_t place : places) {
+    const double value = field.values[place];
+    if (!std::isfinite(value)) continue;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (low > high) low = high = 0;
+  const double width = high > low ? high - low : 1;
+  std::string bytes;
+  for (const std::int32_t place : places) {
+    const double value = field.values[place];
+    append_short(bytes, std::isfinite(value) ? std::lround((levels - 1) * (value - low) / width) : std::lround(levels));
+  }
+  return {
+      {"name", field.name},     {"low", low}, {"high", high}, {"from", field.colours.low}, {"to", field.colours.high},
+      {"values", base64(bytes)}};
+}
+
+std::string hex(const Colour& colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]); }
+
+Json packed_parts(const ShapeView& view, const std::vector<std::int32_t>& places) {
+  std::vector<std::int32_t> parts;
+  for (const std::int32_t place : places) parts.push_back(view.parts[static_cast<std::size_t>(place)]);
+  Json colours = Json::array();
+  for (const Colour& colour : view.part_colours) colours.push_back(hex(colour));
+  return {{"values", packed_shorts(parts)}, {"colours", std::move(colours)}};
+}
+
+/// The points of a cloud as the hexagons that splats() makes of them: how large, and facing where.
+Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) {
+  const Shape mesh = splats(cloud);
+  const Eigen::Index corners = mesh.vertices.rows() / cloud.vertices.rows();
+  Points normals(cloud.vertices.rows(), 3);
+  std::vector<double> radii;
+  double largest = std::numeric_limits<double>::min();
+  for (Eigen::Index i = 0; i < cloud.vertices.rows(); ++i) {
+    const Eigen::RowVector3d first = mesh.vertices.row(corners * i) - cloud.vertices.row(i);
+    const Eigen::RowVector3d second = mesh.vertices.row(corners * i + 1) - cloud.vertices.row(i);
+    normals.row(i) = first.cross(second).normalized();
+    radii.push_back(first.norm());
+    largest = std::max(largest, radii.back());
+  }
+  const double step = largest / levels;
+  std::string bytes;
+  for (const std::int32_t place : places)
+    append_short(bytes, std::lround(radii[static_cast<std::size_t>(place)] / step));
+  return {
+      {"step", rounded(step, digits)}, {"values", base64(bytes)}, {"directions", packed_directions(normals, places)}};
+}
+
+/// To the right, upwards and towards the viewer of the shape's picture.
+Json first_axes(const Shape& shape) {
+  const RenderOptions look = principal_view(shape);
+  const Eigen::Vector3d towards = look.towards_viewer.normalized();
+  const Eigen::Vector3d right = look.up.cross(towards).normalized();
+  const Eigen::Vector3d up = towards.cross(right);
+  Json axes = Json::array();
+  for (const Eigen::Vector3d& axis : {right, up, towards}) {
+    axes.push_back({rounded(axis[0], digits), rounded(axis[1], digits), rounded(axis[2], digits)});
+  }
+  return axes;
+}
+
+std::vector<std::int32_t> counted_up(Eigen::Index count) {
+  std::vector<std::int32_t> numbers(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::int32_t>(i);
+  return numbers;
+}
+
+}  // namespace
+
+std::optional<Interval> central_range(const ScalarField& field) {
+  constexpr double left_out = 0.02;
+  std::vector<std::pair<double, double>> known;  // value and weight
+  double total = 0;
+  for (Eigen::Index i = 0; i < field.values.size(); ++i) {
+    if (!std::isfinite(field.values[i]) || !(field.weights[i] > 0)) continue;
+    known.emplace_back(field.values[i], field.weights[i]);
+    total += field.weights[i];
+  }
+  if (known.empty()) return std::nullopt;
+  std::ranges::sort(known);
+  Interval range{known.front().first, known.back().first};
+  double below = 0;
+  for (const auto& [value, weight] : known) {
+    if (below <= left_out * total) range.low = value;
+    if (below <= (1 - left_out) * total) range.high = value;
+    below += weight;
+  }
+  return range;
+}
+
+Json shape_view_json(const ShapeView& view) {
+  const Shape& shape = view.shape;
+  const double diagonal = bounding_box_diagonal(shape);
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to show: the shape has no finite extent");
+  const bool cloud = is_cloud(shape);
+  Json json{{"name", view.name}, {"note", view.note}, {"axes", first_axes(shape)}};
+  std::vector<std::int32_t> places;
+  if (cloud) {
+    places = counted_up(shape.vertices.rows());
+    json["vertices"] = packed_points(shape, places);
+    json["radii"] = packed_splats(shape, places);
+  } else {
+    VertexOrder order = order_of_use(shape);
+    json["vertices"] = packed_points(shape, order.vertices);
+    json["triangles"] = {{"count", shape.triangles.rows()}, {"corners", std::move(order.corners)}};
+    const bool faces = view.site == SampleSite::faces;
+    json["site"] = faces ? "faces" : "vertices";
+    places = faces ? counted_up(shape.triangles.rows()) : std::move(order.vertices);
+  }
+  json["fields"] = Json::array();
+  for (const ViewField& field : view.fields) json["fields"].push_back(packed_field(field, places));
+  if (!view.parts.empty()) json["parts"] = packed_parts(view, places);
+  if (view.normals.rows() > 0) json["directions"] = packed_directions(view.normals, places);
+  return json;
+}
+
+std::string shape_view_picture(const ShapeView& view, int pixels) {
+  const bool faces = !is_cloud(view.shape) && view.site == SampleSite::faces;
+  const Eigen::Index places = faces ? view.shape.triangles.rows() : view.shape.vertices.rows();
+  std::vector<Colour> colours(static_cast<std::size_t>(places), Colour{198, 198, 194});
+  if (!view.fields.empty()) {
+    const ViewField& field = view.fields.front();
+    colours = colours_of(field.values, field.colours.low, field.colours.high);
+  }
+  RenderOptions look{.width = pixels, .height = pixels};
+  look.rays_per_side = 2;
+  look.transparent = true;
+  return encode_png(render_shape(view.shape, colours, faces ? SampleSite::faces : SampleSite::vertices,
+                                 principal_view(view.shape, look)));
+}
+
+std::string view_page(const ViewPage& page) {
+  constexpr int picture_pixels = 480;
+  std::vector<Json> shapes(page.shapes.size());
+  std::vector<std::string> pictures(page.shapes.size());
+  parallel_for(std::size_t{0}, page.shapes.size(), [&](std::size_t i) {
+    shapes[i] = shape_view_json(page.shapes[i]);
+    pictures[i] = shape_view_picture(page.shapes[i], picture_pixels);
+  });
+  std::string images;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    images += fmt::format("\n    <img alt=\"{}\" width=\"{}\" src=\"data:image/png;base64,{}\">",
+                          html_text(page.shapes[i].name), picture_pixels, base64(pictures[i]));
+  }
+  const std::string title = html_text(page.title);
+  const std::string data =
+      script_data({{"version", version()}, {"title", page.title}, {"missing", page.missing}, {"shapes", shapes}});
+  const std::string style = fmt::format("{}{}", page_files::common_style(), page_files::view_style());
+  const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
+  const std::string script =
+      fmt::format("{}{}{}", page_files::common_script(), page_files::view_script(), page_files::view_page_script());
+  const std::array<std::pair<std::string_view, std::string_view>, 6> marks{{{"{{title}}", title},
+                                                                            {"{{style}}", style},
+                                                                            {"{{pictures}}", images},
+                                                                            {"{{libraries}}", libraries},
+                                                                            {"{{data}}", data},
+                                                                            {"{{script}}", script}}};
+  return filled_page(page_files::view_page(), marks);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,21 @@
+// make_sample_reports FOLDER: writes the sample reports, for a browser to open.
+#include <filesystem>
+#include <iostream>
+
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/pages/report.h"
+#include "tests/pages/sample_reports.h"
+
+int main(int argument_count, char** arguments) {
+  if (argument_count != 2) {
+    std::cerr << "usage: make_sample_reports FOLDER\n";
+    return 2;
+  }
+  const std::filesystem::path folder = arguments[1];
+  std::filesystem::create_directories(folder);
+  using namespace shapegauge;
+  write_file_atomically(folder / "hostile.html", report_page(test_report::hostile_report().report));
+  write_file_atomically(folder / "plain.html", report_page(test_report::plain_report().report));
+  write_file_atomically(folder / "crowded.html", report_page(test_report::crowded_report().report));
+  return 0;
+}

@@ -1,0 +1,34 @@
+#include "tests/pages/sample_views.h"
+
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge::test_view {
+
+ShapeView balls() {
+  const Shape large = test::sphere(1, 3);
+  const Eigen::Index faces = large.triangles.rows();
+  ShapeView view{.name = "</script><b>balls</b> & \"quotes\"",
+                 .shape = test::joined(
+                     {large, test::transformed(test::sphere(0.25, 3), 1, Eigen::Matrix3d::Identity(), {2, 0, 0})})};
+  const Samples samples = sample_shape(view.shape, SampleSite::faces);
+  Eigen::VectorXd thickness = Eigen::VectorXd::Constant(2 * faces, 2);
+  thickness.tail(faces).setConstant(0.5);
+  view.fields = {{.name = "thickness", .values = thickness, .colours = {.low = 0.5, .high = 2}},
+                 {.name = "height", .values = samples.points.col(2), .colours = {.low = -1, .high = 1}}};
+  view.parts.assign(static_cast<std::size_t>(2 * faces), 0);
+  std::fill(view.parts.begin() + faces, view.parts.end(), 1);
+  view.part_colours = {Colour{200, 40, 40}, Colour{40, 40, 200}};
+  view.normals = samples.normals;
+  return view;
+}
+
+ShapeView cloud() {
+  ShapeView view{
+      .name = "cloud", .shape = test::random_points(test::sphere(0.5, 4), 800, 1), .site = SampleSite::vertices};
+  view.fields = {{.name = "thickness", .values = Eigen::VectorXd::Constant(800, 1), .colours = {.low = 1, .high = 1}}};
+  return view;
+}
+
+ViewPage page() { return {.title = "Balls & <clouds>", .shapes = {balls(), cloud()}, .missing = {"broken<i>.off"}}; }
+
+}  // namespace shapegauge::test_view
