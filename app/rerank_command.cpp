@@ -20,6 +20,7 @@
 #include "shapegauge/experiments/files/npy.h"
 #include "shapegauge/experiments/files/table.h"
 #include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {

@@ -10,7 +10,7 @@
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/fusion.h"
-#include "shapegauge/retrieval/rerank.h"
+#include "shapegauge/retrieval/diffusion.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
