@@ -25,11 +25,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 using SparseRow = std::vector<std::pair<std::int32_t, double>>;  // by column
 
 constexpr std::array reciprocal_table = {
-    option_of<&ReciprocalOptions::neighbours>("neighbours", {.low = 1, .high = 1000},
-                                              "Nearest models among which those of each other are sought."),
+    option_of<&ReciprocalOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 1000},
+        "Nearest models among which those of each other are sought; of several numbers, the mean of the results.",
+        automatic_neighbours),
     option_of<&ReciprocalOptions::expansion_neighbours>(
         "expansion_neighbours", {.low = 1, .high = 1000},
-        "Nearest models over which sets are averaged; at most neighbours."),
+        "Nearest models over which sets are averaged; at most neighbours, or the greatest of them."),
     option_of<&ReciprocalOptions::original>("original", {.low = 0, .high = 1}, "Share of the original distance."),
 };
 constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);
@@ -68,7 +70,7 @@ std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std:
 /// A model's neighbours with Gaussian weights that sum to 1.
 SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   SparseRow row;
-  const double unit = mean_distance(nearest.distances.row(model));
+  const double unit = mean_distance(nearest.distances.row(model).head(std::min(k, nearest.distances.cols())));
   double total = 0;
   for (const std::int32_t other : expanded_neighbours(nearest, model, k)) {
     const double distance = other == model ? 0 : distances(model, other);
@@ -100,54 +102,74 @@ SparseRow mean_row(const std::vector<SparseRow>& rows, const NearestModels& near
   return merged;
 }
 
-/// 1 - sum of minima / sum of maxima, of one row with all; the rows' columns are given the other way round.
-Eigen::RowVectorXd jaccard_distances(const SparseRow& row, const std::vector<SparseRow>& by_column,
-                                     const Eigen::RowVectorXd& sums, double own_sum) {
-  Eigen::RowVectorXd minima = Eigen::RowVectorXd::Zero(sums.size());
-  for (const auto& [column, weight] : row) {
-    for (const auto& [other, others_weight] : by_column[static_cast<std::size_t>(column)]) {
+/// The sets of neighbours of all models.
+struct NeighbourSets {
+  std::vector<SparseRow> rows;
+  std::vector<SparseRow> columns;  ///< the same, by neighbour
+  Eigen::RowVectorXd sums;         ///< of the rows
+};
+
+NeighbourSets neighbour_sets(const DistanceMatrix& distances, const NearestModels& nearest, Eigen::Index k,
+                             Eigen::Index expansion) {
+  const auto size = static_cast<std::size_t>(distances.rows());
+  std::vector<SparseRow> codes(size);
+  NeighbourSets sets{std::vector<SparseRow>(size), std::vector<SparseRow>(size),
+                     Eigen::RowVectorXd::Zero(distances.rows())};
+  parallel_for(std::size_t{0}, size,
+               [&](std::size_t i) { codes[i] = encoded(distances, nearest, static_cast<std::int32_t>(i), k); });
+  parallel_for(std::size_t{0}, size, [&](std::size_t i) {
+    sets.rows[i] = mean_row(codes, nearest, static_cast<std::int32_t>(i), std::min(expansion, distances.rows()));
+  });
+  for (std::size_t i = 0; i < size; ++i) {
+    for (const auto& [column, weight] : sets.rows[i]) {
+      sets.columns[static_cast<std::size_t>(column)].emplace_back(static_cast<std::int32_t>(i), weight);
+      sets.sums[static_cast<Eigen::Index>(i)] += weight;
+    }
+  }
+  return sets;
+}
+
+/// 1 - sum of minima / sum of maxima, of one row with all.
+Eigen::RowVectorXd jaccard_distances(const NeighbourSets& sets, Eigen::Index model) {
+  Eigen::RowVectorXd minima = Eigen::RowVectorXd::Zero(sets.sums.size());
+  for (const auto& [column, weight] : sets.rows[static_cast<std::size_t>(model)]) {
+    for (const auto& [other, others_weight] : sets.columns[static_cast<std::size_t>(column)]) {
       minima[other] += std::min(weight, others_weight);
     }
   }
-  return 1 - minima.array() / (sums.array() + own_sum - minima.array());
+  return 1 - minima.array() / (sets.sums.array() + sets.sums[model] - minima.array());
+}
+
+/// The mean over the numbers of neighbours.
+Eigen::RowVectorXd mean_jaccard_distances(const std::vector<NeighbourSets>& of_counts, Eigen::Index model) {
+  Eigen::RowVectorXd sum = jaccard_distances(of_counts.front(), model);
+  for (std::size_t k = 1; k < of_counts.size(); ++k) sum += jaccard_distances(of_counts[k], model);
+  return sum / static_cast<double>(of_counts.size());
 }
 
 }  // namespace
 
 DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions& options) {
   check_options("k_reciprocal", reciprocal_table, options);
-  if (options.expansion_neighbours > options.neighbours) {
-    throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
-                     "; it must be at most neighbours, which is " + std::to_string(options.neighbours));
-  }
   const Eigen::Index models = given.rows();
-  const NearestModels found = nearest_models(models, options.neighbours, rows_of(given));
+  const std::vector<int> counts = neighbour_counts(options.neighbours, models);
+  if (!options.neighbours.empty() && options.expansion_neighbours > counts.back()) {
+    throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
+                     "; it must be at most neighbours, which is " + std::to_string(counts.back()));
+  }
+  const NearestModels found = nearest_models(models, counts.back(), rows_of(given));
   if (models < 2) return symmetric(given);
   const double factor = safe_factor(found.largest);
   const NearestModels nearest = multiplied(found, factor);
   const DistanceMatrix distances = factor * given;
-  const auto size = static_cast<std::size_t>(models);
-  std::vector<SparseRow> codes(size);
-  std::vector<SparseRow> means(size);
-  const auto of_all = [&](auto compute) {
-    parallel_for(std::size_t{0}, size, [&](std::size_t i) { compute(i, static_cast<std::int32_t>(i)); });
-  };
-  of_all([&](std::size_t i, std::int32_t model) { codes[i] = encoded(distances, nearest, model, options.neighbours); });
-  of_all([&](std::size_t i, std::int32_t model) {
-    means[i] = mean_row(codes, nearest, model, std::min<Eigen::Index>(options.expansion_neighbours, models));
-  });
-  Eigen::RowVectorXd sums = Eigen::RowVectorXd::Zero(models);
-  std::vector<SparseRow> by_column(size);
-  for (std::size_t i = 0; i < size; ++i) {
-    for (const auto& [column, weight] : means[i]) {
-      by_column[static_cast<std::size_t>(column)].emplace_back(static_cast<std::int32_t>(i), weight);
-      sums[static_cast<Eigen::Index>(i)] += weight;
-    }
+  std::vector<NeighbourSets> sets;
+  for (const int count : counts) {
+    sets.push_back(neighbour_sets(distances, nearest, count, std::min(options.expansion_neighbours, count)));
   }
   const double share = nearest.largest > 0 ? options.original / nearest.largest : 0;
   DistanceMatrix result(models, models);
-  of_all([&](std::size_t i, std::int32_t model) {
-    const Eigen::RowVectorXd jaccard = jaccard_distances(means[i], by_column, sums, sums[model]);
+  parallel_for(Eigen::Index{0}, models, [&](Eigen::Index model) {
+    const Eigen::RowVectorXd jaccard = mean_jaccard_distances(sets, model);
     result.row(model) = (1 - options.original) * jaccard + share * distances.row(model);
     for (Eigen::Index j = 0; j < models; ++j) {
       if (!std::isinf(distances(model, j))) continue;

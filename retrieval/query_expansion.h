@@ -6,7 +6,7 @@ namespace shapegauge {
 
 /// Settings of query_expansion().
 struct ExpansionOptions {
-  int neighbours = 4;  ///< 1 to 1000
+  IntegerList neighbours = 4;  ///< 1 to 1000; of several, or none ("auto"), the mean is taken
 };
 
 /// Average query expansion (Chum et al. 2007), on distances: each row becomes the mean of its own and its nearest

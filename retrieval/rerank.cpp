@@ -11,6 +11,17 @@
 
 namespace shapegauge {
 
+std::vector<int> neighbour_counts(const IntegerList& neighbours, Eigen::Index models) {
+  static constexpr IntegerList automatic{4, 5, 7, 10, 14, 20};
+  std::vector<int> counts;
+  for (const std::int64_t count : (neighbours.empty() ? automatic : neighbours).values()) {
+    counts.push_back(static_cast<int>(count));
+  }
+  (void)models;
+  std::ranges::sort(counts);
+  return counts;
+}
+
 std::span<const RerankMethod> rerank_methods() {
   static const std::array methods{diffusion_method(), k_reciprocal_method(), query_expansion_method()};
   return methods;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -15,6 +18,13 @@
 /// distances to all others, and the others get the distances that they have without it. Finite distances give finite
 /// ones, however large they are. The diagonal plays no part.
 namespace shapegauge {
+
+/// The word for neighbour_counts() of no numbers.
+inline constexpr std::array<std::string_view, 1> automatic_neighbours{"auto"};
+
+/// The numbers of neighbours that a re-ranking of so many models takes the mean over, ascending. Of an empty list
+/// ("auto") they are 4, 5, 7, 10, 14 and 20, so that none need be guessed.
+std::vector<int> neighbour_counts(const IntegerList& neighbours, Eigen::Index models);
 
 /// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of
 /// range.
