@@ -20,6 +20,7 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
@@ -127,7 +128,7 @@ int run(const RerankArguments& arguments) {
   }
   const OutputFile output{.path = arguments.output, .what = "--output"};
   check_output_files({&arguments.distances, 1}, {&output, 1}, arguments.replace);
-  const RerankMethod& method = rerank_method(arguments.method);
+  const RerankMethod& method = rerank_methods().at(arguments.method);
   const ParameterValues values = values_of(arguments, method);
   const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
   const bool by_rows = arguments.sparse || (matrix.rows > most_dense && method.name == "diffusion" && format == ".npy");
@@ -150,7 +151,7 @@ int run(const RerankArguments& arguments) {
 /// Adds an option for each parameter of any method.
 void add_settings(CLI::App& command, RerankArguments& arguments) {
   std::map<std::string, std::string> meanings;
-  for (const RerankMethod& method : rerank_methods()) {
+  for (const RerankMethod& method : rerank_methods().entries()) {
     const nlohmann::json defaults = to_json(ParameterValues(method.parameters));
     for (const Parameter& parameter : method.parameters) {
       const std::string name(parameter.name);

@@ -17,9 +17,9 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
+#include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/metrics/method_comparison.h"
 #include "shapegauge/segmentation/seg_file.h"
 

@@ -337,7 +337,7 @@ void bind_comparison(py::module_& module) {
 py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::string& method,
                  const std::string& settings, int threads) {
   return array_of(compute(threads, [&] {
-    const RerankMethod& chosen = rerank_method(method);
+    const RerankMethod& chosen = rerank_methods().at(method);
     const Json json = Json::parse(settings);
     for (const auto& [name, value] : json.items()) {
       if (std::ranges::find(chosen.parameters, name, &Parameter::name) == chosen.parameters.end()) {

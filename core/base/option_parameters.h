@@ -37,24 +37,39 @@ struct MemberOf<ValueOf OptionsOf::*> {
 template <typename Value>
 using HeldValue = std::conditional_t<std::is_same_v<Value, int>, std::int64_t, Value>;
 
-/// The parameter that a member (an int, a double or a bool) of a struct of options is.
+/// The value of a member; a word means the empty list.
+template <typename Value>
+Value member_value(const ParameterValue& value) {
+  if constexpr (std::is_same_v<Value, IntegerList>) {
+    const auto* const list = std::get_if<IntegerList>(&value);
+    return list != nullptr ? *list : IntegerList{};
+  } else {
+    return static_cast<Value>(std::get<HeldValue<Value>>(value));
+  }
+}
+
+/// Makes a parameter for a member (an int, an IntegerList, a double or a bool) of a struct of options. The choices of a
+/// list all mean the empty list.
 template <auto member>
-constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description) {
+constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description,
+                         std::span<const std::string_view> choices = {}) {
   using Options = typename MemberOf<decltype(member)>::Options;
   using Value = typename MemberOf<decltype(member)>::Value;
-  static_assert(std::is_same_v<Value, int> || std::is_same_v<Value, double> || std::is_same_v<Value, bool>);
+  constexpr bool is_list = std::is_same_v<Value, IntegerList>;
+  static_assert(is_list || std::is_same_v<Value, int> || std::is_same_v<Value, double> || std::is_same_v<Value, bool>);
   using Held = HeldValue<Value>;
   return OptionParameter<Options>{
       .parameter = {.name = name,
-                    .kind = std::is_same_v<Value, int>      ? ParameterKind::integer
+                    .kind = is_list                         ? ParameterKind::integers
+                            : std::is_same_v<Value, int>    ? ParameterKind::integer
                             : std::is_same_v<Value, double> ? ParameterKind::number
                                                             : ParameterKind::boolean,
                     .default_value = Held{Options{}.*member},
                     .bounds = bounds,
+                    .choices = choices,
                     .description = description},
       .value = [](const Options& options) { return ParameterValue(Held{options.*member}); },
-      .set = [](Options& options,
-                const ParameterValue& value) { options.*member = static_cast<Value>(std::get<Held>(value)); }};
+      .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};
 }
 
 /// The same for a bool.

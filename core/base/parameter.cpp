@@ -23,9 +23,10 @@ std::string shown(const ParameterValue& value) {
   return std::visit(
       [](const auto& v) -> std::string {
         using Value = std::decay_t<decltype(v)>;
-        if constexpr (std::is_same_v<Value, std::monostate>) return "missing";
+        if constexpr (std::is_same_v<Value, std::monostate>) return "of another kind";
         if constexpr (std::is_same_v<Value, std::string_view>) return quoted_word(v);
         if constexpr (std::is_arithmetic_v<Value>) return fmt::format("{}", v);
+        if constexpr (std::is_same_v<Value, IntegerList>) return fmt::format("[{}]", fmt::join(v.values(), ", "));
       },
       value);
 }
@@ -44,6 +45,9 @@ std::string legal_values(const Parameter& parameter) {
       return bounded("number", parameter.bounds) + (words.empty() ? "" : ", or " + words);
     case ParameterKind::integer:
       return bounded("whole number", parameter.bounds);
+    case ParameterKind::integers:
+      return fmt::format("{}, a list of 1 to {} of them{}", bounded("whole number", parameter.bounds),
+                         IntegerList::most, words.empty() ? "" : ", or " + words);
     case ParameterKind::boolean:
       return "true or false";
     case ParameterKind::choice:
@@ -69,6 +73,17 @@ std::optional<ParameterValue> number_equal_to(const Parameter& parameter, const 
   return number;
 }
 
+std::optional<ParameterValue> integers_equal_to(const Parameter& parameter, const ParameterValue& value) {
+  if (const auto* const one = std::get_if<std::int64_t>(&value)) {
+    return integers_equal_to(parameter, IntegerList{*one});
+  }
+  const auto* const list = std::get_if<IntegerList>(&value);
+  if (list == nullptr) return std::nullopt;
+  if (list->empty()) return choice_equal_to(parameter, std::string_view("auto"));
+  const auto legal = [&](std::int64_t number) { return parameter.bounds.contains(static_cast<double>(number)); };
+  return std::ranges::all_of(list->values(), legal) ? std::optional<ParameterValue>(*list) : std::nullopt;
+}
+
 std::optional<ParameterValue> legal_value(const Parameter& parameter, const ParameterValue& value) {
   switch (parameter.kind) {
     case ParameterKind::number:
@@ -77,6 +92,9 @@ std::optional<ParameterValue> legal_value(const Parameter& parameter, const Para
     case ParameterKind::integer:
       if (!std::holds_alternative<std::int64_t>(value) || !number_equal_to(parameter, value)) return std::nullopt;
       return value;
+    case ParameterKind::integers:
+      if (const auto list = integers_equal_to(parameter, value)) return list;
+      return choice_equal_to(parameter, value);
     case ParameterKind::boolean:
       return std::holds_alternative<bool>(value) ? std::optional(value) : std::nullopt;
     case ParameterKind::choice:

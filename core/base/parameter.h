@@ -1,12 +1,19 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "shapegauge/core/base/error.h"
 
 namespace shapegauge {
 
@@ -27,15 +34,41 @@ std::string to_string(const Bounds& bounds);
 /// Throws InputError "<what> is <value>; it must be <bounds>" unless the bounds contain the value.
 void require_in_bounds(std::string_view what, double value, const Bounds& bounds);
 
+/// A list of at most 16 whole numbers. As an option, the empty list means "auto".
+class IntegerList {
+ public:
+  static constexpr std::size_t most = 16;
+
+  constexpr IntegerList() = default;
+  constexpr IntegerList(int value) : IntegerList{std::int64_t{value}} {}  // NOLINT: one number is a list of one
+  constexpr IntegerList(std::initializer_list<std::int64_t> values) : IntegerList(std::span(values)) {}
+
+  /// Throws ArgumentError for more than 16.
+  constexpr explicit IntegerList(std::span<const std::int64_t> values) : size_(values.size()) {
+    if (size_ > most) throw ArgumentError("a list of more than 16 whole numbers");
+    std::copy(values.begin(), values.end(), values_.begin());
+  }
+
+  [[nodiscard]] constexpr std::span<const std::int64_t> values() const { return {values_.data(), size_}; }
+  [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
+
+  friend constexpr bool operator==(const IntegerList&, const IntegerList&) = default;
+
+ private:
+  std::array<std::int64_t, most> values_{};
+  std::size_t size_ = 0;
+};
+
 enum class ParameterKind {
-  number,   ///< a finite double within the bounds, or one of the choices where there are any ("auto")
-  integer,  ///< a whole number within the bounds
+  number,    ///< a finite double within the bounds, or one of the choices where there are any ("auto")
+  integer,   ///< a whole number within the bounds
+  integers,  ///< whole numbers within the bounds: one, or a list of up to 16; or one of the choices
   boolean,
   choice  ///< one of the choices
 };
 
 /// A value of a parameter, or none. A word is one of the parameter's own choices, and lives as long as they do.
-using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view>;
+using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view, IntegerList>;
 
 /// What there is to know of a setting of an algorithm. Entries of registries list their parameters; configurations, the
 /// JSON schema, the command line and the documentation are made from such lists, and the algorithm checks its options
@@ -51,9 +84,9 @@ struct Parameter {
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
 
-/// The value as the parameter holds it: a whole number becomes a double where the parameter is a number, a word becomes
-/// the equal choice. Throws InputError, with the parameter's name, for a value of another kind, out of bounds, or not
-/// among the choices.
+/// The value as the parameter holds it: a whole number becomes a double where the parameter is a number and a list of
+/// one where it takes lists; a word becomes the equal choice, and an empty list the choice "auto". Throws InputError,
+/// with the parameter's name, for a value of another kind, out of bounds, or not among the choices.
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value);
 
 /// A value for each parameter of a list. Refers to the list, which must outlive it.

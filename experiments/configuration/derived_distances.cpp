@@ -60,7 +60,7 @@ DerivedDistances rank_fusion_of(const Json& signature) {
 
 DerivedDistances reranking_of(const Json& signature) {
   const Json& settings = signature.at("rerank");
-  const RerankMethod& method = rerank_method(settings.at("method").get<std::string>());
+  const RerankMethod& method = rerank_methods().at(settings.at("method").get<std::string>());
   const ParameterValues values = read_parameters(method.parameters, settings);
   method.rerank(DistanceMatrix::Zero(1, 1), values);  // what is wrong with the settings together is told before a run
   Json filled = to_json(values);

@@ -1,14 +1,17 @@
 #include "shapegauge/experiments/configuration/parameter_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 
@@ -19,6 +22,16 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
+/// None for what is no list of whole numbers, or one of too many.
+ParameterValue integer_list(const Json& array) {
+  const auto is_whole = [](const Json& value) {
+    return value.is_number_integer() &&
+           !(value.is_number_unsigned() && value.get<std::uint64_t>() > std::numeric_limits<std::int64_t>::max());
+  };
+  if (array.size() > IntegerList::most || !std::all_of(array.begin(), array.end(), is_whole)) return {};
+  return IntegerList(std::span<const std::int64_t>(array.get<std::vector<std::int64_t>>()));
+}
+
 /// Refers to the text of a string. A value of a kind that no parameter takes becomes none.
 ParameterValue parameter_value(const Json& value) {
   if (value.is_boolean()) return value.get<bool>();
@@ -28,6 +41,7 @@ ParameterValue parameter_value(const Json& value) {
   }
   if (value.is_number_integer()) return value.get<std::int64_t>();
   if (value.is_number()) return value.get<double>();
+  if (value.is_array()) return integer_list(value);
   return {};
 }
 
@@ -35,10 +49,15 @@ template <typename AnyJson>
 AnyJson json_of(const ParameterValue& value) {
   return std::visit(
       [](const auto& v) -> AnyJson {
-        if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::monostate>)
+        using Value = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<Value, std::monostate>) {
           return nullptr;
-        else
+        } else if constexpr (std::is_same_v<Value, IntegerList>) {
+          if (v.values().size() == 1) return v.values().front();
+          return std::vector<std::int64_t>(v.values().begin(), v.values().end());
+        } else {
           return AnyJson(v);
+        }
       },
       value);
 }
@@ -56,7 +75,7 @@ void add_bounds(const Bounds& bounds, OrderedJson& schema) {
 }
 
 OrderedJson number_schema(const Parameter& parameter) {
-  OrderedJson schema{{"type", parameter.kind == ParameterKind::integer ? "integer" : "number"}};
+  OrderedJson schema{{"type", parameter.kind == ParameterKind::number ? "number" : "integer"}};
   add_bounds(parameter.bounds, schema);
   return schema;
 }
@@ -71,6 +90,9 @@ std::string legal_values(const Parameter& parameter) {
       return words;
     case ParameterKind::integer:
       return "integer " + to_string(parameter.bounds);
+    case ParameterKind::integers:
+      return fmt::format("integer {}, a list of 1 to {} of them{}", to_string(parameter.bounds), IntegerList::most,
+                         parameter.choices.empty() ? "" : ", or " + words);
     case ParameterKind::number:
       break;
   }
@@ -104,6 +126,24 @@ Json to_json(const ParameterValues& values) {
   return json;
 }
 
+namespace {
+
+/// A schema of lists of what a schema allows, beside it, where the parameter takes lists.
+OrderedJson with_lists(const Parameter& parameter, const OrderedJson& one) {
+  if (parameter.kind != ParameterKind::integers) return one;
+  return {{"if", {{"type", "array"}}},
+          {"then", {{"minItems", 1}, {"maxItems", IntegerList::most}, {"items", one}}},
+          {"else", one}};
+}
+
+/// A schema of words beside what a schema allows.
+OrderedJson with_words(const OrderedJson& words, const OrderedJson& other) {
+  if (words.empty()) return other;
+  return {{"if", {{"type", "string"}}}, {"then", {{"enum", words}}}, {"else", other}};
+}
+
+}  // namespace
+
 OrderedJson schema_of(const Parameter& parameter) {
   OrderedJson schema{{"description", parameter.description}};
   const OrderedJson words(std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end()));
@@ -111,12 +151,8 @@ OrderedJson schema_of(const Parameter& parameter) {
     schema["type"] = "boolean";
   } else if (parameter.kind == ParameterKind::choice) {
     schema["enum"] = words;
-  } else if (parameter.choices.empty()) {
-    schema.update(number_schema(parameter));
   } else {
-    schema["if"] = {{"type", "string"}};
-    schema["then"] = {{"enum", words}};
-    schema["else"] = number_schema(parameter);
+    schema.update(with_words(words, with_lists(parameter, number_schema(parameter))));
   }
   if (!parameter.required()) {
     const auto* number = std::get_if<double>(&parameter.default_value);

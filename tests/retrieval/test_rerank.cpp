@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,9 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/retrieval/diffusion.h"
+#include "shapegauge/retrieval/k_reciprocal.h"
+#include "shapegauge/retrieval/query_expansion.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
@@ -66,11 +70,6 @@ double first_tier(const DistanceMatrix& distances, Eigen::Index per_class) {
 double largest_difference(const DistanceMatrix& a, const DistanceMatrix& b) {
   EXPECT_EQ(a.rows(), b.rows());
   return (a - b).lpNorm<Eigen::Infinity>();
-}
-
-RowSource rows_of(const DistanceMatrix& matrix) {
-  return
-      [&matrix](Eigen::Index first, Eigen::Index count) -> DistanceMatrix { return matrix.middleRows(first, count); };
 }
 
 DistanceMatrix diffused_by_rows(const DistanceMatrix& matrix, const DiffusionOptions& options = {}) {
@@ -248,6 +247,20 @@ TEST(Diffusion, IsWhatTheDefinitionSays) {
   const DistanceMatrix expected = diffusion_reference(distances, 6, 0.9, 0.01);
   const DistanceMatrix found = diffused(distances, {.neighbours = 6, .damping = 0.9, .tie = 0.01});
   EXPECT_LT(largest_difference(found, (expected + expected.transpose()) / 2), 1e-9);
+}
+
+TEST(Diffusion, InvertsToTheBitAsEigen) {
+  for (const Eigen::Index size : {1, 3, 31, 32, 65, 129, 300, 517}) {
+    const DistanceMatrix distances = distances_of(arcs(size, 1, 1));
+    const DiffusionOptions options{.neighbours = 5, .tie = 0};
+    const Eigen::MatrixXd graph = diffusion_graph(nearest_models(size, 5, rows_of(distances)), options);
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(size, size);
+    const Eigen::MatrixXd affinities = (identity - options.damping * graph).llt().solve(identity);
+    const DistanceMatrix walked = 1 - (1 - options.damping) * affinities.array();
+    DistanceMatrix expected = walked / 2 + walked.transpose() / 2;
+    expected.diagonal().setZero();
+    EXPECT_EQ(diffused(distances, options), expected) << size;
+  }
 }
 
 TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {

@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/fusion.h"
+#include "shapegauge/retrieval/k_reciprocal.h"
+#include "shapegauge/retrieval/query_expansion.h"
 #include "shapegauge/retrieval/rerank.h"
 #include "tests/support/test_files.h"
 

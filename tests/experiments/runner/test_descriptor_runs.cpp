@@ -9,8 +9,8 @@
 #include "shapegauge/experiments/runner/run_experiment.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
+#include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/fusion.h"
-#include "shapegauge/retrieval/rerank.h"
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 

@@ -1,0 +1,433 @@
+#include "shapegauge/retrieval/diffusion.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/shape/connectivity.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Graph = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr std::array diffusion_table = {
+    option_of<&DiffusionOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 1000},
+        "Nearest models that a walk goes on to, about half of a class; of several numbers, the mean of the results.",
+        automatic_neighbours),
+    option_of<&DiffusionOptions::damping>("damping", {.low = 0, .high = 1, .high_open = true},
+                                          "A walk goes on with this probability."),
+    option_of<&DiffusionOptions::tie>("tie", {.low = 0, .high = 1},
+                                      "Share of the original distance, which orders what no walk tells apart."),
+};
+constexpr auto diffusion_parameters = parameters_of(diffusion_table);
+
+void check(const DiffusionOptions& options) { check_options("diffusion", diffusion_table, options); }
+
+/// What the original distances add to the new ones.
+struct OriginalShare {
+  double factor = 1;   ///< safe_factor()
+  double share = 0;    ///< of distances that are multiplied by the factor
+  double largest = 0;  ///< what the largest finite distance adds
+
+  /// `wanted` of the distances over `unit`, which is multiplied by the factor already; 0 where the unit is.
+  OriginalShare(double wanted, double unit, double safe, double largest_distance)
+      : factor(safe),
+        share(unit > 0 ? wanted / unit : 0),
+        largest(std::min(share * (safe * largest_distance), std::numeric_limits<double>::max())) {}
+
+  template <typename New, typename Old>
+  [[nodiscard]] DistanceMatrix added_to(const New& new_distances, const Old& distances) const {
+    if (factor == 1) return new_distances + share * distances;
+    return new_distances + share * (factor * distances);
+  }
+};
+
+/// Sets new distances to joined(row, column) where the original ones are infinite; elsewhere limits those that overflow
+/// to the largest number.
+template <typename Joined>
+void settle_infinite(const DistanceMatrix& distances, const Joined& joined, DistanceMatrix& result) {
+  for (Eigen::Index i = 0; i < result.rows(); ++i) {
+    for (Eigen::Index j = 0; j < result.cols(); ++j) {
+      double& distance = result(i, j);
+      if (std::isinf(distances(i, j))) {
+        distance = joined(i, j);
+      } else {
+        distance = std::min(distance, std::numeric_limits<double>::max());
+      }
+    }
+  }
+}
+
+using FloatGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
+/// Columns of a few models: what is added to each other stands side by side.
+using Block = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
+
+/// Adds a row of the graph times the block to the sum.
+void add_product(const FloatGraph& graph, Eigen::Index row, const Block& block, std::vector<float>& sum) {
+  const auto count = static_cast<Eigen::Index>(sum.size());
+  for (FloatGraph::InnerIterator entry(graph, row); entry; ++entry) {
+    const float* const values = block.data() + entry.col() * count;
+    for (Eigen::Index k = 0; k < count; ++k) sum[static_cast<std::size_t>(k)] += entry.value() * values[k];
+  }
+}
+
+/// Columns of the identity.
+Block unit_columns(Eigen::Index size, Eigen::Index first, Eigen::Index count) {
+  Block columns = Block::Zero(size, count);
+  for (Eigen::Index k = 0; k < count; ++k) columns(first + k, k) = 1;
+  return columns;
+}
+
+/// The factor by which the coefficients of 1 / (1 - damping x) fall, as a series of Chebyshev polynomials.
+double series_rate(double damping) { return damping / (1 + std::sqrt(1 - damping * damping)); }
+
+/// Columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961): the graph's eigenvalues
+/// are between -1 and 1, so the number of steps to a tolerance is known beforehand. In single precision, which is finer
+/// than the tolerance.
+class ColumnSolver {
+ public:
+  ColumnSolver(const Graph& graph, double damping)
+      : graph_((damping * graph).cast<float>()), squared_damping_(damping * damping) {
+    constexpr double tolerance = 1e-6;
+    steps_ = damping > 0 ? static_cast<int>(std::ceil(std::log(2 / tolerance) / -std::log(series_rate(damping)))) : 0;
+  }
+
+  [[nodiscard]] Block columns(Eigen::Index first, Eigen::Index count) const {
+    Block before = Block::Zero(graph_.rows(), count);
+    Block now = unit_columns(graph_.rows(), first, count);
+    double weight = 1 / (1 - squared_damping_ / 2);
+    for (int step = 0; step < steps_; ++step) {
+      advance(first, static_cast<float>(weight), now, before);
+      now.swap(before);
+      weight = 1 / (1 - squared_damping_ * weight / 4);
+    }
+    return now;
+  }
+
+ private:
+  /// before += weight (damping graph now + identity columns - before)
+  void advance(Eigen::Index first, float weight, const Block& now, Block& before) const {
+    const Eigen::Index count = now.cols();
+    std::vector<float> sum(static_cast<std::size_t>(count));
+    for (Eigen::Index row = 0; row < graph_.rows(); ++row) {
+      std::ranges::fill(sum, 0.0F);
+      if (row >= first && row < first + count) sum[static_cast<std::size_t>(row - first)] = 1;
+      add_product(graph_, row, now, sum);
+      float* const values = before.data() + row * count;
+      for (Eigen::Index k = 0; k < count; ++k) values[k] += weight * (sum[static_cast<std::size_t>(k)] - values[k]);
+    }
+  }
+
+  FloatGraph graph_;
+  double squared_damping_;
+  int steps_;
+};
+
+/// Entries of the diagonal of (I - damping graph)^-1. The inverse is a series of Chebyshev polynomials T_m of the
+/// graph. Columns of T_m give the diagonals of T_2m and T_2m+1, since T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - T_1
+/// (Weisse, Wellein, Alvermann, Fehske 2006), so half of the series suffices.
+class DiagonalSolver {
+ public:
+  DiagonalSolver(const Graph& graph, double damping)
+      : graph_(graph.cast<float>()), rate_(series_rate(damping)), root_(std::sqrt(1 - damping * damping)) {
+    constexpr double tolerance = 1e-6;
+    const double terms = damping > 0 ? std::log(tolerance * root_ * (1 - rate_) / 2) / std::log(rate_) : 0;
+    steps_ = static_cast<int>(std::ceil(terms / 2));
+  }
+
+  [[nodiscard]] Eigen::VectorXd entries(Eigen::Index first, Eigen::Index count) const {
+    Block now = unit_columns(graph_.rows(), first, count);
+    Block before = Block::Zero(graph_.rows(), count);
+    Eigen::ArrayXd sums = Eigen::ArrayXd::Constant(count, 1 / root_);
+    Eigen::ArrayXd squares(count);
+    Eigen::ArrayXd products(count);
+    double coefficient = 2 / root_;
+    for (int step = 0; step < steps_; ++step) {
+      advance(step > 0 ? 2.0F : 1.0F, now, before, squares, products);
+      if (step > 0) sums += coefficient * (2 * squares - 1);
+      coefficient *= rate_;
+      if (step > 0) sums += coefficient * 2 * products;  // no model is its own neighbour: T_1 has a diagonal of zeros
+      coefficient *= rate_;
+      now.swap(before);
+    }
+    return sums;
+  }
+
+ private:
+  /// before = factor graph now - before; the columns' squares of now, and their products with the new before
+  void advance(float factor, const Block& now, Block& before, Eigen::ArrayXd& squares, Eigen::ArrayXd& products) const {
+    const Eigen::Index count = now.cols();
+    squares.setZero();
+    products.setZero();
+    std::vector<float> sum(static_cast<std::size_t>(count));
+    for (Eigen::Index row = 0; row < graph_.rows(); ++row) {
+      std::ranges::fill(sum, 0.0F);
+      add_product(graph_, row, now, sum);
+      float* const next = before.data() + row * count;
+      const float* const values = now.data() + row * count;
+      for (Eigen::Index k = 0; k < count; ++k) {
+        next[k] = factor * sum[static_cast<std::size_t>(k)] - next[k];
+        squares[k] += double{values[k]} * values[k];
+        products[k] += double{values[k]} * next[k];
+      }
+    }
+  }
+
+  FloatGraph graph_;
+  double rate_;
+  double root_;
+  int steps_;
+};
+
+/// Replaces the lower triangle by that of the Cholesky factor, in the blocks and steps of Eigen's LLT. Can be
+/// interrupted between blocks.
+void factorise(Eigen::MatrixXd& matrix) {
+  using Steps = Eigen::internal::llt_inplace<double, Eigen::Lower>;
+  const Eigen::Index size = matrix.rows();
+  if (size < 32) {
+    Steps::unblocked(matrix);
+    return;
+  }
+  const Eigen::Index block = std::clamp<Eigen::Index>(size / 8 / 16 * 16, 8, 128);
+  for (Eigen::Index k = 0; k < size; k += block) {
+    check_interruption();
+    const Eigen::Index width = std::min(block, size - k);
+    const Eigen::Index rest = size - k - width;
+    auto corner = matrix.block(k, k, width, width);
+    if (Steps::unblocked(corner) >= 0 || rest == 0) return;
+    auto below = matrix.block(k + width, k, rest, width);
+    corner.adjoint().triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(below);
+    matrix.block(k + width, k + width, rest, rest).selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
+  }
+}
+
+/// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
+/// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
+Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix) {
+  // A multiple of the columns that Eigen's kernels take together, so that each is computed as in the whole.
+  constexpr Eigen::Index columns_together = 64;
+  const Eigen::Index size = matrix.rows();
+  factorise(matrix);
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(size, size);
+  parallel_for(Eigen::Index{0}, (size + columns_together - 1) / columns_together, [&](Eigen::Index part) {
+    const Eigen::Index first = part * columns_together;
+    auto columns = inverse.middleCols(first, std::min(columns_together, size - first));
+    matrix.triangularView<Eigen::Lower>().solveInPlace(columns);
+    matrix.triangularView<Eigen::Lower>().transpose().solveInPlace(columns);
+  });
+  return inverse;
+}
+
+/// exp(-distance^2 / (scale_a scale_b)), by logarithms where a product over- or underflows.
+double affinity_of(double distance, double scale_a, double scale_b) {
+  if (!(distance > 0)) return 1;
+  const double square = distance * distance;
+  const double product = scale_a * scale_b;
+  if (std::isnormal(square) && std::isnormal(product)) return std::exp(-square / product);
+  return std::exp(-std::exp(2 * std::log(distance) - std::log(scale_a) - std::log(scale_b)));
+}
+
+/// By model, the least model that the edges of any of the graphs join it to.
+std::vector<std::int32_t> components_of(const std::vector<Graph>& graphs, std::size_t models) {
+  DisjointSets components;
+  components.grow_to(models);
+  for (const Graph& graph : graphs) {
+    for (Eigen::Index row = 0; row < graph.rows(); ++row) {
+      for (Graph::InnerIterator entry(graph, row); entry; ++entry) {
+        if (entry.value() > 0) components.join(static_cast<std::int32_t>(row), static_cast<std::int32_t>(entry.col()));
+      }
+    }
+  }
+  std::vector<std::int32_t> least(models);
+  for (std::size_t i = 0; i < models; ++i) least[i] = components.find(static_cast<std::int32_t>(i));
+  return least;
+}
+
+/// The graphs of a diffusion, one for each number of neighbours, and the distances that follow from similarities.
+struct Diffusion {
+  double damping;
+  std::vector<Graph> graphs;
+  std::vector<std::int32_t> components;
+  OriginalShare original;
+
+  Diffusion(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
+      : Diffusion(neighbour_counts(options.neighbours, models), models, rows, options) {}
+
+  /// New distances, from the similarities and distances of rows from `first` on.
+  [[nodiscard]] DistanceMatrix distances_of(const DistanceMatrix& similarities, const DistanceMatrix& distances,
+                                            Eigen::Index first) const {
+    const auto walked = 1 - similarities.array();
+    DistanceMatrix result = original.added_to(walked, distances.array());
+    const auto component = [&](Eigen::Index model) { return components[static_cast<std::size_t>(model)]; };
+    settle_infinite(
+        distances,
+        [&](Eigen::Index i, Eigen::Index j) {
+          return component(first + i) == component(j) ? walked(i, j) + original.largest : infinity;
+        },
+        result);
+    return result;
+  }
+
+ private:
+  Diffusion(const std::vector<int>& counts, Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
+      : Diffusion(counts, nearest_models(models, counts.back(), rows), options) {}
+
+  Diffusion(const std::vector<int>& counts, const NearestModels& nearest, const DiffusionOptions& options)
+      : damping(options.damping),
+        graphs(graphs_of(nearest, counts)),
+        components(components_of(graphs, static_cast<std::size_t>(nearest.indices.rows()))),
+        original(original_of(nearest, options.tie)) {}
+
+  static std::vector<Graph> graphs_of(const NearestModels& nearest, const std::vector<int>& counts) {
+    std::vector<Graph> graphs;
+    for (const int count : counts) graphs.push_back(diffusion_graph(nearest, count));
+    return graphs;
+  }
+
+  static OriginalShare original_of(const NearestModels& nearest, double tie) {
+    const double factor = safe_factor(nearest.largest);
+    return {tie, mean_distance(multiplied(nearest, factor).distances), factor, nearest.largest};
+  }
+};
+
+/// The similarities of all models.
+Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
+  Eigen::MatrixXd mean;
+  for (const Graph& graph : diffusion.graphs) {
+    Eigen::MatrixXd system = -diffusion.damping * Eigen::MatrixXd(graph);
+    system.diagonal().array() += 1;
+    Eigen::MatrixXd affinities = positive_definite_inverse(std::move(system));
+    if (diffusion.graphs.size() == 1) return (1 - diffusion.damping) * affinities;
+    const Eigen::VectorXd root = affinities.diagonal().cwiseSqrt().cwiseInverse();
+    const auto normalised = root.asDiagonal() * affinities * root.asDiagonal();
+    if (mean.size() == 0) mean = Eigen::MatrixXd::Zero(graph.rows(), graph.cols());
+    mean += normalised / static_cast<double>(diffusion.graphs.size());
+  }
+  return mean;
+}
+
+/// By graph, the diagonals' inverse square roots, where similarities are normalised by them.
+std::vector<Eigen::VectorXd> diagonal_roots(const Diffusion& diffusion) {
+  std::vector<Eigen::VectorXd> roots;
+  if (diffusion.graphs.size() == 1) return roots;
+  for (const Graph& graph : diffusion.graphs) {
+    roots.emplace_back(diffused_diagonal(graph, diffusion.damping).cwiseSqrt().cwiseInverse());
+  }
+  return roots;
+}
+
+/// Rows of the similarities, `count` from `first` on.
+DistanceMatrix similarity_rows(const Diffusion& diffusion, const std::vector<Eigen::VectorXd>& roots,
+                               Eigen::Index first, Eigen::Index count) {
+  DistanceMatrix mean;
+  for (std::size_t k = 0; k < diffusion.graphs.size(); ++k) {
+    const DistanceMatrix affinities = diffused_affinities(diffusion.graphs[k], first, count, diffusion.damping);
+    if (roots.empty()) return (1 - diffusion.damping) * affinities;
+    const auto normalised = roots[k].segment(first, count).asDiagonal() * affinities * roots[k].asDiagonal();
+    if (k == 0) mean = DistanceMatrix::Zero(count, affinities.cols());
+    mean += normalised / static_cast<double>(roots.size());
+  }
+  return mean;
+}
+
+/// Calls visit(first, count) for groups of columns, in parallel.
+template <typename Visit>
+void for_column_groups(Eigen::Index count, const Visit& visit) {
+  const Eigen::Index groups = (count + columns_at_once - 1) / columns_at_once;
+  parallel_for(Eigen::Index{0}, groups, [&](Eigen::Index group) {
+    const Eigen::Index begin = group * columns_at_once;
+    visit(begin, std::min(columns_at_once, count - begin));
+  });
+}
+
+}  // namespace
+
+Graph diffusion_graph(const NearestModels& nearest, int k) {
+  const Eigen::Index models = nearest.indices.rows();
+  const Eigen::Index count = std::min<Eigen::Index>(k, nearest.indices.cols());
+  Graph graph(models, models);
+  if (count == 0) return graph;
+  Eigen::VectorXd scales = nearest.distances.leftCols(count).rowwise().mean();
+  for (Eigen::Index i = 0; i < models; ++i) {
+    if (!std::isfinite(scales[i])) scales[i] = mean_distance(nearest.distances.row(i).head(count));
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < models; ++i) {
+    for (Eigen::Index n = 0; n < count; ++n) {
+      const std::int32_t j = nearest.indices(i, n);
+      if (j < 0) break;
+      const double affinity = affinity_of(nearest.distances(i, n), scales[i], scales[j]);
+      const auto row = static_cast<int>(i);
+      entries.emplace_back(row, j, affinity / 2);
+      entries.emplace_back(j, row, affinity / 2);
+    }
+  }
+  graph.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd degrees = graph * Eigen::VectorXd::Ones(models);
+  // Where all affinities vanish, the walk does not leave.
+  const Eigen::VectorXd inverse_root = (degrees.array() > 0).select(degrees.array().rsqrt(), 0.0);
+  return inverse_root.asDiagonal() * graph * inverse_root.asDiagonal();
+}
+
+DistanceMatrix diffused_affinities(const Graph& graph, Eigen::Index first, Eigen::Index count, double damping) {
+  DistanceMatrix rows(count, graph.cols());
+  const ColumnSolver solver(graph, damping);
+  for_column_groups(count, [&](Eigen::Index begin, Eigen::Index some) {
+    rows.middleRows(begin, some) = solver.columns(first + begin, some).transpose().cast<double>();
+  });
+  return rows;
+}
+
+Eigen::VectorXd diffused_diagonal(const Graph& graph, double damping) {
+  Eigen::VectorXd diagonal(graph.rows());
+  const DiagonalSolver solver(graph, damping);
+  for_column_groups(graph.rows(), [&](Eigen::Index begin, Eigen::Index some) {
+    diagonal.segment(begin, some) = solver.entries(begin, some);
+  });
+  return diagonal;
+}
+
+void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options,
+             const std::function<void(Eigen::Index first, const DistanceMatrix& rows)>& visit) {
+  check(options);
+  const Diffusion diffusion(models, rows, options);
+  const std::vector<Eigen::VectorXd> roots = diagonal_roots(diffusion);
+  for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
+    const DistanceMatrix similarities = similarity_rows(diffusion, roots, first, block.rows());
+    DistanceMatrix result = diffusion.distances_of(similarities, block, first);
+    for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, first + i) = 0;
+    visit(first, result);
+  });
+}
+
+DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {
+  check(options);
+  const Diffusion diffusion(distances.rows(), rows_of(distances), options);
+  return symmetric(diffusion.distances_of(dense_similarities(diffusion), distances, 0));
+}
+
+DiffusionOptions diffusion_options(const ParameterValues& values) { return options_from(diffusion_table, values); }
+
+RerankMethod diffusion_method() {
+  return {"diffusion", "Walks from model to near model.", diffusion_parameters,
+          [](const DistanceMatrix& distances, const ParameterValues& values) {
+            return diffused(distances, diffusion_options(values));
+          }};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,72 @@
+#include "shapegauge/retrieval/nearest_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+
+namespace shapegauge {
+
+RowSource rows_of(const DistanceMatrix& distances) {
+  if (distances.rows() != distances.cols()) {
+    throw ArgumentError("only square distance matrices can be re-ranked, not " + std::to_string(distances.rows()) +
+                        " x " + std::to_string(distances.cols()));
+  }
+  return [&distances](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
+    return distances.middleRows(first, count);
+  };
+}
+
+NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
+  if (k < 1) throw ArgumentError("at least one nearest neighbour must be asked for, not " + std::to_string(k));
+  const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
+  NearestModels nearest{{models, count}, {models, count}};
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(models);
+  for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
+    if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
+      throw ArgumentError("distances between models must be numbers that are not negative");
+    }
+    parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
+      std::vector<std::int32_t> order(static_cast<std::size_t>(models));
+      std::iota(order.begin(), order.end(), 0);
+      order.erase(order.begin() + first + i);
+      std::ranges::partial_sort(order, order.begin() + count, {},
+                                [&](std::int32_t j) { return std::pair(block(i, j), j); });
+      for (Eigen::Index n = 0; n < count; ++n) {
+        const std::int32_t j = order[static_cast<std::size_t>(n)];
+        nearest.indices(first + i, n) = std::isfinite(block(i, j)) ? j : -1;
+        nearest.distances(first + i, n) = block(i, j);
+      }
+      for (const std::int32_t j : order) {
+        if (std::isfinite(block(i, j))) largest[first + i] = std::max(largest[first + i], block(i, j));
+      }
+    });
+  });
+  if (models > 0) nearest.largest = largest.maxCoeff();
+  return nearest;
+}
+
+NearestModels multiplied(NearestModels nearest, double factor) {
+  if (factor == 1) return nearest;
+  nearest.distances *= factor;
+  nearest.largest *= factor;
+  return nearest;
+}
+
+double safe_factor(double largest) {
+  if (largest > 0x1p960) return 0x1p-64;
+  return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;
+}
+
+DistanceMatrix symmetric(const DistanceMatrix& distances) {
+  DistanceMatrix result = distances / 2 + distances.transpose() / 2;
+  result.diagonal().setZero();
+  return result;
+}
+
+}  // namespace shapegauge
