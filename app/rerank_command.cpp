@@ -165,12 +165,6 @@ void add_settings(CLI::App& command, RerankArguments& arguments) {
   }
 }
 
-std::vector<std::string> method_names() {
-  std::vector<std::string> names;
-  for (const RerankMethod& method : rerank_methods()) names.emplace_back(method.name);
-  return names;
-}
-
 }  // namespace
 
 void add_rerank_command(CLI::App& app, int& status) {
@@ -189,7 +183,7 @@ void add_rerank_command(CLI::App& app, int& status) {
       ->required();
   add_replace_option(*command, arguments->replace);
   command->add_option("--method", arguments->method, "How")
-      ->check(CLI::IsMember(method_names()))
+      ->check(CLI::IsMember(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
   command->add_flag("--sparse", arguments->sparse, "Take the sparse form of diffusion for any number of models");

@@ -13,15 +13,11 @@
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/terminal.h"
-#include "shapegauge/core/base/error.h"
-#include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/metrics/method_comparison.h"
-#include "shapegauge/segmentation/seg_file.h"
 
 namespace shapegauge {
 
@@ -29,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct EvaluationArguments {
+struct SegmentationEvaluationArguments {
   std::vector<fs::path> folders;
   fs::path benchmark;
   std::string weights = "faces";
@@ -40,52 +36,7 @@ struct EvaluationArguments {
   int threads = 0;
 };
 
-/// A benchmark with the errors of all methods, people last.
-struct Scores {
-  SegmentationBenchmark benchmark;
-  SegmentationScores scores;
-};
-
-void score_model(Scores& scored, std::size_t i, const EvaluationArguments& arguments) {
-  const SegmentedModel& model = scored.benchmark.models[i];
-  const Shape mesh = read_shape(model.mesh);
-  const SegmentationScorer scorer(mesh, {.by_area = arguments.weights == "area", .cuts = !arguments.no_cuts});
-  std::vector<std::vector<std::int32_t>> people;
-  for (const fs::path& file : model.people) people.push_back(read_seg(file, mesh));
-  for (std::size_t m = 0; m < arguments.folders.size(); ++m) {
-    const fs::path file = arguments.folders[m] / (model.id + ".seg");
-    scored.scores.errors[m][i] = scorer.errors_against(read_seg(file, mesh), people);
-  }
-  scored.scores.errors.back()[i] = scorer.errors_among(people);
-}
-
-Scores scored(const EvaluationArguments& arguments) {
-  Scores result{.benchmark = find_segmentation_benchmark(arguments.benchmark), .scores = {}};
-  std::vector<std::string> methods;
-  for (const fs::path& folder : arguments.folders) {
-    const fs::path named = folder.has_filename() ? folder : folder.parent_path();
-    methods.push_back(named.filename().string());
-  }
-  methods.emplace_back(people_name);
-  result.scores = empty_scores(result.benchmark, std::move(methods));
-  const std::size_t models = result.benchmark.models.size();
-  std::vector<std::string> failures(models);
-  with_threads(arguments.threads, [&] {
-    parallel_for(std::size_t{0}, models, [&](std::size_t i) {
-      try {
-        score_model(result, i, arguments);
-      } catch (const InputError& error) {
-        failures[i] = error.what();
-      }
-    });
-  });
-  for (const std::string& failure : failures) {
-    if (!failure.empty()) throw InputError(failure);
-  }
-  return result;
-}
-
-nlohmann::ordered_json json_of(const SegmentationScores& scores, const EvaluationArguments& arguments) {
+nlohmann::ordered_json json_of(const SegmentationScores& scores, const SegmentationEvaluationArguments& arguments) {
   const auto errors_json = [&](std::size_t method, int label) {
     nlohmann::ordered_json errors;
     for (const SegmentationErrorEntry& entry : segmentation_error_entries()) {
@@ -120,7 +71,7 @@ std::string words_of(const SegmentationScores& scores, const MethodComparison& c
   return words;
 }
 
-std::string formatted_errors(const SegmentationScores& scores, const EvaluationArguments& arguments) {
+std::string formatted_errors(const SegmentationScores& scores, const SegmentationEvaluationArguments& arguments) {
   if (arguments.format == "json") return json_of(scores, arguments).dump(2) + "\n";
   if (arguments.format == "csv") return to_csv(mean_table(scores));
   const auto text = arguments.format == "markdown" ? to_markdown : to_plain_text;
@@ -130,10 +81,15 @@ std::string formatted_errors(const SegmentationScores& scores, const EvaluationA
   return result + "\n" + words_of(scores, *comparison) + "\n" + text(pair_table(scores, *comparison));
 }
 
-int run(const EvaluationArguments& arguments) {
+int run(const SegmentationEvaluationArguments& arguments) {
   const OutputFile output{.path = arguments.per_mesh, .what = "--per-mesh", .extensions = {".csv"}};
   check_output_files(arguments.folders, {&output, 1}, arguments.replace);
-  const auto [benchmark, scores] = scored(arguments);
+  const SegmentationBenchmark benchmark = find_segmentation_benchmark(arguments.benchmark);
+  SegmentationScores scores;
+  with_threads(arguments.threads, [&] {
+    scores = score_segmentations(benchmark, arguments.folders,
+                                 {.by_area = arguments.weights == "area", .cuts = !arguments.no_cuts});
+  });
   if (!benchmark.without_people.empty()) {
     warn(fmt::format("nobody segmented {} of the meshes ({}, ...); they are left out", benchmark.without_people.size(),
                      benchmark.without_people.front()));
@@ -151,7 +107,7 @@ void add_segmentation_evaluation_command(CLI::App& app, int& status) {
       "Example: shapegauge segment psb/off/*.off -o mine/\n"
       "         shapegauge evaluate-segmentation mine/ theirs/ --benchmark psb/\n"
       "Errors are fractions, less is better; the row \"people\" is one person against another.");
-  const auto arguments = std::make_shared<EvaluationArguments>();
+  const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
   command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one a method");
   command
       ->add_option("--benchmark", arguments->benchmark,

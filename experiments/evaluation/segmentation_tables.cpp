@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/segmentation/seg_file.h"
+
 namespace shapegauge {
 
 namespace {
@@ -50,6 +55,51 @@ SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vec
   scores.classes = benchmark.classes;
   scores.methods = std::move(methods);
   scores.errors.assign(scores.methods.size(), std::vector<SegmentationErrors>(benchmark.models.size()));
+  return scores;
+}
+
+namespace {
+
+/// The errors on one mesh by method, people's last.
+std::vector<SegmentationErrors> errors_on(const SegmentedModel& model,
+                                          const std::vector<std::filesystem::path>& folders,
+                                          const SegmentationScoring& scoring) {
+  const Shape mesh = read_shape(model.mesh);
+  const SegmentationScorer scorer(mesh, scoring);
+  std::vector<std::vector<std::int32_t>> people;
+  for (const std::filesystem::path& file : model.people) people.push_back(read_seg(file, mesh));
+  std::vector<SegmentationErrors> errors;
+  for (const std::filesystem::path& folder : folders) {
+    errors.push_back(scorer.errors_against(read_seg(folder / (model.id + ".seg"), mesh), people));
+  }
+  errors.push_back(scorer.errors_among(people));
+  return errors;
+}
+
+}  // namespace
+
+SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
+                                       const std::vector<std::filesystem::path>& folders,
+                                       const SegmentationScoring& scoring) {
+  std::vector<std::string> methods;
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path named = folder.has_filename() ? folder : folder.parent_path();
+    methods.push_back(named.filename().string());
+  }
+  methods.emplace_back(people_name);
+  SegmentationScores scores = empty_scores(benchmark, std::move(methods));
+  std::vector<std::string> failures(benchmark.models.size());
+  parallel_for(std::size_t{0}, benchmark.models.size(), [&](std::size_t i) {
+    try {
+      const std::vector<SegmentationErrors> errors = errors_on(benchmark.models[i], folders, scoring);
+      for (std::size_t m = 0; m < errors.size(); ++m) scores.errors[m][i] = errors[m];
+    } catch (const InputError& error) {
+      failures[i] = error.what();
+    }
+  });
+  for (const std::string& failure : failures) {
+    if (!failure.empty()) throw InputError(failure);
+  }
   return scores;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,13 @@ struct SegmentationScores {
 
 /// Scores without errors yet.
 SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vector<std::string> methods);
+
+/// The errors of the segmentations in folders, one a method, named as the folder, with a file <id>.seg for each mesh of
+/// the benchmark; and of people, last. The same for any number of threads. Throws InputError for the first mesh or
+/// segmentation that cannot be used.
+SegmentationScores score_segmentations(const SegmentationBenchmark& benchmark,
+                                       const std::vector<std::filesystem::path>& folders,
+                                       const SegmentationScoring& scoring);
 
 /// A row for each method: its mean errors.
 Table mean_table(const SegmentationScores& scores);
