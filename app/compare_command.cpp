@@ -13,9 +13,9 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/datasets/layouts/dataset.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
-#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 

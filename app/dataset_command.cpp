@@ -9,7 +9,7 @@
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/datasets/layouts/layouts.h"
-#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
 

@@ -16,9 +16,9 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/pages/report.h"
 
 namespace shapegauge {

@@ -17,7 +17,7 @@
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/polygons.h"
-#include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/experiments/signatures/shape_reports.h"
 
 namespace shapegauge {
 

@@ -20,7 +20,7 @@
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/version.h"
-#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
 

@@ -18,8 +18,8 @@
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
-#include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/rerank.h"
 

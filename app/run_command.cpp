@@ -23,11 +23,11 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
+#include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/engine/replay.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
-#include "shapegauge/experiments/results/experiment.h"
-#include "shapegauge/experiments/results/replay.h"
-#include "shapegauge/experiments/results/result_folder.h"
-#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 

@@ -16,7 +16,7 @@
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/results/field_files.h"
-#include "shapegauge/experiments/results/shape_tables.h"
+#include "shapegauge/experiments/signatures/shape_reports.h"
 
 namespace shapegauge {
 

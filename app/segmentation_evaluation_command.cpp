@@ -14,9 +14,9 @@
 #include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
-#include "shapegauge/experiments/runner/run_control.h"
 #include "shapegauge/metrics/method_comparison.h"
 
 namespace shapegauge {

@@ -1,7 +1,6 @@
 #include "app/shape_files.h"
 
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <cstdio>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,10 +13,11 @@
 #include "app/standard_streams.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/shape/polygons.h"
-#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/engine/run_control.h"
 
 namespace shapegauge {
 
@@ -92,9 +92,9 @@ Shape read_input(const fs::path& input, const std::string& format) {
 /// Does one job; what goes to standard output is written to a file first, as the writers need a name.
 void do_job(const ShapeFiles& files, ShapeJob job,
             const std::function<void(const Shape&, const ShapeJob&, Remarks&)>& work, Remarks& remarks) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   const Shape shape = read_input(files.inputs[job.index], files.input_format);
-  job.read_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  job.read_seconds = stopwatch.seconds();
   if (!is_standard_stream(job.output)) return work(shape, job, remarks);
   const ScratchFolder scratch;
   job.output = scratch.path() / ("output." + files.output_format);

@@ -2,7 +2,6 @@
 // seconds, memory, traffic. docs/scaling.md has what it measured, and scripts/simulate_scaling goes on from there.
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <exception>
@@ -14,10 +13,11 @@
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/distributed/packing.h"
-#include "shapegauge/experiments/runner/judge_distances.h"
-#include "shapegauge/experiments/runner/run_control.h"
+#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/retrieval/judge_distances.h"
 
 namespace shapegauge {
 
@@ -43,10 +43,6 @@ Signatures make_signatures(const Range& models, int bins) {
   return signatures;
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 struct Usage {
   double processor_seconds = 0;
   double peak_megabytes = 0;
@@ -64,11 +60,11 @@ Usage usage() {
 
 /// Seconds to hand out so many jobs with nothing in them, to all ranks but the first, which hands them out.
 double hand_out(std::size_t jobs, Communicator& ranks) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   ranks.share_jobs(jobs, [&](Jobs& shared) {
     while ((ranks.size() == 1 || ranks.rank() > 0) && shared.next()) continue;
   });
-  return seconds_since(start);
+  return stopwatch.seconds();
 }
 
 void measure(std::size_t models, int bins, Communicator& ranks) {
@@ -80,13 +76,13 @@ void measure(std::size_t models, int bins, Communicator& ranks) {
   for (std::size_t model = 0; model < models; ++model) labels.push_back(static_cast<int>(model / models_of_class));
 
   const Usage before = usage();
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   DistanceJudge judge(labels, own, {.evaluations = {{}}, .overview = false, .largest = 0, .file = {}}, ranks);
   visit_distances(distances().at("l1"), {.rows = signatures, .all = models}, ranks,
                   [&](Eigen::Index first, const DistanceTable& rows) { judge.add(first, rows); });
-  const double own_seconds = seconds_since(start);
+  const double own_seconds = stopwatch.seconds();
   const Judgement judgement = judge.finish();
-  const double seconds = seconds_since(start);
+  const double seconds = stopwatch.seconds();
 
   Usage after = usage();
   after.processor_seconds -= before.processor_seconds;

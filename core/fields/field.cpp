@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <fmt/format.h>
 #include <stdexcept>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/fields/bilateral.h"
 #include "shapegauge/core/fields/centricity.h"
 #include "shapegauge/core/fields/heat_kernel.h"
@@ -254,20 +254,16 @@ constexpr std::array bilateral_table = {
                                               "Standard deviation by value, in standard deviations of the field."),
 };
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_from(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
 /// The field, smoothed.
 FieldComputation smoothed(FieldComputation field, const BilateralOptions& options) {
   field.versions["bilateral"] = bilateral_version;
   field.compute = [compute = std::move(field.compute), options](FieldSource& source, const Samples& samples,
                                                                 bool parallel) {
     FieldValues computed = compute(source, samples, parallel);
-    const Clock::time_point start = Clock::now();
+    const Stopwatch stopwatch;
     ScalarField values{.values = std::move(computed.values), .weights = samples.weights};
     computed.values = bilateral_smoothing(source.shape(), samples, std::move(values), options).values;
-    computed.query_seconds += seconds_from(start);
+    computed.query_seconds += stopwatch.seconds();
     return computed;
   };
   return field;
@@ -301,9 +297,9 @@ void check_field_type(const FieldType& type) {
 /// The function, with what every field tells: its own outcomes and seconds, or those that can be counted.
 FieldFunction with_outcomes(FieldFunction compute) {
   return [compute = std::move(compute)](FieldSource& source, const Samples& samples, bool parallel) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch stopwatch;
     FieldValues computed = compute(source, samples, parallel);
-    if (computed.build_seconds == 0) computed.query_seconds = seconds_from(start);
+    if (computed.build_seconds == 0) computed.query_seconds = stopwatch.seconds();
     if (computed.values.size() != samples.points.rows()) {
       throw std::logic_error(
           fmt::format("a field gives {} values for {} samples", computed.values.size(), samples.points.rows()));

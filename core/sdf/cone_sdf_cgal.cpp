@@ -1,12 +1,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/mesh_segmentation.h>
-#include <chrono>
 #include <fmt/format.h>
 #include <limits>
 #include <numbers>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
 
 namespace shapegauge {
@@ -16,11 +16,7 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using FaceValues = Mesh::Property_map<Mesh::Face_index, double>;
-using Clock = std::chrono::steady_clock;
-
 constexpr double no_answer = -1;  // CGAL's
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// The faces of the mesh are the shape's triangles, in their order.
 Mesh mesh_of(const Shape& shape) {
@@ -54,13 +50,13 @@ void postprocess(const Mesh& mesh, const FaceValues& values) {
 }  // namespace
 
 ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options) {
-  const Clock::time_point build_start = Clock::now();
+  const Stopwatch building;
   Mesh mesh = mesh_of(shape);
   const FaceValues values = mesh.add_property_map<Mesh::Face_index, double>("f:sdf", no_answer).first;
   ConeSdfResult result;
-  result.build_seconds = seconds_since(build_start);
+  result.build_seconds = building.seconds();
 
-  const Clock::time_point query_start = Clock::now();
+  const Stopwatch querying;
   const double angle = options.opening_angle_degrees / 180 * std::numbers::pi;
   const double highest =
       CGAL::sdf_values(mesh, values, angle, static_cast<std::size_t>(options.rays), /*postprocess=*/false).second;
@@ -71,7 +67,7 @@ ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options) {
     result.values[static_cast<Eigen::Index>(face)] =
         value == no_answer ? std::numeric_limits<double>::quiet_NaN() : value;
   }
-  result.query_seconds = seconds_since(query_start);
+  result.query_seconds = querying.seconds();
   return result;
 }
 

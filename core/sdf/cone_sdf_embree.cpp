@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
 #include "shapegauge/core/spatial/morton_order.h"
 #include "shapegauge/core/spatial/ray_caster.h"
@@ -64,10 +64,6 @@ double median_absolute_deviation(std::span<const double> sorted, double centre) 
   const double upper = largest_of_closest(sorted, centre, half + 1);
   return sorted.size() % 2 == 1 ? upper : (largest_of_closest(sorted, centre, half) + upper) / 2;
 }
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 /// Unit directions of the rays about the axis (0, 0, 1): through the points of a Vogel spiral on the cone's base disk,
 /// with radius i/N where sqrt(i/N) would be uniform, so that they are denser near the axis. The first is the axis.
@@ -246,15 +242,15 @@ double mean_without_outliers(std::span<double> values) {
 
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options) {
   ConeSdfResult result;
-  const Clock::time_point build_start = Clock::now();
+  const Stopwatch building;
   const RayCasters casters(shape, samples.points.rows() * options.rays);
   const StartTriangles start_triangles(shape, samples);
   // Where a sample's rays go, its neighbour's went before: what they need of the tree is in the processor's cache.
   const std::vector<std::int32_t> order = morton_order(samples.points);
   const std::vector<Eigen::Vector3d> directions = cone_directions(options);
-  result.build_seconds = seconds_since(build_start);
+  result.build_seconds = building.seconds();
 
-  const Clock::time_point query_start = Clock::now();
+  const Stopwatch querying;
   result.values.resize(samples.points.rows());
   const auto answer = [&](const tbb::blocked_range<Eigen::Index>& range) {
     Cones cones(casters, directions);
@@ -273,7 +269,7 @@ ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const 
   } else {
     answer(all);
   }
-  result.query_seconds = seconds_since(query_start);
+  result.query_seconds = querying.seconds();
   return result;
 }
 

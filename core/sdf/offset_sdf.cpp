@@ -1,21 +1,17 @@
 #include "shapegauge/core/sdf/offset_sdf.h"
 
-#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/offset/offset_solver.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 void require_extent(const Shape& shape) {
   const double diagonal = bounding_box_diagonal(shape);
@@ -74,10 +70,10 @@ OffsetSdfOutcomes count(const OffsetAnswers& answers, double offset) {
 }  // namespace
 
 OffsetSdfSolver::OffsetSdfSolver(const Shape& shape) : frame_(unit_frame_of(shape)) {
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   mesh_ = distinct_triangles(shape);
   mesh_.shape = in_unit_frame(mesh_.shape, frame_);
-  build_seconds_ = seconds_since(start);
+  build_seconds_ = stopwatch.seconds();
 }
 
 /// By sample, the distinct triangle that it lies on; empty where the solver determines it.
@@ -91,7 +87,7 @@ std::vector<std::int32_t> OffsetSdfSolver::triangles_of(const Samples& samples) 
 
 OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOptions& options) const {
   check(options);
-  const Clock::time_point start = Clock::now();
+  const Stopwatch stopwatch;
   const Points points = (samples.points.rowwise() - frame_.centre.transpose()) / frame_.diagonal;
   OffsetAnswers answers = answer_by_grid(
       mesh_.shape, points, samples.normals,
@@ -105,7 +101,7 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   result.normals = std::move(answers.directions);
   result.offset = answers.offset;
   result.build_seconds = answers.build_seconds;
-  result.query_seconds = seconds_since(start) - answers.build_seconds;
+  result.query_seconds = stopwatch.seconds() - answers.build_seconds;
   return result;
 }
 

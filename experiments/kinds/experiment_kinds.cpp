@@ -2,8 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/results/write_comparison.h"
-#include "shapegauge/experiments/results/write_results.h"
+#include "shapegauge/experiments/comparison/write_comparison.h"
+#include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 
 namespace shapegauge {

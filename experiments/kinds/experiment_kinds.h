@@ -5,7 +5,7 @@
 #include <string>
 
 #include "shapegauge/core/base/registry.h"
-#include "shapegauge/experiments/results/experiment.h"
+#include "shapegauge/experiments/engine/experiment.h"
 
 namespace shapegauge {
 

@@ -1,7 +1,6 @@
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <fmt/format.h>
 #include <functional>
@@ -14,6 +13,7 @@
 #include <optional>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
@@ -28,9 +28,9 @@
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/packing.h"
-#include "shapegauge/experiments/runner/cache_records.h"
-#include "shapegauge/experiments/runner/compute_signatures.h"
-#include "shapegauge/experiments/runner/generated_dataset.h"
+#include "shapegauge/experiments/engine/generated_dataset.h"
+#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
 #include "shapegauge/segmentation/seg_file.h"
@@ -277,7 +277,7 @@ std::map<std::size_t, CutShape> cut_by_all(std::map<std::size_t, CutShape> own, 
 
 void run_stages(const RunControl& control, Cache& cache, const std::filesystem::path& generated, Communicator& ranks,
                 SegmentationResults& results) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   results.benchmark = benchmark_of(results.experiment, generated, control, ranks);
   results.has_people =
       std::ranges::any_of(results.benchmark.models, [](const SegmentedModel& model) { return !model.people.empty(); });
@@ -303,8 +303,7 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
       results.scores.errors[m][k] = cut.at(left[k]).errors[m];
     results.shapes.push_back(std::move(cut.at(left[k]).shape));
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  results.timings.emplace_back("shapes", seconds.count());
+  results.timings.emplace_back("shapes", stopwatch.seconds());
 }
 
 }  // namespace

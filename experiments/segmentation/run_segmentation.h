@@ -11,9 +11,9 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/experiments/distributed/communicator.h"
+#include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/segmentation_benchmark.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
-#include "shapegauge/experiments/runner/run_control.h"
 
 namespace shapegauge {
 

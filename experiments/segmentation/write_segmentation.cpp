@@ -11,10 +11,10 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
-#include "shapegauge/experiments/results/manifest.h"
-#include "shapegauge/experiments/results/result_folder.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
+#include "shapegauge/experiments/signatures/shape_reports.h"
 #include "shapegauge/segmentation/seg_file.h"
 
 namespace shapegauge {

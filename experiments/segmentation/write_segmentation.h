@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shapegauge/experiments/results/experiment.h"
+#include "shapegauge/experiments/engine/experiment.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 
 namespace shapegauge {

@@ -1,4 +1,5 @@
-// A field, a descriptor, a perturbation, a distance, a measure and a file format of one's own, in an experiment.
+// One of everything that can be added, of one's own: a field, a descriptor, a perturbation, a distance, a measure, a
+// file format, a layout of data sets, a way to re-rank and a kind of experiment.
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -12,15 +13,20 @@
 #include <string>
 #include <string_view>
 
+#include "shapegauge/core/fields/field.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/experiments/configuration/fields.h"
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
-#include "shapegauge/experiments/runner/run_experiment.h"
+#include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/kinds/experiment_kinds.h"
+#include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/distances.h"
 #include "shapegauge/retrieval/l1_distance.h"
+#include "shapegauge/retrieval/rerank.h"
 
 namespace {
 
@@ -107,6 +113,51 @@ void add_file_format() {
                                        }});
 }
 
+void add_layout() {
+  shapegauge::dataset_layouts().add(
+      {.name = "flat",
+       .find =
+           [](const shapegauge::DatasetLocation& location) {
+             shapegauge::Dataset dataset{.classes = {"all"}};
+             for (const auto& entry : std::filesystem::directory_iterator(location.root)) {
+               if (entry.path().extension() != ".points") continue;
+               dataset.models.push_back({.id = entry.path().stem().string(), .file = entry.path(), .label = 0});
+             }
+             return dataset;
+           },
+       .usual_classification = ""});
+}
+
+void add_rerank_method() {
+  shapegauge::rerank_methods().add(
+      {.name = "squares",
+       .description = "The squares of the distances.",
+       .parameters = {},
+       .rerank = [](const shapegauge::DistanceMatrix& distances, const shapegauge::ParameterValues& /*settings*/)
+           -> shapegauge::DistanceMatrix { return distances.cwiseAbs2(); }});
+}
+
+void add_experiment_kind() {
+  shapegauge::experiment_kinds().add(
+      {.name = "count",
+       .description = "How many models a data set has.",
+       .describes = [](const nlohmann::json& document) { return document.contains("count"); },
+       .read =
+           [](const nlohmann::json& document, const std::string& /*source*/, const std::filesystem::path& folder) {
+             const shapegauge::DatasetLocation place{.layout = "flat", .root = folder / document.at("count")};
+             const auto run = [place](const shapegauge::RunContext& context) {
+               shapegauge::RunOutcome outcome{.manifest = {{"inputs", nlohmann::json::object()}}, .noun = "model"};
+               if (context.ranks.rank() != 0) return outcome;
+               outcome.used = shapegauge::find_dataset(place).models.size();
+               outcome.summary = std::to_string(outcome.used) + " models";
+               outcome.files = {"count.txt"};
+               shapegauge::write_file_atomically(context.results / "count.txt", outcome.summary + "\n");
+               return outcome;
+             };
+             return shapegauge::Experiment{.name = "count", .configuration = document, .dataset = place, .run = run};
+           }});
+}
+
 nlohmann::json experiment() {
   return {{"name", "own"},
           {"dataset", {{"generate", {{"classes", 2}, {"models_per_class", 3}, {"faces", 1000}}}}},
@@ -115,7 +166,8 @@ nlohmann::json experiment() {
            {{{"name", "heights"},
              {"field", {{"type", "height"}, {"factor", 2}}},
              {"histogram", {{"bins", 8}, {"range", {{"fixed", {0, 4}}}}}}},
-            {{"name", "extents"}, {"descriptor", {{"type", "extent"}}}}}},
+            {{"name", "extents"}, {"descriptor", {{"type", "extent"}}}},
+            {{"name", "squares"}, {"rerank", {{"of", "heights"}, {"method", "squares"}}}}}},
           {"evaluation", {{"measures", {"NN", "hit@1"}}}},
           {"distance", "largest"},
           {"report", false}};
@@ -130,6 +182,9 @@ int main(int /*count*/, char** arguments) {
   add_distance();
   add_measure();
   add_file_format();
+  add_layout();
+  add_rerank_method();
+  add_experiment_kind();
 
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
@@ -145,5 +200,12 @@ int main(int /*count*/, char** arguments) {
   const auto& scores = method.evaluations[0].micro;
   std::cout << "models " << results.models.size() << ", distance " << std::boolalpha
             << (method.distances(0, 1) == largest && largest > 0) << ", measure " << (scores[0] == scores[1])
-            << ", features " << results.methods[1].signatures.cols() << '\n';
+            << ", features " << results.methods[1].signatures.cols() << ", square "
+            << (results.methods[2].distances(0, 1) == largest * largest) << '\n';
+
+  shapegauge::Cache none;
+  const auto count = shapegauge::read_experiment({{"count", "."}}, "own", folder);
+  const auto outcome =
+      shapegauge::run_into_folder(count, folder / "counted", false, {}, none, *shapegauge::single_process());
+  std::cout << outcome.summary << '\n';
 }

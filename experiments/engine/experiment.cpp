@@ -1,0 +1,73 @@
+#include "shapegauge/experiments/engine/experiment.h"
+
+#include <cstdint>
+#include <fmt/format.h>
+#include <optional>
+
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Writes the manifest and moves all to their places.
+void publish(StagedResults& staged, const nlohmann::json& configuration, const RunOutcome& outcome) {
+  const fs::path& folder = staged.folder();
+  write_file_atomically(folder / manifest_name, manifest_of(configuration, outcome, folder).dump(2) + "\n");
+  staged.publish(outcome.files);
+}
+
+/// Collective. Throws SharedError where the ranks do not have the same configuration.
+void compare_configurations(const nlohmann::json& configuration, Communicator& ranks) {
+  const std::string own = configuration.dump();
+  const std::string first = ranks.broadcast(own);
+  agree_on(own == first ? "" : fmt::format("rank {} reads another configuration than rank 0", ranks.rank()), ranks);
+}
+
+}  // namespace
+
+nlohmann::ordered_json manifest_of(const nlohmann::json& configuration, const RunOutcome& outcome,
+                                   const fs::path& folder) {
+  nlohmann::ordered_json json = program_json();
+  json["configuration"] = configuration;
+  json.update(outcome.manifest);
+  json.update(
+      {{"files", outcome.files}, {"outputs", outputs_json(folder, outcome.files)}, {"execution", outcome.execution}});
+  return json;
+}
+
+void publish_results(const fs::path& destination, const nlohmann::json& configuration,
+                     const std::function<RunOutcome(const fs::path& folder)>& write) {
+  StagedResults staged(destination);
+  publish(staged, configuration, write(staged.folder()));
+}
+
+RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destination, bool replace,
+                           const RunControl& control, Cache& cache, Communicator& ranks) {
+  std::optional<FolderLock> lock;
+  std::optional<StagedResults> staged;
+  std::uintmax_t limit = 0;
+  const std::string folder = on_first_rank(ranks, [&] {
+    limit = cache_limit();  // says now what is wrong with it
+    lock.emplace(destination);
+    prepare_result_folder(destination, experiment.configuration, replace);
+    staged.emplace(destination);
+    return fs::absolute(staged->folder()).string();
+  });
+  compare_configurations(experiment.configuration, ranks);
+  RunOutcome outcome = experiment.run(
+      {.control = control, .cache = cache, .ranks = ranks, .generated = destination / "dataset", .results = folder});
+  on_all_ranks(ranks, [&] {
+    if (staged) with_threads(control.threads, [&] { publish(*staged, experiment.configuration, outcome); });
+  });
+  if (ranks.rank() == 0 && !cache.folder().empty()) trim_cache(cache.folder(), limit);
+  return outcome;
+}
+
+}  // namespace shapegauge

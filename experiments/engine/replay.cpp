@@ -1,0 +1,140 @@
+#include "shapegauge/experiments/engine/replay.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+namespace {
+
+/// The hashes of inputs by what they are the inputs of.
+std::map<std::string, std::string> named_inputs(const Json& inputs) {
+  std::map<std::string, std::string> named;
+  for (const auto& [kind, word] : {std::pair{"models", "model"}, std::pair{"shapes", "shape"}}) {
+    if (!inputs.contains(kind)) continue;
+    for (const auto& [name, hash] : inputs.at(kind).items()) named[fmt::format("{} {}", word, name)] = hash;
+  }
+  if (inputs.contains("classification")) named["the classification"] = inputs.at("classification");
+  return named;
+}
+
+/// Whether the path is the folder or below it.
+bool lies_in(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = path.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+/// The path below the new root that it had below the old one; the path itself where it lay elsewhere.
+fs::path moved(const fs::path& path, const fs::path& old_root, const fs::path& root) {
+  return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
+}
+
+/// The folder that holds all files of the shapes; empty where there are none.
+fs::path common_folder(const Json& shapes) {
+  std::optional<fs::path> common;
+  for (const Json& shape : shapes) {
+    if (!shape.contains("file")) continue;
+    const fs::path folder = fs::path(shape.at("file").get<std::string>()).parent_path();
+    if (!common) common = folder;
+    while (!lies_in(folder, *common)) common = common->parent_path();
+  }
+  return common.value_or(fs::path());
+}
+
+void move_shapes(Json& shapes, const fs::path& root) {
+  const fs::path old_root = common_folder(shapes);
+  if (old_root.empty()) throw InputError("--dataset-root: the shapes of this run were generated; leave it out");
+  for (Json& shape : shapes) {
+    if (shape.contains("file")) shape["file"] = moved(shape.at("file").get<std::string>(), old_root, root).string();
+  }
+}
+
+void move_dataset(Json& dataset, const fs::path& root) {
+  if (!dataset.contains("root")) {
+    throw InputError("--dataset-root: the data set of this run was generated; leave it out");
+  }
+  const fs::path old_root = dataset.at("root").get<std::string>();
+  dataset["root"] = root.string();
+  if (!dataset.contains("classification")) return;
+  dataset["classification"] = moved(dataset.at("classification").get<std::string>(), old_root, root).string();
+}
+
+}  // namespace
+
+Json read_manifest(const fs::path& path) {
+  Json manifest = read_json(path);
+  for (const char* key : {"configuration", "inputs", "outputs"}) {
+    if (!manifest.is_object() || !manifest.contains(key) || !manifest.at(key).is_object()) {
+      throw InputError(
+          fmt::format("{}: has no \"{}\": it is not the manifest of a run of this version; name the {} among "
+                      "the results of a run",
+                      path.string(), key, manifest_name));
+    }
+  }
+  return manifest;
+}
+
+Json recorded_configuration(const Json& manifest, const fs::path& root) {
+  Json configuration = manifest.at("configuration");
+  if (root.empty()) return configuration;
+  const fs::path absolute_root = fs::absolute(root).lexically_normal();
+  if (configuration.contains("shapes")) {
+    move_shapes(configuration["shapes"], absolute_root);
+  } else {
+    move_dataset(configuration.at("dataset"), absolute_root);
+  }
+  return configuration;
+}
+
+std::vector<std::string> changed_inputs(const Json& recorded, const Json& now) {
+  const std::map<std::string, std::string> before = named_inputs(recorded);
+  const std::map<std::string, std::string> after = named_inputs(now);
+  std::vector<std::string> changes;
+  for (const auto& [name, hash] : before) {
+    const auto found = after.find(name);
+    if (found == after.end()) {
+      changes.push_back(name + " is absent");
+    } else if (found->second != hash) {
+      changes.push_back(name + " is not the recorded one: its file holds other bytes");
+    }
+  }
+  for (const auto& [name, hash] : after) {
+    if (!before.contains(name)) changes.push_back(name + " was not among them");
+  }
+  return changes;
+}
+
+std::vector<std::string> changed_program(const Json& manifest) {
+  std::vector<std::string> changes;
+  const Json here = program_json();
+  for (const auto& [key, value] : here.items()) {
+    const Json recorded = manifest.value(key, Json("unknown"));
+    if (recorded != value)
+      changes.push_back(fmt::format("{}: {}, recorded was {}", key, value.dump(), recorded.dump()));
+  }
+  return changes;
+}
+
+ComparedOutputs compare_outputs(const Json& recorded, const Json& now) {
+  ComparedOutputs compared;
+  const Json files_now = now.at("outputs").at("files");
+  for (const auto& [name, hash] : recorded.at("outputs").at("files").items()) {
+    (files_now.value(name, "") == hash ? compared.same : compared.different).push_back(name);
+  }
+  for (const Json& file : now.at("files")) {
+    if (holds_timings(file.get<std::string>())) compared.timings.push_back(file);
+  }
+  return compared;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,198 @@
+#include "shapegauge/experiments/engine/result_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_safe(char c) {
+  return (std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & '\x80') == 0) || c == '-' || c == '.';
+}
+
+/// Whether the open file is still the one of that name.
+bool is_file_of(int descriptor, const fs::path& path) {
+  struct stat opened = {};
+  struct stat named = {};
+  return ::fstat(descriptor, &opened) == 0 && ::stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+/// What runs write, retrieval experiments first; comparisons after them.
+constexpr std::array<std::string_view, 18> result_names{
+    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv",  "per_class.csv",
+    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",      "shape_seconds.csv",
+    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv", "features"};
+
+/// Whether runs write files of that name, relative to the folder.
+bool is_result(const fs::path& file) {
+  if (file.parent_path() == "distances" || file.parent_path() == "features") return file.extension() == ".npy";
+  return std::ranges::find(result_names, file.string()) != result_names.end();
+}
+
+/// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
+nlohmann::json earlier_configuration(const fs::path& folder) {
+  try {
+    const nlohmann::json manifest = read_json(folder / manifest_name);
+    return manifest.is_object() ? manifest.value("configuration", nlohmann::json()) : nlohmann::json();
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// Whether a file that a run of any kind writes is in the folder.
+bool has_results(const fs::path& folder) {
+  return fs::exists(folder / manifest_name) ||
+         std::ranges::any_of(result_names, [&](std::string_view name) { return fs::exists(folder / name); });
+}
+
+/// The results that the manifest of an earlier run in the folder lists: names that runs give to files and no others.
+std::vector<std::string> earlier_results(const fs::path& folder) {
+  std::vector<std::string> files;
+  try {
+    if (!fs::exists(folder / manifest_name)) return {};
+    for (const auto& file : read_json(folder / manifest_name).value("files", std::vector<std::string>())) {
+      if (is_result(file)) files.push_back(file);
+    }
+  } catch (const std::exception&) {
+    files.clear();  // not a manifest of ours: nothing to clear away
+  }
+  return files;
+}
+
+/// Removes those of the earlier files that have not been written anew.
+void remove_superseded(const fs::path& folder, std::span<const std::string> earlier,
+                       std::span<const std::string> written) {
+  std::error_code ignored;  // a file that is gone already
+  for (const std::string& file : earlier) {
+    if (std::ranges::find(written, file) == written.end()) fs::remove(folder / file, ignored);
+  }
+}
+
+void move_file(const fs::path& from, const fs::path& to) {
+  make_folder(to.parent_path());
+  std::error_code failure;
+  fs::rename(from, to, failure);
+  if (failure) throw InputError(fmt::format("cannot write {}: {}", to.string(), failure.message()));
+}
+
+}  // namespace
+
+std::string file_safe_name(std::string_view name) {
+  std::string safe;
+  for (const char c : name) {
+    if (is_safe(c)) {
+      safe += c;
+    } else if (!safe.ends_with('_')) {
+      safe += '_';
+    }
+  }
+  safe.resize(std::min<std::size_t>(safe.size(), 100));
+  safe.erase(0, safe.find_first_not_of("_."));
+  safe.erase(safe.find_last_not_of("_.") + 1);
+  return safe.empty() ? "unnamed" : safe;
+}
+
+std::vector<std::string> file_safe_names(std::span<const std::string> names) {
+  std::vector<std::string> safe_names;
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    const std::string safe = file_safe_name(name);
+    std::string candidate = safe;
+    for (int i = 2; !taken.insert(lower_case(candidate)).second; ++i) candidate = fmt::format("{}_{}", safe, i);
+    safe_names.push_back(candidate);
+  }
+  return safe_names;
+}
+
+FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-lock") {
+  make_folder(folder);
+  while (true) {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor_ < 0) {
+      throw InputError(
+          fmt::format("cannot write to the folder {}: {}", folder.string(), std::generic_category().message(errno)));
+    }
+    const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
+    if (error == EWOULDBLOCK) {
+      ::close(descriptor_);
+      throw InputError(
+          fmt::format("another run is under way in {}; wait until it has ended, or give another folder with --output",
+                      folder.string()));
+    }
+    // Whoever had it before removes the file at last: a lock on a file that is gone keeps nobody out.
+    if (error != 0 || is_file_of(descriptor_, path_)) return;
+    ::close(descriptor_);
+  }
+}
+
+FolderLock::~FolderLock() {
+  ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
+
+bool holds_timings(std::string_view file) { return file == "shape_seconds.csv" || file == "timings.csv"; }
+
+void make_folder(const fs::path& folder) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure || !fs::is_directory(folder)) {
+    throw InputError(fmt::format("cannot make the folder {} for the results: {}", folder.string(),
+                                 failure ? failure.message() : "there is a file of that name"));
+  }
+}
+
+void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
+  make_folder(folder);
+  // Writing is tried now: it must not be found out after hours.
+  const fs::path probe = folder / ".shapegauge-probe";
+  write_file_atomically(probe, "");
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+
+  if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
+  throw InputError(
+      fmt::format("{} holds the results of another configuration; give another folder with --output, or replace them "
+                  "with --replace",
+                  folder.string()));
+}
+
+StagedResults::StagedResults(fs::path destination)
+    : destination_(std::move(destination)), folder_(destination_ / ".shapegauge-new") {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);  // of a run that was killed
+  make_folder(folder_);
+}
+
+StagedResults::~StagedResults() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+}
+
+void StagedResults::publish(const std::vector<std::string>& files) {
+  const std::vector<std::string> earlier = earlier_results(destination_);
+  for (const std::string& file : files) move_file(folder_ / file, destination_ / file);
+  move_file(folder_ / manifest_name, destination_ / manifest_name);
+  remove_superseded(destination_, earlier, files);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,97 @@
+#include "shapegauge/experiments/retrieval/manifest_entries.h"
+
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/shape_reports.h"
+
+namespace shapegauge {
+
+using OrderedJson = nlohmann::ordered_json;
+
+namespace {
+
+/// SHA-256 of a file; nothing where it cannot be read.
+std::string readable_hash(const std::filesystem::path& file) {
+  try {
+    return sha256_of_file(file);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+/// The inputs by the models' hashes, of which an empty one is left out.
+OrderedJson inputs_json(const Configuration& configuration, const std::vector<Model>& models,
+                        const std::vector<std::string>& hashes) {
+  OrderedJson by_model = OrderedJson::object();
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    if (!hashes[i].empty()) by_model[models[i].id] = hashes[i];
+  }
+  OrderedJson json{{"algorithm", "SHA-256"}, {"models", std::move(by_model)}};
+  const auto& location = configuration.location;
+  if (location && !location->classification.empty()) json["classification"] = sha256_of_file(location->classification);
+  return json;
+}
+
+/// Of the models used and of those that failed.
+OrderedJson inputs(const ExperimentResults& results) {
+  std::vector<Model> models = results.models;
+  std::vector<std::string> hashes;
+  for (const ShapeReport& shape : results.shapes) hashes.push_back(shape.sha256);
+  for (const FailedModel& failure : results.failures) {
+    models.push_back(failure.model);
+    hashes.push_back(readable_hash(failure.model.file));
+  }
+  return inputs_json(results.configuration, models, hashes);
+}
+
+/// Of how many results of each kind the run took from the cache.
+OrderedJson cache_json(const CacheReport& cache) {
+  if (cache.folder.empty()) return nullptr;
+  OrderedJson json = OrderedJson::object();
+  for (std::size_t kind = 0; kind < number_of_entry_kinds; ++kind) {
+    const CacheUse& use = cache.uses.at(kind);
+    if (use.hits + use.computed == 0) continue;
+    json[std::string(entry_kind_names.at(kind))] = {{"from_cache", use.hits}, {"computed", use.computed}};
+  }
+  return json;
+}
+
+OrderedJson failures(const ExperimentResults& results) {
+  OrderedJson list = OrderedJson::array();
+  for (const FailedModel& failure : results.failures) {
+    list.push_back({{"model", failure.model.id}, {"error", failure.message}});
+  }
+  return list;
+}
+
+OrderedJson left_out(const ExperimentResults& results) {
+  const bool none = results.methods.empty() || results.methods.front().evaluations.empty();
+  return none ? OrderedJson(0) : OrderedJson(results.methods.front().evaluations.front().models_left_out);
+}
+
+}  // namespace
+
+OrderedJson dataset_inputs(const Configuration& configuration, const std::vector<Model>& models) {
+  std::vector<std::string> hashes(models.size());
+  parallel_for(std::size_t{0}, hashes.size(), [&](std::size_t i) { hashes[i] = readable_hash(models[i].file); });
+  return inputs_json(configuration, models, hashes);
+}
+
+OrderedJson manifest_entries(const ExperimentResults& results) {
+  return {{"seed", results.configuration.seed}, {"inputs", inputs(results)},
+          {"models", results.models.size()},    {"models_never_queries", left_out(results)},
+          {"failed_models", failures(results)}, {"fields", fields_json(results.fields)}};
+}
+
+OrderedJson execution_entries(const ExperimentResults& results) {
+  OrderedJson execution = execution_json(results.threads, results.timings, results.fields);
+  if (results.processes > 1) execution["processes"] = results.processes;
+  execution["cache"] = cache_json(results.cache);
+  return execution;
+}
+
+}  // namespace shapegauge

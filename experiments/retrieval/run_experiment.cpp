@@ -1,0 +1,342 @@
+#include "shapegauge/experiments/retrieval/run_experiment.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <functional>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/distributed/packing.h"
+#include "shapegauge/experiments/engine/generated_dataset.h"
+#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/retrieval/judge_distances.h"
+#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/metrics/protocol.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr Eigen::Index most_shapes_kept = 2900;
+
+std::vector<int> labels_of(const std::vector<Model>& models) {
+  std::vector<int> labels;
+  labels.reserve(models.size());
+  for (const Model& model : models) labels.push_back(model.label);
+  return labels;
+}
+
+DistanceMatrix derived_distances(const SignatureConfiguration& signature,
+                                 const std::vector<DistanceMatrix>& distances) {
+  std::vector<DistanceMatrix> parts;
+  for (const std::size_t part : signature.parts) parts.push_back(distances[part]);
+  try {
+    return signature.derived->compute(parts);
+  } catch (const ArgumentError& error) {
+    throw InputError(fmt::format("signature \"{}\": {}", signature.name, error.what()));
+  }
+}
+
+/// The distance between two signatures of that kind.
+NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
+  if (!signature.descriptor) return distances().at(configuration.distance);
+  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
+}
+
+/// By signature whether distances are derived from it, or it from others: that takes whole matrices.
+std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
+  std::vector<bool> takes_part(signatures.size());
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (!signatures[i].derived) continue;
+    takes_part[i] = true;
+    for (const std::size_t part : signatures[i].parts) takes_part[part] = true;
+  }
+  return takes_part;
+}
+
+/// Collective. All rows of the signatures on rank 0, none elsewhere.
+Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks) {
+  if (ranks.size() == 1) return rows;
+  std::string bytes = std::move(Packer().add(rows)).bytes();
+  const std::vector<std::string> parts = ranks.gather(std::move(bytes));
+  Signatures together(ranks.rank() == 0 ? static_cast<Eigen::Index>(all) : 0, rows.cols());
+  Eigen::Index first = 0;
+  for (const std::string& part : parts) {
+    const auto some = Unpacker(part).take_value<Signatures>();
+    together.middleRows(first, some.rows()) = some;
+    first += some.rows();
+  }
+  return together;
+}
+
+/// The distances of all methods of a run, and what they are worth.
+class MethodsRun {
+ public:
+  MethodsRun(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
+             Communicator& ranks)
+      : configuration_(&configuration),
+        places_(&places),
+        control_(&control),
+        cache_(&cache),
+        ranks_(&ranks),
+        in_derived_(taking_part_in_derived(configuration.signatures)),
+        whole_(configuration.signatures.size()) {}
+
+  /// Collective. Adds the methods, with what was found of them on rank 0, to the results.
+  void run(const std::vector<int>& labels, ComputedSignatures& computed, ExperimentResults& results) {
+    check_size(labels.size());
+    double evaluating = 0;
+    Stopwatch stopwatch;
+    compute_whole(computed, labels.size());
+    for (std::size_t i = 0; i < configuration_->signatures.size(); ++i) {
+      if (control_->interrupted()) throw Interrupted();
+      results.methods.push_back({.name = configuration_->signatures[i].name,
+                                 .distances = {},
+                                 .overview = {},
+                                 .evaluations = {},
+                                 .signatures = {},
+                                 .histogram_ranges = {}});
+      evaluating += judge(i, labels, computed.signatures[i], results.methods.back());
+      results.methods.back().signatures = kept_signatures(i, labels.size(), std::move(computed.signatures[i]));
+      if (!computed.histogram_ranges.empty()) {
+        results.methods.back().histogram_ranges = std::move(computed.histogram_ranges[i]);
+      }
+    }
+    results.timings.emplace_back("distances", stopwatch.lap() - evaluating);
+    results.timings.emplace_back("evaluation", evaluating);
+  }
+
+ private:
+  void check_size(std::size_t models) const {
+    const auto derived = std::ranges::find(in_derived_, true);
+    if (ranks_->size() == 1 || models <= most_models_of_derived_distances || derived == in_derived_.end()) return;
+    throw SharedError(fmt::format(
+        "sum, fuse_ranks and rerank take whole distance matrices, which several processes hold of up to {} models, not "
+        "of {}; leave out signature \"{}\" and others like it, or run in one process with enough memory",
+        most_models_of_derived_distances, models,
+        configuration_->signatures[static_cast<std::size_t>(derived - in_derived_.begin())].name));
+  }
+
+  [[nodiscard]] bool keeps_matrices() const {
+    return configuration_->keep_distances && places_->distance_files.empty() && ranks_->size() == 1;
+  }
+
+  /// Whether the distances of a signature are to be in memory as a whole, on rank 0.
+  [[nodiscard]] bool is_whole(std::size_t signature, std::size_t models) const {
+    const bool few = models <= static_cast<std::size_t>(most_shapes_kept);
+    return in_derived_[signature] || keeps_matrices() || (ranks_->size() == 1 && few);
+  }
+
+  /// Collective. The matrices that are to be in memory.
+  void compute_whole(const ComputedSignatures& computed, std::size_t models) {
+    std::size_t done = 0;
+    for (const std::size_t i : computation_order(configuration_->signatures)) {
+      if (control_->interrupted()) throw Interrupted();
+      control_->progress("distances", done++, whole_.size());
+      if (!is_whole(i, models)) continue;
+      const SignatureConfiguration& signature = configuration_->signatures[i];
+      const Signatures rows =
+          signature.derived || ranks_->size() == 1 ? Signatures() : gathered(computed.signatures[i], models, *ranks_);
+      const Signatures& all = ranks_->size() == 1 ? computed.signatures[i] : rows;
+      on_all_ranks(*ranks_, [&] {
+        if (ranks_->rank() != 0) return;
+        whole_[i] = signature.derived      ? derived_distances(signature, whole_)
+                    : signature.descriptor ? distances_through_cache(all, signature.descriptor->descriptor, *cache_)
+                                           : distances_through_cache(all, configuration_->distance, *cache_);
+      });
+    }
+  }
+
+  /// Collective. Judges the distances of one signature; returns the seconds that it took here to evaluate them.
+  double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
+    const bool whole = is_whole(i, labels.size());
+    const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
+    const SharedSignatures signatures{.rows = rows, .all = labels.size()};
+    JudgedMethod wanted;
+    for (const Protocol protocol : configuration_->protocols) {
+      wanted.evaluations.push_back({.protocol = protocol,
+                                    .ties = configuration_->ties,
+                                    .measures = configuration_->measures,
+                                    .minimum_class_size = configuration_->minimum_class_size});
+    }
+    wanted.overview = configuration_->report.wanted;
+    if (wanted.overview && std::ssize(labels) > largest_heat_map) {
+      wanted.largest = whole ? largest_of_whole(whole_[i]) : largest_of_first(distance, signatures, *ranks_);
+    }
+    if (configuration_->keep_distances && !places_->distance_files.empty()) wanted.file = places_->distance_files[i];
+
+    const Range part = whole ? Range{.first = ranks_->rank() == 0 ? 0 : labels.size(), .last = labels.size()}
+                             : part_of_rank(labels.size(), ranks_->rank(), ranks_->size());
+    DistanceJudge judge(labels, part, wanted, *ranks_);
+    const RowVisitor add = [&](Eigen::Index first, const DistanceTable& some) {
+      if (control_->interrupted()) throw Interrupted();
+      judge.add(first, some);
+    };
+    if (whole) {
+      add_whole(whole_[i], add);
+    } else {
+      visit_distances(distance, signatures, *ranks_, add);
+    }
+    Judgement judgement = judge.finish();
+    method.evaluations = std::move(judgement.evaluations);
+    if (judgement.overview) method.overview = std::move(*judgement.overview);
+    DistanceMatrix matrix = std::move(whole_[i]);
+    if (keeps_matrices()) method.distances = std::move(matrix);
+    return judge.seconds();
+  }
+
+  static double largest_of_whole(const DistanceMatrix& distances) {
+    return largest_finite({distances.data(), static_cast<std::size_t>(distances.cols())}, 0);
+  }
+
+  static void add_whole(const DistanceMatrix& distances, const RowVisitor& add) {
+    constexpr Eigen::Index together = 1024;
+    for (Eigen::Index first = 0; first < distances.rows(); first += together) {
+      add(first, distances.middleRows(first, std::min(together, distances.rows() - first)));
+    }
+  }
+
+  /// Collective. The signatures that the results are to have.
+  Signatures kept_signatures(std::size_t i, std::size_t models, Signatures rows) {
+    if (ranks_->size() == 1) return rows;
+    const SignatureConfiguration& signature = configuration_->signatures[i];
+    const bool shown = signature.field && configuration_->report.wanted;
+    return signature.descriptor || shown ? gathered(rows, models, *ranks_) : Signatures();
+  }
+
+  const Configuration* configuration_;
+  const RunPlaces* places_;
+  const RunControl* control_;
+  Cache* cache_;
+  Communicator* ranks_;
+  std::vector<bool> in_derived_;       ///< by signature
+  std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
+};
+
+/// Collective. The data set of the configuration. One that the program makes lies in the given folder.
+Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder, const RunControl& control,
+                        Communicator& ranks) {
+  if (configuration.generator) prepare_generated(generated_folder, *configuration.generator, control, ranks);
+  return on_all_ranks(ranks, [&] {
+    if (!configuration.generator) return find_dataset(configuration.location.value());
+    return find_dataset(
+        {.layout = "shrec11", .root = generated_folder, .classification = generated_folder / "test.cla"});
+  });
+}
+
+void run_stages(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
+                Communicator& ranks, ExperimentResults& results) {
+  Stopwatch stopwatch;
+  const Dataset dataset = prepare_dataset(configuration, places.generated_folder, control, ranks);
+  results.timings.emplace_back("dataset", stopwatch.lap());
+
+  ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache, ranks);
+  results.classes = dataset.classes;
+  for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
+  for (const ModelFailure& failure : computed.failures) {
+    results.failures.push_back({.model = dataset.models[failure.model], .message = failure.message});
+  }
+  results.fields = std::move(computed.fields);
+  results.shapes = std::move(computed.shapes);
+  results.pictures = std::move(computed.pictures);
+  results.views = std::move(computed.views);
+  results.viewed = std::move(computed.viewed);
+  results.timings.emplace_back("signatures", stopwatch.lap());
+
+  MethodsRun(configuration, places, control, cache, ranks).run(labels_of(results.models), computed, results);
+}
+
+}  // namespace
+
+namespace {
+
+/// The distances of the signatures by the distance of that name, which `compute` computes where the cache has none.
+DistanceMatrix cached_distances(const Signatures& signatures, const std::string& distance, Cache& cache,
+                                const std::function<DistanceMatrix()>& compute) {
+  const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
+  const std::string key = kept ? distances_key(signatures, distance) : "";
+  if (kept) {
+    if (auto distances = cache.lookup(EntryKind::distances, key, read_distances)) {
+      cache.count(EntryKind::distances, true);
+      return std::move(*distances);
+    }
+  }
+  DistanceMatrix distances = compute();
+  cache.count(EntryKind::distances, false);
+  if (kept) cache.store(EntryKind::distances, key, distances_record(distances));
+  return distances;
+}
+
+}  // namespace
+
+DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache) {
+  return cached_distances(signatures, distance, cache, [&] { return distance_matrix(signatures, distance); });
+}
+
+DistanceMatrix distances_through_cache(const Signatures& features, const Descriptor& descriptor, Cache& cache) {
+  return cached_distances(features, distance_of(descriptor), cache,
+                          [&] { return descriptor_distances(descriptor, features); });
+}
+
+ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
+                                 Cache& cache, Communicator& ranks) {
+  ExperimentResults results;
+  results.processes = ranks.size();
+  results.configuration = configuration;
+  results.threads = control.threads > 0 ? control.threads : available_threads();
+  with_threads(control, [&] { run_stages(configuration, places, control, cache, ranks, results); });
+  results.cache = report_of(cache, ranks);
+  return results;
+}
+
+ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                                 const RunControl& control, Cache& cache) {
+  return run_experiment(configuration, {.generated_folder = generated_folder, .distance_files = {}}, control, cache,
+                        *single_process());
+}
+
+ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
+                                 const RunControl& control) {
+  Cache none;
+  return run_experiment(configuration, generated_folder, control, none);
+}
+
+namespace {
+
+/// The effect of ties on FT under each protocol: "FT 52.5 to 81.0 (psb)"; empty where there is none.
+std::string effect_on_first_tier(const MethodResults& method) {
+  std::vector<std::string> parts;
+  for (const Evaluation& evaluation : method.evaluations) {
+    const auto& [pessimistic, optimistic] = evaluation.first_tier_bounds;
+    if (pessimistic == optimistic) continue;
+    parts.push_back(
+        fmt::format("{:.1f} to {:.1f} ({})", 100 * pessimistic, 100 * optimistic, name_of(evaluation.protocol)));
+  }
+  return parts.empty() ? "" : fmt::format("; FT is {} by their order", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> run_warnings(const ExperimentResults& results) {
+  std::vector<std::string> warnings = field_warnings(results.fields);
+  for (const MethodResults& method : results.methods) {
+    // Without ranked lists from elsewhere, all protocols have the same tied queries.
+    const Evaluation& evaluation = method.evaluations.front();
+    if (evaluation.queries_with_ties == 0) continue;
+    warnings.push_back(fmt::format(
+        "method \"{}\": {} of {} queries have relevant and other models at equal distance, ordered by \"ties\": "
+        "\"{}\"{}",
+        method.name, evaluation.queries_with_ties, evaluation.queries.size(), name_of(evaluation.ties),
+        effect_on_first_tier(method)));
+  }
+  return warnings;
+}
+
+}  // namespace shapegauge

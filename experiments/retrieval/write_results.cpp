@@ -1,0 +1,218 @@
+#include "shapegauge/experiments/retrieval/write_results.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/results/evaluation_tables.h"
+#include "shapegauge/experiments/retrieval/experiment_report.h"
+#include "shapegauge/experiments/retrieval/manifest_entries.h"
+#include "shapegauge/experiments/signatures/shape_reports.h"
+#include "shapegauge/pages/report.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+std::vector<NamedEvaluation> all_evaluations(const ExperimentResults& results) {
+  std::vector<NamedEvaluation> all;
+  for (const MethodResults& method : results.methods) {
+    for (const Evaluation& evaluation : method.evaluations)
+      all.push_back({.method = method.name, .evaluation = &evaluation});
+  }
+  return all;
+}
+
+/// By method and protocol: the number of tied queries, and FT in percent with tied relevant models last and first.
+OrderedJson ties_json(std::span<const NamedEvaluation> evaluations) {
+  OrderedJson rows = OrderedJson::array();
+  for (const NamedEvaluation& named : evaluations) {
+    const Evaluation& evaluation = *named.evaluation;
+    rows.push_back({{"method", named.method},
+                    {"protocol", name_of(evaluation.protocol)},
+                    {"queries", evaluation.queries.size()},
+                    {"queries_with_ties", evaluation.queries_with_ties},
+                    {"FT_pessimistic", 100 * evaluation.first_tier_bounds.pessimistic},
+                    {"FT_optimistic", 100 * evaluation.first_tier_bounds.optimistic}});
+  }
+  return rows;
+}
+
+std::string summary_json(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
+  OrderedJson rows = OrderedJson::array();
+  for (const auto& [method, evaluation, intervals] : evaluations) {
+    for (const bool micro : {true, false}) {
+      OrderedJson row{
+          {"method", method}, {"protocol", name_of(evaluation->protocol)}, {"average", micro ? "micro" : "macro"}};
+      const Eigen::VectorXd& values = micro ? evaluation->micro : evaluation->macro;
+      for (std::size_t i = 0; i < evaluation->measures.size(); ++i) {
+        row[evaluation->measures[i]] = 100 * values[static_cast<Eigen::Index>(i)];
+      }
+      const std::vector<ConfidenceInterval>& of_average = micro ? intervals.micro : intervals.macro;
+      for (std::size_t i = 0; i < of_average.size(); ++i) {
+        row["intervals"][evaluation->measures[i]] = {100 * of_average[i].low, 100 * of_average[i].high};
+      }
+      rows.push_back(std::move(row));
+    }
+  }
+  return OrderedJson{{"name", results.configuration.name},          {"unit", "percent"},
+                     {"ties", name_of(results.configuration.ties)}, {"tied", ties_json(evaluations)},
+                     {"confidence", IntervalOptions().confidence},  {"rows", std::move(rows)}}
+             .dump(2) +
+         "\n";
+}
+
+/// The text files of the results by name.
+std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
+  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
+  std::vector<std::string> ids;
+  for (const Model& model : results.models) ids.push_back(model.id);
+  const Table rounded = summary_table(evaluations);
+  return {{"summary.csv", to_csv(summary_table(evaluations, {.percent = true, .decimals = 4}))},
+          {"summary.json", summary_json(results, evaluations)},
+          {"summary.md", to_markdown(rounded)},
+          {"summary.tex", to_latex(rounded)},
+          {"intervals.csv", to_csv(intervals_table(evaluations))},
+          {"per_class.csv", to_csv(per_class_table(evaluations, results.classes))},
+          {"per_query.csv", to_csv(per_query_table(evaluations, ids, results.classes))},
+          {"pr_curves.csv", to_csv(precision_recall_table(evaluations))},
+          {"shapes.csv", to_csv(shapes_table(results.models, results.classes, results.shapes,
+                                             results.configuration.preparation, results.fields))},
+          {"shape_seconds.csv", to_csv(shape_seconds_table(results.models, results.shapes, results.fields,
+                                                           results.configuration.signatures))}};
+}
+
+/// The files of that kind, one a method.
+std::vector<std::string> method_files(const char* kind, const Configuration& configuration) {
+  std::vector<std::string> names;
+  for (const SignatureConfiguration& signature : configuration.signatures) names.push_back(signature.name);
+  std::vector<std::string> files;
+  for (const std::string& name : file_safe_names(names)) files.push_back(fmt::format("{}/{}.npy", kind, name));
+  return files;
+}
+
+/// Writes the features of the methods that are descriptors. Returns the files' names.
+std::vector<std::string> write_features(const fs::path& folder, const ExperimentResults& results) {
+  const std::vector<std::string> names = method_files("features", results.configuration);
+  std::vector<std::string> files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!results.configuration.signatures[i].descriptor) continue;
+    make_folder(folder / "features");
+    files.push_back(names[i]);
+    write_npy(folder / names[i], results.methods[i].signatures.cast<double>());
+  }
+  return files;
+}
+
+/// The names of the distances' files; none where they are not kept.
+std::vector<std::string> distance_files(const Configuration& configuration) {
+  return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
+}
+
+/// Writes all files but the distances, which are there.
+RunOutcome write_files(const fs::path& folder, const ExperimentResults& results) {
+  RunOutcome outcome{.manifest = manifest_entries(results),
+                     .execution = execution_entries(results),
+                     .summary = summary_text(results),
+                     .warnings = run_warnings(results),
+                     .used = results.models.size(),
+                     .cache = results.cache};
+  for (const FailedModel& failure : results.failures) {
+    outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
+  }
+  for (const auto& [name, text] : text_files(results)) {
+    write_file_atomically(folder / name, text);
+    outcome.files.push_back(name);
+  }
+  for (const std::vector<std::string>& more :
+       {distance_files(results.configuration), write_features(folder, results)}) {
+    outcome.files.insert(outcome.files.end(), more.begin(), more.end());
+  }
+  if (results.configuration.report.wanted) {
+    write_file_atomically(folder / report_name, report_page(report_of(results)));
+    outcome.files.emplace_back(report_name);
+  }
+  return outcome;
+}
+
+RunOutcome run_retrieval(const Configuration& configuration, const RunContext& context) {
+  RunPlaces places{.generated_folder = context.generated, .distance_files = {}};
+  for (const std::string& file : method_files("distances", configuration)) {
+    places.distance_files.push_back(context.results / file);
+  }
+  on_all_ranks(context.ranks, [&] {
+    if (context.ranks.rank() == 0 && configuration.keep_distances) make_folder(context.results / "distances");
+  });
+  const ExperimentResults results =
+      run_experiment(configuration, places, context.control, context.cache, context.ranks);
+  return on_all_ranks(context.ranks, [&] {
+    RunOutcome outcome;
+    if (context.ranks.rank() == 0) {
+      with_threads(context.control.threads, [&] { outcome = write_files(context.results, results); });
+    }
+    return outcome;
+  });
+}
+
+nlohmann::json inputs_of(const Configuration& configuration, int threads) {
+  nlohmann::json inputs;
+  with_threads(threads,
+               [&] { inputs = dataset_inputs(configuration, find_dataset(configuration.location.value()).models); });
+  return inputs;
+}
+
+Experiment read_retrieval(const nlohmann::json& document, const std::string& source, const fs::path& folder) {
+  return retrieval_experiment(configuration_from_json(document, source, folder));
+}
+
+}  // namespace
+
+Experiment retrieval_experiment(Configuration configuration) {
+  Experiment experiment{.name = configuration.name,
+                        .configuration = to_json(configuration),
+                        .dataset = configuration.location,
+                        .run = {}};
+  if (configuration.location) {
+    experiment.inputs = [configuration](int threads) { return inputs_of(configuration, threads); };
+  }
+  experiment.run = [configuration = std::move(configuration)](const RunContext& context) {
+    return run_retrieval(configuration, context);
+  };
+  return experiment;
+}
+
+ExperimentKind retrieval_kind() {
+  return {.name = "retrieval",
+          .description = "Signatures of the models of a data set, their distances, and what these are worth.",
+          .describes = [](const nlohmann::json& document) { return document.contains("signatures"); },
+          .read = read_retrieval};
+}
+
+void write_results(const fs::path& destination, const ExperimentResults& results) {
+  publish_results(destination, to_json(results.configuration), [&](const fs::path& folder) {
+    const std::vector<std::string> files = distance_files(results.configuration);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      make_folder(folder / "distances");
+      write_npy(folder / files[i], results.methods[i].distances);
+    }
+    return write_files(folder, results);
+  });
+}
+
+std::string summary_text(const ExperimentResults& results) {
+  return to_plain_text(summary_table(all_evaluations(results)));
+}
+
+}  // namespace shapegauge

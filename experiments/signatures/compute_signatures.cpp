@@ -1,0 +1,390 @@
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <mutex>
+#include <tbb/task_arena.h>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/distributed/packing.h"
+#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/describe_learnt.h"
+#include "shapegauge/experiments/signatures/describe_model.h"
+#include "shapegauge/experiments/signatures/describe_through_cache.h"
+#include "shapegauge/retrieval/histogram.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The union of the ranges of a field over all models.
+Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
+  std::vector<Interval> ranges;
+  ranges.reserve(models.size());
+  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
+  return enclosing_interval(ranges);
+}
+
+/// One signature, a histogram, of all models.
+Signatures histograms_of(const std::vector<const ModelDescription*>& models, const HistogramConfiguration& wanted,
+                         std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
+  Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
+  const bool of_dataset = wanted.range == HistogramRange::dataset;
+  parallel_for(std::size_t{0}, models.size(), [&](std::size_t i) {
+    table.row(static_cast<Eigen::Index>(i)) =
+        of_dataset ? kept_histogram(models[i]->fields[field], data_set_ranges[field], wanted.options)
+                   : models[i]->histograms[signature];
+  });
+  return table;
+}
+
+/// What became of each model: the descriptions that this process has, and the failures of all.
+struct Described {
+  DescribedModels models;
+  std::vector<ModelFailure> failures;
+};
+
+[[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures) {
+  const ModelFailure& first = failures.front();
+  const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
+  // All processes know of it.
+  throw SharedError(fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")",
+                                dataset.models[first.model].id, first.message, others));
+}
+
+void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
+  const bool none_left = failures.size() == dataset.models.size();
+  if (!failures.empty() && (none_left || on_error == OnError::stop)) stop_for(dataset, failures);
+}
+
+/// The models that are not among the failures.
+std::vector<std::size_t> models_without(const std::vector<ModelFailure>& failures, std::size_t count) {
+  std::vector<std::size_t> models;
+  auto failure = failures.begin();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (failure != failures.end() && failure->model == i) {
+      ++failure;
+    } else {
+      models.push_back(i);
+    }
+  }
+  return models;
+}
+
+Described describe_models(const Dataset& dataset, const Configuration& configuration, const RunControl& control,
+                          std::span<const PlannedField> plan, Cache& cache, Communicator& ranks) {
+  Described described;
+  described.failures = failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
+  stop_if_told(dataset, described.failures, configuration.on_error);
+  const std::vector<std::size_t> remaining = models_without(described.failures, dataset.models.size());
+  // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
+  const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency() * ranks.size());
+  const bool parallel_within = remaining.size() < 2 * threads;
+  const bool stops = configuration.on_error == OnError::stop;
+  std::mutex mutex;
+  const std::vector<ModelFailure> failures =
+      for_each_model(remaining, "signatures", stops, control, ranks, [&](std::size_t model) {
+        ModelDescription description =
+            describe_through_cache(dataset, model, configuration, plan, parallel_within, cache);
+        const std::scoped_lock lock(mutex);
+        described.models.emplace(model, std::move(description));
+      });
+  const auto add = [&](std::vector<ModelFailure> more) {
+    if (stops && more.size() > 1) more.resize(1);
+    described.failures.insert(described.failures.end(), more.begin(), more.end());
+    std::ranges::sort(described.failures, {}, &ModelFailure::model);
+    stop_if_told(dataset, described.failures, configuration.on_error);
+  };
+  add(failures_of_all(failures, ranks));
+  for (;;) {
+    const std::vector<ModelFailure> more =
+        describe_learnt(described.models, configuration, plan, control, cache, ranks);
+    if (more.empty()) return described;
+    for (const ModelFailure& failure : more) described.models.erase(failure.model);
+    add(more);
+  }
+}
+
+ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
+  return ArgumentError(fmt::format("a descriptor gives {} features of one model, {} of another", one, other));
+}
+
+/// The features of one descriptor of all models.
+Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
+  const Eigen::Index length = models.front()->features[descriptor].features.size();
+  Signatures table(std::ssize(models), length);
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const Eigen::VectorXf& features = models[i]->features[descriptor].features;
+    if (features.size() != length) {
+      throw different_lengths(length, features.size());
+    }
+    table.row(static_cast<Eigen::Index>(i)) = features.transpose();
+  }
+  return table;
+}
+
+}  // namespace
+
+std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
+  std::vector<Interval> ranges;
+  for (std::size_t field = 0; field < fields; ++field) ranges.push_back(common_range(models, field));
+  return ranges;
+}
+
+std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescription*>& models,
+                                            std::span<const PlannedField> plan,
+                                            const std::vector<SignatureConfiguration>& signatures,
+                                            std::span<const Interval> data_set_ranges) {
+  std::vector<Signatures> tables(signatures.size());
+  if (models.empty()) return tables;
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    for (const std::size_t i : plan[field].signatures) {
+      tables[i] = histograms_of(models, signatures[i].histogram, i, field, data_set_ranges);
+    }
+  }
+  const std::vector<PlannedDescriptor> descriptors = plan_descriptors(signatures, plan);
+  for (std::size_t d = 0; d < descriptors.size(); ++d) tables[descriptors[d].signature] = features_of(models, d);
+  for (const std::size_t i : computation_order(signatures)) {
+    if (signatures[i].field || signatures[i].descriptor || signatures[i].derived) continue;
+    std::vector<Signatures> parts;
+    for (const std::size_t part : signatures[i].parts) parts.push_back(tables[part]);
+    tables[i] = concatenate(parts);
+  }
+  return tables;
+}
+
+namespace {
+
+/// Whether the model's gaps are wider than the offset of a field on it. Fields without an offset do not leak.
+bool leaks(const ShapeDiagnostics& model, const FieldDescription& found, const nlohmann::json& settings) {
+  const auto given = settings.find("offset");
+  if (given == settings.end()) return false;
+  return model.gap_size > (found.offset ? *found.offset : given->get<double>()) * model.diagonal;
+}
+
+}  // namespace
+
+std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
+                                       std::span<const PlannedField> plan) {
+  std::vector<FieldReport> reports;
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    FieldReport& report = reports.emplace_back();
+    report.settings = to_json(plan[field].field.settings);
+    report.models = models.size();
+    for (const ModelDescription* model : models) {
+      report.seconds += model->fields[field].seconds;
+      if (leaks(model->diagnostics, model->fields[field], report.settings)) ++report.leaking;
+      for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
+    }
+  }
+  return reports;
+}
+
+ShapeReport report_shape(const ModelDescription& model) {
+  ShapeReport report{.sha256 = model.sha256,
+                     .diagnostics = model.diagnostics,
+                     .chosen = model.chosen,
+                     .area = model.area,
+                     .noise = model.noise,
+                     .pass_band = model.pass_band,
+                     .outcomes = {},
+                     .offsets = {},
+                     .seconds = {},
+                     .descriptor_seconds = {}};
+  for (const FieldDescription& field : model.fields) {
+    report.outcomes.push_back(field.outcomes);
+    report.offsets.push_back(field.offset);
+    report.seconds.push_back(field.seconds);
+  }
+  for (const FeatureDescription& descriptor : model.features) report.descriptor_seconds.push_back(descriptor.seconds);
+  return report;
+}
+
+std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*>& models,
+                                       const HistogramConfiguration& wanted, std::size_t field) {
+  if (wanted.range == HistogramRange::fixed) return std::vector(models.size(), wanted.fixed);
+  if (wanted.range == HistogramRange::dataset) return std::vector(models.size(), common_range(models, field));
+  std::vector<Interval> ranges;
+  ranges.reserve(models.size());
+  for (const ModelDescription* model : models) ranges.push_back(model->fields[field].range);
+  return ranges;
+}
+
+namespace {
+
+/// The fields of the views, on the scales of the pictures and of the histograms.
+std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
+                                          const Configuration& configuration) {
+  std::vector<ViewedField> viewed;
+  for (const std::size_t i : viewed_fields(plan, configuration)) {
+    const bool pictured = is_pictured(plan[i], configuration);
+    const std::size_t signature = pictured ? configuration.report.pictured_signature : plan[i].signatures.front();
+    ViewedField& field =
+        viewed.emplace_back(ViewedField{.name = configuration.signatures[signature].name, .colours = {}});
+    if (pictured)
+      field.colours = configuration.report.picture_options.range;
+    else if (configuration.signatures[signature].histogram.range != HistogramRange::per_shape) {
+      field.colours = computed.histogram_ranges[signature].front();
+    }
+  }
+  return viewed;
+}
+
+/// Collective. By field of the plan its range over all models of all ranks.
+std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
+                                           Communicator& ranks) {
+  Packer packer;
+  for (const Interval& range : own.empty() ? std::vector<Interval>() : field_ranges(own, fields)) packer.add(range);
+  const std::string told = on_first_rank(ranks, [parts = ranks.gather(std::move(packer).bytes()), fields] {
+    std::vector<std::vector<Interval>> by_field(fields);
+    for (const std::string& part : parts) {
+      for (Unpacker unpacker(part); !unpacker.is_at_end();) {
+        for (std::vector<Interval>& ranges : by_field) ranges.push_back(unpacker.take_value<Interval>());
+      }
+    }
+    Packer enclosing;
+    for (const std::vector<Interval>& ranges : by_field) enclosing.add(enclosing_interval(ranges));
+    return std::move(enclosing).bytes();
+  });
+  std::vector<Interval> ranges(fields);
+  Unpacker unpacker(told);
+  for (Interval& range : ranges) unpacker.take(range);
+  return ranges;
+}
+
+/// Collective. The lengths of the signatures, which some ranks may have no row of. Throws where they differ.
+std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Communicator& ranks) {
+  Packer packer;
+  for (const Signatures& table : tables) packer.add(table.cols());
+  const std::string told =
+      on_first_rank(ranks, [parts = ranks.gather(std::move(packer).bytes()), count = tables.size()] {
+        std::vector<Eigen::Index> lengths(count);
+        for (const std::string& part : parts) {
+          Unpacker unpacker(part);
+          for (Eigen::Index& length : lengths) {
+            const auto other = unpacker.take_value<Eigen::Index>();
+            if (length > 0 && other > 0 && length != other) throw different_lengths(other, length);
+            length = std::max(length, other);
+          }
+        }
+        return std::move(Packer().add(lengths)).bytes();
+      });
+  return Unpacker(told).take_value<std::vector<Eigen::Index>>();
+}
+
+/// Collective. Brings the rows to the ranks that they belong to: `tables` are of the models at these places.
+std::vector<Signatures> rows_of_rank(const std::vector<Signatures>& tables, std::span<const std::size_t> places,
+                                     std::size_t all, Communicator& ranks) {
+  const std::vector<Eigen::Index> lengths = lengths_of(tables, ranks);
+  std::vector<std::string> to_ranks;
+  for (int rank = 0; rank < ranks.size(); ++rank) {
+    const Range part = part_of_rank(all, rank, ranks.size());
+    Packer packer;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] < part.first || places[i] >= part.last) continue;
+      packer.add(places[i]);
+      for (std::size_t k = 0; k < tables.size(); ++k) {
+        packer.add_bytes(tables[k].row(static_cast<Eigen::Index>(i)).data(),
+                         static_cast<std::size_t>(lengths[k]) * sizeof(float));
+      }
+    }
+    to_ranks.push_back(std::move(packer).bytes());
+  }
+  const Range own = part_of_rank(all, ranks.rank(), ranks.size());
+  std::vector<Signatures> rows;
+  for (const Eigen::Index length : lengths) rows.emplace_back(static_cast<Eigen::Index>(own.size()), length);
+  for (const std::string& part : ranks.exchange(std::move(to_ranks))) {
+    for (Unpacker unpacker(part); !unpacker.is_at_end();) {
+      const auto row = static_cast<Eigen::Index>(unpacker.take_value<std::size_t>() - own.first);
+      for (Signatures& table : rows) {
+        unpacker.take_bytes(table.row(row).data(), static_cast<std::size_t>(table.cols()) * sizeof(float));
+      }
+    }
+  }
+  return rows;
+}
+
+/// Collective. On rank 0 what is told of all models, in their order; without values, histograms and features.
+std::vector<ModelDescription> told_of_all(const std::vector<const ModelDescription*>& own,
+                                          std::span<const std::size_t> places, std::size_t all, Communicator& ranks) {
+  Packer packer;
+  for (std::size_t i = 0; i < own.size(); ++i) packer.add(places[i]).add(described_bytes(*own[i]));
+  std::vector<ModelDescription> models(ranks.rank() == 0 ? all : 0);
+  for (const std::string& part : ranks.gather(std::move(packer).bytes())) {
+    for (Unpacker unpacker(part); !unpacker.is_at_end();) {
+      const auto place = unpacker.take_value<std::size_t>();
+      models[place] = read_described(unpacker.take_value<std::string>());
+    }
+  }
+  return models;
+}
+
+/// What the results tell of the models.
+void report(std::vector<ModelDescription> models, const Configuration& configuration,
+            std::span<const PlannedField> plan, ComputedSignatures& computed) {
+  std::vector<const ModelDescription*> all;
+  for (const ModelDescription& model : models) all.push_back(&model);
+  computed.histogram_ranges.resize(configuration.signatures.size());
+  for (std::size_t field = 0; field < plan.size(); ++field) {
+    for (const std::size_t i : plan[field].signatures) {
+      computed.histogram_ranges[i] = histogram_ranges(all, configuration.signatures[i].histogram, field);
+    }
+  }
+  computed.fields = report_fields(all, plan);
+  for (ModelDescription& model : models) {
+    computed.shapes.push_back(report_shape(model));
+    if (!model.picture.empty()) computed.pictures.push_back(std::move(model.picture));
+    if (!model.view.empty()) computed.views.push_back(std::move(model.view));
+  }
+  if (!computed.views.empty()) computed.viewed = viewed_fields_of(computed, plan, configuration);
+}
+
+}  // namespace
+
+ComputedSignatures compute_signatures(const Dataset& dataset, const Configuration& configuration,
+                                      const RunControl& control, Cache& cache, Communicator& ranks) {
+  const std::vector<PlannedField> plan = plan_fields(configuration.signatures);
+  Described described = describe_models(dataset, configuration, control, plan, cache, ranks);
+  ComputedSignatures computed;
+  computed.models = models_without(described.failures, dataset.models.size());
+  computed.failures = std::move(described.failures);
+  computed.own = part_of_rank(computed.models.size(), ranks.rank(), ranks.size());
+
+  std::vector<const ModelDescription*> models;
+  std::vector<std::size_t> places;
+  for (const auto& [index, model] : described.models) {
+    models.push_back(&model);
+    places.push_back(
+        static_cast<std::size_t>(std::ranges::lower_bound(computed.models, index) - computed.models.begin()));
+  }
+  const std::vector<Interval> ranges = ranges_over_data_set(models, plan.size(), ranks);
+  const std::vector<Signatures> tables =
+      on_all_ranks(ranks, [&] { return assemble_signatures(models, plan, configuration.signatures, ranges); });
+  computed.signatures = rows_of_rank(tables, places, computed.models.size(), ranks);
+  std::vector<ModelDescription> told = told_of_all(models, places, computed.models.size(), ranks);
+  if (ranks.rank() == 0) report(std::move(told), configuration, plan, computed);
+  return computed;
+}
+
+std::vector<std::string> field_warnings(std::span<const FieldReport> fields) {
+  std::vector<std::string> warnings;
+  for (const FieldReport& field : fields) {
+    if (field.leaking > 0) {
+      warnings.push_back(fmt::format(
+          R"({} of {} shapes have gaps wider than the offset of the field {}: the offset surface leaks into them; )"
+          R"(use a larger offset or "auto")",
+          field.leaking, field.models, field.settings.dump()));
+    }
+    for (const std::string& warning : outcome_warnings(field.outcomes)) {
+      warnings.push_back(fmt::format("{} in the field {}", warning, field.settings.dump()));
+    }
+  }
+  return warnings;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,31 @@
+#include "shapegauge/experiments/signatures/model_view.h"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/pages/coarse_view.h"
+#include "shapegauge/pages/shape_view.h"
+
+namespace shapegauge {
+
+Eigen::Index faces_of_views(std::size_t models) {
+  constexpr Eigen::Index of_all = 240'000;
+  return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(models, 1)), Eigen::Index{200},
+                    Eigen::Index{3000});
+}
+
+std::string model_view(const Shape& shape, std::span<const SampledField> fields, Eigen::Index faces) {
+  ShapeView view{.name = "", .shape = coarse_shape(shape, faces), .site = SampleSite::vertices};
+  const Samples places = sample_shape(view.shape, view.site);
+  std::map<const Samples*, CarriedValues> carried;  // most fields have the same samples
+  for (const SampledField& field : fields) {
+    const auto range = central_range({.values = field.values, .weights = field.samples.weights});
+    const CarriedValues& of_samples = carried.try_emplace(&field.samples, field.samples, places).first->second;
+    view.fields.push_back(
+        {.name = "", .values = of_samples.means(field.values), .colours = range.value_or(Interval{})});
+  }
+  return shape_view_json(view).dump();
+}
+
+}  // namespace shapegauge

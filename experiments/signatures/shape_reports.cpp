@@ -1,0 +1,140 @@
+#include "shapegauge/experiments/signatures/shape_reports.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shapegauge {
+
+nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
+  // A length greater than 0 has a diagonal greater than 0 beside it.
+  const auto fraction = [&](double length) { return length > 0 ? length / diagnostics.diagonal : 0; };
+  return {{"closed", diagnostics.watertight},
+          {"vertices", diagnostics.vertices},
+          {"unreferenced_vertices", diagnostics.unreferenced_vertices},
+          {"coincident_vertices", diagnostics.coincident_vertices},
+          {"diagonal", diagnostics.diagonal},
+          {"triangles", diagnostics.triangles},
+          {"area", diagnostics.area},
+          {"degenerate_triangles", diagnostics.degenerate_triangles},
+          {"duplicate_triangles", diagnostics.duplicate_triangles},
+          {"components", diagnostics.components},
+          {"edges", diagnostics.edges},
+          {"boundary_edges", diagnostics.boundary_edges},
+          {"boundary_length", diagnostics.boundary_length},
+          {"boundary_fraction", fraction(diagnostics.boundary_length)},
+          {"non_manifold_edges", diagnostics.non_manifold_edges},
+          {"inconsistent_edges", diagnostics.inconsistent_edges},
+          {"gap_size", diagnostics.gap_size},
+          {"gap_fraction", fraction(diagnostics.gap_size)},
+          {"point_spacing", diagnostics.point_spacing},
+          {"noisy", diagnostics.noisy},
+          {"noise_fraction", fraction(diagnostics.noise_deviation)}};
+}
+
+namespace {
+
+/// A field's name in a header: its type, then its other settings, for example "offset_sdf at=faces offset=0.05".
+std::string name_of(const FieldReport& field) {
+  std::string name = field.settings.at("type");
+  for (const auto& [key, value] : field.settings.items()) {
+    if (key != "type") name += fmt::format(" {}={}", key, value.is_string() ? value.get<std::string>() : value.dump());
+  }
+  return name;
+}
+
+bool chooses_offset(const FieldReport& field) { return field.settings.value("offset", nlohmann::json()).is_string(); }
+
+void append_header(std::vector<std::string>& header, const PreparationOptions& preparation,
+                   std::span<const FieldReport> fields) {
+  const nlohmann::ordered_json diagnostics = diagnostics_json({});
+  for (const auto& [name, value] : diagnostics.items()) header.push_back(name);
+  header.emplace_back("area scaled to 1");
+  if (preparation.denoise) header.insert(header.end(), {"noise", "smoothing pass band"});
+  for (const FieldReport& field : fields) {
+    if (chooses_offset(field)) header.push_back(fmt::format("{}: chosen offset", name_of(field)));
+    for (const auto& [outcome, count] : field.outcomes) {
+      header.push_back(fmt::format("{}: {}", name_of(field), outcome));
+    }
+  }
+}
+
+void append_report(std::vector<std::string>& row, const ShapeReport& shape, const PreparationOptions& preparation,
+                   std::span<const FieldReport> fields) {
+  row.push_back(fmt::format("{}", fmt::join(shape.chosen, " ")));
+  const nlohmann::ordered_json diagnostics = diagnostics_json(shape.diagnostics);
+  for (const auto& [name, value] : diagnostics.items()) row.push_back(value.dump());
+  row.push_back(fmt::format("{}", shape.area));
+  if (preparation.denoise) {
+    row.push_back(fmt::format("{:.4g}", shape.noise));
+    row.push_back(fmt::format("{:.4g}", shape.pass_band));
+  }
+  for (std::size_t field = 0; field < fields.size(); ++field) {
+    if (const auto& offset = shape.offsets[field]) row.push_back(fmt::format("{:.6g}", *offset));
+    for (const auto& [outcome, sum] : fields[field].outcomes) {
+      const auto count = shape.outcomes[field].find(outcome);
+      row.push_back(std::to_string(count == shape.outcomes[field].end() ? 0 : count->second));
+    }
+  }
+}
+
+}  // namespace
+
+Table with_shape_reports(Table table, std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                         std::span<const FieldReport> fields) {
+  table.text_columns = table.header.size() + 1;
+  table.header.emplace_back("choices");
+  append_header(table.header, preparation, fields);
+  for (std::size_t i = 0; i < shapes.size(); ++i) append_report(table.rows[i], shapes[i], preparation, fields);
+  return table;
+}
+
+Table shapes_table(std::span<const Model> models, std::span<const std::string> classes,
+                   std::span<const ShapeReport> shapes, const PreparationOptions& preparation,
+                   std::span<const FieldReport> fields) {
+  Table table{.header = {"id", "class"}, .rows = {}};
+  for (const Model& model : models) table.rows.push_back({model.id, classes[static_cast<std::size_t>(model.label)]});
+  return with_shape_reports(std::move(table), shapes, preparation, fields);
+}
+
+Table shape_seconds_table(std::span<const Model> models, std::span<const ShapeReport> shapes,
+                          std::span<const FieldReport> fields, std::span<const SignatureConfiguration> signatures) {
+  Table table{.header = {"id"}, .rows = {}, .text_columns = 1};
+  for (const FieldReport& field : fields) table.header.push_back(name_of(field));
+  for (const SignatureConfiguration& signature : signatures) {
+    if (signature.descriptor) table.header.push_back(signature.name);
+  }
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    auto& row = table.rows.emplace_back();
+    row.push_back(models[i].id);
+    for (const double seconds : shapes[i].seconds) row.push_back(fmt::format("{:.6f}", seconds));
+    for (const double seconds : shapes[i].descriptor_seconds) row.push_back(fmt::format("{:.6f}", seconds));
+  }
+  return table;
+}
+
+nlohmann::ordered_json fields_json(std::span<const FieldReport> fields) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const FieldReport& field : fields) {
+    nlohmann::ordered_json entry{{"field", field.settings}, {"samples", field.outcomes}};
+    if (field.settings.contains("offset")) entry["shapes_with_gaps_wider_than_offset"] = field.leaking;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+nlohmann::ordered_json execution_json(int threads, std::span<const std::pair<std::string, double>> timings,
+                                      std::span<const FieldReport> fields) {
+  nlohmann::ordered_json seconds = nlohmann::ordered_json::object();
+  for (const auto& [stage, time] : timings) seconds[stage] = time;
+  nlohmann::ordered_json by_field = nlohmann::ordered_json::array();
+  for (const FieldReport& field : fields) {
+    by_field.push_back({{"field", field.settings}, {"seconds", field.seconds}});
+  }
+  return {{"threads", threads}, {"seconds", std::move(seconds)}, {"field_seconds", std::move(by_field)}};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,97 @@
+#include <gmock/gmock.h>
+
+#include "shapegauge/experiments/engine/replay.h"
+#include "shapegauge/experiments/retrieval/manifest_entries.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
+  const test::TemporaryFolder folder;
+  const auto error_for = [&](const std::string& text) {
+    test::write_text(folder.path() / "m.json", text);
+    return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
+  };
+  EXPECT_EQ(error_for(R"({"configuration": {}, "inputs": {}, "outputs": {}})"), "no error");
+  EXPECT_THAT(error_for("[]"), HasSubstr("has no \"configuration\""));
+  EXPECT_THAT(error_for(R"({"configuration": {}, "inputs": {}})"), HasSubstr("has no \"outputs\""));
+  EXPECT_THAT(error_for(R"({"configuration": 1, "inputs": {}, "outputs": {}})"), HasSubstr("manifest.json"));
+  EXPECT_THAT(error_for("{"), HasSubstr("m.json"));
+  EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));
+}
+
+TEST(Replay, ADataSetIsLookedForInAnotherFolder) {
+  Json manifest{
+      {"configuration",
+       {{"dataset", {{"layout", "shrec11"}, {"root", "/old/data"}, {"classification", "/old/data/a/test.cla"}}}}}};
+  EXPECT_EQ(recorded_configuration(manifest, ""), manifest["configuration"]);
+  Json moved = recorded_configuration(manifest, "/new/place")["dataset"];
+  EXPECT_EQ(moved["root"], "/new/place");
+  EXPECT_EQ(moved["classification"], "/new/place/a/test.cla");
+  manifest["configuration"]["dataset"]["classification"] = "/old/database/test.cla";
+  moved = recorded_configuration(manifest, "/new/place")["dataset"];
+  EXPECT_EQ(moved["classification"], "/old/database/test.cla") << "it did not lie in the data set's folder";
+}
+
+TEST(Replay, TheShapesOfAComparisonAreLookedForInAnotherFolder) {
+  const Json manifest{{"configuration",
+                       {{"shapes",
+                         {{{"name", "a"}, {"file", "/old/models/animals/cat.off"}},
+                          {{"name", "b"}, {"file", "/old/models/fertility.off"}},
+                          {{"name", "c"}, {"generate", {{"class", "horse"}}}}}}}}};
+  const Json shapes = recorded_configuration(manifest, "/new")["shapes"];
+  EXPECT_EQ(shapes[0]["file"], "/new/animals/cat.off");
+  EXPECT_EQ(shapes[1]["file"], "/new/fertility.off");
+  EXPECT_FALSE(shapes[2].contains("file"));
+}
+
+TEST(Replay, WhatIsGeneratedHasNoFolder) {
+  const Json dataset{{"configuration", {{"dataset", {{"generate", Json::object()}}}}}};
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(dataset, "/new"); }), HasSubstr("--dataset-root"));
+  const Json shapes{{"configuration", {{"shapes", {{{"name", "a"}, {"generate", Json::object()}}}}}}};
+  EXPECT_THAT(test::input_error_of([&] { recorded_configuration(shapes, "/new"); }), HasSubstr("--dataset-root"));
+}
+
+TEST(Replay, ChangedInputsAreNamed) {
+  const Json recorded{
+      {"algorithm", "SHA-256"}, {"models", {{"1", "aa"}, {"2", "bb"}, {"3", "cc"}}}, {"classification", "dd"}};
+  EXPECT_THAT(changed_inputs(recorded, recorded), IsEmpty());
+  const Json now{{"models", {{"1", "aa"}, {"2", "xx"}, {"4", "ee"}}}, {"classification", "yy"}};
+  EXPECT_THAT(changed_inputs(recorded, now),
+              ElementsAre("model 2 is not the recorded one: its file holds other bytes", "model 3 is absent",
+                          "the classification is not the recorded one: its file holds other bytes",
+                          "model 4 was not among them"));
+  EXPECT_THAT(changed_inputs({{"shapes", {{"cat", "aa"}}}}, {{"shapes", Json::object()}}),
+              ElementsAre("shape cat is absent"));
+}
+
+TEST(Replay, AnotherProgramIsNamed) {
+  Json manifest = program_json();
+  EXPECT_THAT(changed_program(manifest), IsEmpty());
+  manifest["shapegauge"] = "0.0.0";
+  manifest.erase("processor");
+  EXPECT_THAT(changed_program(manifest),
+              testing::UnorderedElementsAre(testing::MatchesRegex("shapegauge: .*, recorded was \"0\\.0\\.0\""),
+                                            testing::MatchesRegex("processor: .*, recorded was \"unknown\"")));
+}
+
+TEST(Replay, OutputsAreComparedByTheirHashes) {
+  const Json recorded{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "2"}, {"c.csv", "3"}}}}}};
+  const Json now{{"outputs", {{"files", {{"a.csv", "1"}, {"b.csv", "x"}}}}},
+                 {"files", {"a.csv", "b.csv", "shape_seconds.csv"}}};
+  const ComparedOutputs outputs = compare_outputs(recorded, now);
+  EXPECT_THAT(outputs.same, ElementsAre("a.csv"));
+  EXPECT_THAT(outputs.different, ElementsAre("b.csv", "c.csv"));
+  EXPECT_THAT(outputs.timings, ElementsAre("shape_seconds.csv"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

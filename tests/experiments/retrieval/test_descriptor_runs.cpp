@@ -1,0 +1,188 @@
+#include <gmock/gmock.h>
+#include <map>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/retrieval/run_experiment.h"
+#include "shapegauge/experiments/retrieval/write_results.h"
+#include "shapegauge/retrieval/descriptors/d2.h"
+#include "shapegauge/retrieval/descriptors/joint_histogram.h"
+#include "shapegauge/retrieval/diffusion.h"
+#include "shapegauge/retrieval/fusion.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using test::text_of;
+
+/// Runs over the small data set with descriptors of each kind: of the shape (d2), of fields (joint), of fields and all
+/// that the data set has (bag), and what is made of their distances.
+class DescriptorRuns : public testing::Test {
+ protected:
+  void SetUp() override { test::write_small_dataset(data()); }
+
+  [[nodiscard]] fs::path data() const { return folder_.path() / "data"; }
+
+  [[nodiscard]] Json document() const {
+    Json document = test::small_configuration(data());
+    const Json more = Json::parse(R"([
+      {"name": "again", "rerank": {"of": "sum", "method": "diffusion", "neighbours": 2}},
+      {"name": "sum", "sum": [{"of": "d2"}, {"of": "joint", "weight": 0.5}, {"of": "fixed"}]},
+      {"name": "d2", "descriptor": {"type": "d2", "points": 64, "bins": 8}},
+      {"name": "joint", "descriptor": {"type": "joint_histogram",
+        "fields": [{"type": "cone_sdf"}, {"type": "centricity", "sources": 8}],
+        "axes": [{"bins": 4, "high": 0.6}, {"bins": 4, "divide_by_mean": true, "high": 2}]}},
+      {"name": "bag", "descriptor": {"type": "bag_of_features", "words": 5,
+        "fields": [{"type": "cone_sdf"}, {"type": "centricity", "sources": 8}]}}])");
+    document["signatures"].insert(document["signatures"].end(), more.begin(), more.end());
+    return document;
+  }
+
+  ExperimentResults run(const Json& document, bool cached, int threads = 2) const {
+    Cache cache(cached ? folder_.path() / "cache" : fs::path());
+    ExperimentResults results = run_experiment(configuration_from_json(document, "test.json", "."),
+                                               folder_.path() / "generated", {.threads = threads}, cache);
+    EXPECT_THAT(cache.warnings(), testing::IsEmpty());
+    return results;
+  }
+
+  /// All result files by name, but for timings.
+  [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
+    fs::remove_all(folder_.path() / "out");
+    write_results(folder_.path() / "out", results);
+    std::map<std::string, std::string> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / "out")) {
+      const std::string name = entry.path().lexically_relative(folder_.path() / "out").string();
+      if (!entry.is_regular_file() || name == "shape_seconds.csv" || name == "manifest.json") continue;
+      files[name] = text_of(entry.path());
+    }
+    return files;
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+const MethodResults& method_named(const ExperimentResults& results, const std::string& name) {
+  return *std::ranges::find(results.methods, name, &MethodResults::name);
+}
+
+CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
+  return results.cache.uses.at(static_cast<std::size_t>(kind));
+}
+
+TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
+  const ExperimentResults results = run(document(), false);
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    const Shape shape = scaled_to_unit_area(read_shape(results.models[static_cast<std::size_t>(i)].file));
+    EXPECT_EQ(method_named(results, "d2").signatures.row(i).transpose(), d2(shape, {.points = 64, .bins = 8}));
+  }
+  EXPECT_EQ(method_named(results, "d2").distances,
+            descriptor_distances(descriptors().at("d2"), method_named(results, "d2").signatures));
+  const Signatures& joint = method_named(results, "joint").signatures;
+  EXPECT_EQ(joint.cols(), 16);
+  const Signatures& bag = method_named(results, "bag").signatures;
+  EXPECT_EQ(bag.cols(), 5);
+  for (Eigen::Index i = 0; i < 9; ++i) EXPECT_NEAR(bag.row(i).sum(), 1, 1e-6);
+}
+
+TEST_F(DescriptorRuns, DerivedDistancesAreMadeOfTheOthers) {
+  const ExperimentResults results = run(document(), false);
+  const std::vector<DistanceMatrix> parts{method_named(results, "d2").distances,
+                                          method_named(results, "joint").distances,
+                                          method_named(results, "fixed").distances};
+  const std::vector<double> weights{1, 0.5, 1};
+  EXPECT_EQ(method_named(results, "sum").distances, sum_of_distances(parts, weights));
+  EXPECT_EQ(method_named(results, "again").distances,
+            diffused(method_named(results, "sum").distances, {.neighbours = 2}));
+  EXPECT_EQ(method_named(results, "again").signatures.size(), 0);
+  EXPECT_EQ(method_named(results, "again").evaluations.size(), 2U);
+}
+
+TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
+  Json all = document();
+  const Json more = Json::parse(R"([
+    {"name": "ranks", "fuse_ranks": ["d2", "joint"]},
+    {"name": "k", "rerank": {"of": "sum", "method": "k_reciprocal", "neighbours": 3, "expansion_neighbours": 2}},
+    {"name": "query", "rerank": {"of": "sum", "method": "query_expansion"}}])");
+  all["signatures"].insert(all["signatures"].end(), more.begin(), more.end());
+  const ExperimentResults results = run(all, false);
+  test::write_text(data() / "test.cla", "PSB 1\n3 9\n\na 0 3\n0\n3\n8\n\nb 0 3\n1\n4\n6\n\nc 0 3\n2\n5\n7\n");
+  const ExperimentResults shuffled = run(all, false);
+  EXPECT_NE(method_named(results, "sum").evaluations[0].per_query,
+            method_named(shuffled, "sum").evaluations[0].per_query);
+  for (const MethodResults& method : results.methods) {
+    EXPECT_EQ(method_named(shuffled, method.name).distances, method.distances) << method.name;
+  }
+}
+
+TEST_F(DescriptorRuns, TheCacheChangesNoByte) {
+  const auto fresh = files_of(run(document(), false, 1));
+  EXPECT_TRUE(fresh.contains("features/joint.npy"));
+  EXPECT_FALSE(fresh.contains("features/sum.npy"));
+  EXPECT_TRUE(fresh.contains("distances/sum.npy"));
+  EXPECT_EQ(files_of(run(document(), true, 3)), fresh);
+  const ExperimentResults again = run(document(), true);
+  EXPECT_EQ(files_of(again), fresh);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::features).computed, 0U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::features).hits, 27U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::learnt).hits, 1U);
+  EXPECT_EQ(uses_of_kind(again, EntryKind::field).computed, 0U);
+}
+
+TEST_F(DescriptorRuns, FeaturesOfFieldsInTheCacheAreComputedFromThem) {
+  run(document(), true);
+  Json changed = document();
+  changed["signatures"][7]["descriptor"]["axes"][0]["bins"] = 5;
+  const auto fresh = files_of(run(changed, false));
+  const ExperimentResults results = run(changed, true);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::field).computed, 0U);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::features).computed, 9U);
+  EXPECT_EQ(files_of(results), fresh);
+}
+
+TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
+  run(document(), true);
+  write_off(data() / "T8.off", test::small_shape("box", 9));
+  const auto fresh = files_of(run(document(), false));
+  const ExperimentResults results = run(document(), true);
+  EXPECT_EQ(uses_of_kind(results, EntryKind::learnt).computed, 1U);
+  // All of the bag's, and those of the other two descriptors on the one model.
+  EXPECT_EQ(uses_of_kind(results, EntryKind::features).computed, 9U + 2U);
+  EXPECT_EQ(files_of(results), fresh);
+}
+
+TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
+  // A cloud: ShapeDNA needs triangles.
+  std::string cloud = "OFF\n30 0 0\n";
+  for (int i = 0; i < 30; ++i)
+    cloud += std::to_string(i % 5) + " " + std::to_string(i % 7) + " " + std::to_string(i) + "\n";
+  test::write_text(data() / "T4.off", cloud);
+  Json document = test::small_configuration(data());
+  document["signatures"] = {{{"name", "dna"}, {"descriptor", {{"type", "shape_dna"}, {"eigenvalues", 5}}}}};
+  EXPECT_THAT(test::input_error_of([&] { run(document, false); }), testing::HasSubstr("4"));
+  document["on_error"] = "skip";
+  const ExperimentResults results = run(document, false);
+  ASSERT_EQ(results.failures.size(), 1U);
+  EXPECT_EQ(results.failures[0].model.id, "4");
+  EXPECT_EQ(method_named(results, "dna").distances.rows(), 8);
+}
+
+TEST_F(DescriptorRuns, WithoutAnyFieldThereIsAReportWithoutPictures) {
+  Json document = test::small_configuration(data());
+  document["signatures"] = {{{"name", "d2"}, {"descriptor", {{"type", "d2"}}}},
+                            {{"name", "again"}, {"rerank", {{"of", "d2"}, {"method", "k_reciprocal"}}}}};
+  const ExperimentResults results = run(document, true);
+  EXPECT_TRUE(results.pictures.empty());
+  EXPECT_TRUE(files_of(results).contains("report.html"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,90 @@
+#include <gmock/gmock.h>
+#include <limits>
+#include <png.h>
+
+#include "shapegauge/core/render/image.h"
+#include "shapegauge/experiments/signatures/model_picture.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+Image decoded(const std::string& png) {
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_memory(&header, png.data(), png.size()) == 0) return {};
+  header.format = PNG_FORMAT_RGBA;
+  Image image{.width = static_cast<int>(header.width), .height = static_cast<int>(header.height), .pixels = {}};
+  image.pixels.resize(PNG_IMAGE_SIZE(header));
+  png_image_finish_read(&header, nullptr, image.pixels.data(), 0, nullptr);
+  return image;
+}
+
+/// The mean of a channel over the pixels that the shape covers wholly.
+double mean_channel(const Image& image, std::size_t channel) {
+  double sum = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+    if (image.pixels[i + 3] < 255) continue;
+    sum += image.pixels[i + channel];
+    ++count;
+  }
+  return sum / count;
+}
+
+std::string picture_of(const Shape& shape, SampleSite site, double value) {
+  const Samples samples = site == SampleSite::surface ? sample_surface_of(shape, 800) : sample_shape(shape, site);
+  return model_picture(shape, samples, Eigen::VectorXd::Constant(samples.points.rows(), value), {});
+}
+
+TEST(ModelPicture, HasTheSizeAskedForAndSeesThroughAroundTheShape) {
+  const Image image = decoded(picture_of(test::sphere(1, 3), SampleSite::faces, 0.3));
+  const PictureOptions options;
+  EXPECT_EQ(image.width, options.width);
+  EXPECT_EQ(image.height, options.height);
+  EXPECT_EQ(image.pixels[3], 0) << "a corner";
+  EXPECT_EQ(image.pixels[static_cast<std::size_t>(4 * (image.height / 2 * image.width + image.width / 2)) + 3], 255);
+}
+
+TEST(ModelPicture, TheSameValueHasTheSameColourWhereverItIsSampled) {
+  const Shape sphere = test::sphere(1, 4);
+  const Image faces = decoded(picture_of(sphere, SampleSite::faces, 0.1));
+  for (const SampleSite site : {SampleSite::vertices, SampleSite::surface}) {
+    const Image other = decoded(picture_of(sphere, site, 0.1));
+    // Splats are a little larger than the surface, and their shading is flat.
+    for (const std::size_t channel : {0, 1, 2})
+      EXPECT_NEAR(mean_channel(other, channel), mean_channel(faces, channel), 12);
+  }
+}
+
+TEST(ModelPicture, LargeValuesAreYellowSmallOnesPurpleAndNoneGrey) {
+  const Shape sphere = test::sphere(1, 3);
+  const auto colour = [&](double value) {
+    const Image image = decoded(picture_of(sphere, SampleSite::faces, value));
+    return Eigen::Vector3d(mean_channel(image, 0), mean_channel(image, 1), mean_channel(image, 2));
+  };
+  const Eigen::Vector3d large = colour(7);
+  EXPECT_GT(large[0], 3 * large[2]);
+  const Eigen::Vector3d small = colour(-1);
+  EXPECT_GT(small[2], 5 * small[1]);
+  EXPECT_EQ(small, colour(0));
+  const Eigen::Vector3d none = colour(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NEAR(none[0], none[1], 1e-9);
+  EXPECT_NEAR(none[0], none[2], 1e-9);
+}
+
+TEST(ModelPicture, OfACloudToo) {
+  const Shape cloud = test::random_points(test::sphere(1, 4), 800, 1);
+  EXPECT_GT(mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.56)), 0), 100);
+}
+
+TEST(ModelPicture, OfACloudOfWhichSomePointsAreSampled) {
+  const Shape cloud = test::random_points(test::sphere(1, 4), 3000, 1);
+  EXPECT_NEAR(mean_channel(decoded(picture_of(cloud, SampleSite::surface, 0.3)), 0),
+              mean_channel(decoded(picture_of(cloud, SampleSite::faces, 0.3)), 0), 12);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

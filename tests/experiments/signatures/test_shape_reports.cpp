@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <gtest/gtest.h>
+
+#include "shapegauge/experiments/signatures/shape_reports.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+TEST(DiagnosticsJson, NamesEveryDiagnostic) {
+  Shape box = test::box({1, 1, 1}, 1);
+  box.triangles = box.triangles.topRows(11).eval();
+  const nlohmann::ordered_json json = diagnostics_json(diagnose(box));
+  EXPECT_EQ(json["closed"], false);
+  EXPECT_EQ(json["vertices"], 8);
+  EXPECT_EQ(json["triangles"], 11);
+  EXPECT_EQ(json["components"], 1);
+  EXPECT_EQ(json["boundary_edges"], 3);
+  EXPECT_EQ(json["edges"], 18);
+  EXPECT_DOUBLE_EQ(json["boundary_length"], 2 + std::sqrt(2));
+  EXPECT_DOUBLE_EQ(json["boundary_fraction"], (2 + std::sqrt(2)) / std::sqrt(3));
+}
+
+TEST(DiagnosticsJson, AnEmptyShapeHasNoFractionThatIsNotANumber) {
+  EXPECT_EQ(diagnostics_json(diagnose(Shape{}))["boundary_fraction"], 0);
+}
+
+struct Results {
+  std::vector<std::string> classes;
+  std::vector<Model> models;
+  std::vector<FieldReport> fields;
+  std::vector<ShapeReport> shapes;
+  std::vector<SignatureConfiguration> signatures;
+};
+
+Results two_models() {
+  Results results;
+  results.classes = {"ant", "bird"};
+  results.models = {{.id = "3", .file = "", .label = 1}, {.id = "5", .file = "", .label = 0}};
+  results.fields = {{.settings = {{"type", "offset_sdf"}, {"at", "faces"}, {"offset", 0.05}},
+                     .outcomes = {{"total", 9}, {"undecided", 1}}}};
+  results.shapes.resize(2);
+  results.shapes[0] = {.diagnostics = {.triangles = 4, .watertight = true},
+                       .chosen = {2, 0},
+                       .outcomes = {{{"total", 4}}},
+                       .offsets = {std::nullopt},
+                       .seconds = {0.25},
+                       .descriptor_seconds = {}};
+  results.shapes[1] = {.diagnostics = {.triangles = 5},
+                       .chosen = {},
+                       .outcomes = {{{"total", 5}, {"undecided", 1}}},
+                       .offsets = {std::nullopt},
+                       .seconds = {1.5},
+                       .descriptor_seconds = {}};
+  return results;
+}
+
+std::string cell(const Table& table, std::size_t row, const std::string& column) {
+  const auto found = std::ranges::find(table.header, column);
+  return found == table.header.end() ? "no such column"
+                                     : table.rows.at(row).at(static_cast<std::size_t>(found - table.header.begin()));
+}
+
+TEST(ShapesTable, HasTheDiagnosticsAndTheOutcomesOfEachModel) {
+  const Results results = two_models();
+  const Table table = shapes_table(results.models, results.classes, results.shapes, {}, results.fields);
+  ASSERT_EQ(table.rows.size(), 2U);
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+  EXPECT_EQ(cell(table, 0, "id"), "3");
+  EXPECT_EQ(cell(table, 0, "class"), "bird");
+  EXPECT_EQ(cell(table, 0, "choices"), "2 0");
+  EXPECT_EQ(cell(table, 0, "closed"), "true");
+  EXPECT_EQ(cell(table, 0, "triangles"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: total"), "4");
+  EXPECT_EQ(cell(table, 0, "offset_sdf at=faces offset=0.05: undecided"), "0");
+  EXPECT_EQ(cell(table, 1, "choices"), "");
+  EXPECT_EQ(cell(table, 1, "offset_sdf at=faces offset=0.05: undecided"), "1");
+}
+
+TEST(ShapeSecondsTable, HasTheTimeOfEachField) {
+  const Results results = two_models();
+  const Table table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
+  EXPECT_EQ(table.header, (std::vector<std::string>{"id", "offset_sdf at=faces offset=0.05"}));
+  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{{"3", "0.250000"}, {"5", "1.500000"}}));
+}
+
+TEST(ShapeSecondsTable, HasTheTimeOfEachDescriptor) {
+  Results results = two_models();
+  SignatureConfiguration& signature = results.signatures.emplace_back();
+  signature.name = "SH";
+  signature.descriptor = make_descriptor({{"type", "spherical_harmonics"}});
+  results.shapes[0].descriptor_seconds = {0.5};
+  results.shapes[1].descriptor_seconds = {2};
+  const Table table = shape_seconds_table(results.models, results.shapes, results.fields, results.signatures);
+  EXPECT_EQ(table.header.back(), "SH");
+  EXPECT_EQ(table.rows[0].back(), "0.500000");
+  EXPECT_EQ(table.rows[1].back(), "2.000000");
+}
+
+TEST(FieldsJson, HasOutcomesAndOfThoseWithAnOffsetItsLeaks) {
+  const std::vector<FieldReport> fields{{.settings = {{"type", "offset_sdf"}, {"offset", 0.01}},
+                                         .outcomes = {{"total", 7}, {"missing", 2}},
+                                         .seconds = 3,
+                                         .models = 5,
+                                         .leaking = 4},
+                                        {.settings = {{"type", "cone_sdf"}}, .outcomes = {{"total", 8}}, .seconds = 1}};
+  const nlohmann::ordered_json json = fields_json(fields);
+  ASSERT_EQ(json.size(), 2U);
+  EXPECT_EQ(json[0]["samples"], (nlohmann::ordered_json{{"missing", 2}, {"total", 7}}));
+  EXPECT_EQ(json[0]["shapes_with_gaps_wider_than_offset"], 4);
+  EXPECT_EQ(json[1], (nlohmann::ordered_json{{"field", {{"type", "cone_sdf"}}}, {"samples", {{"total", 8}}}}));
+}
+
+}  // namespace
+
+}  // namespace shapegauge
