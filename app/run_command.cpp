@@ -21,6 +21,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/distributed/agreement.h"
 #include "shapegauge/experiments/distributed/communicator.h"
 #include "shapegauge/experiments/engine/experiment.h"

@@ -15,6 +15,7 @@
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
+
 namespace shapegauge {
 
 namespace {
@@ -165,7 +167,7 @@ Json to_json(const std::vector<SignatureConfiguration>& signatures) {
   for (const SignatureConfiguration& signature : signatures) {
     Json json{{"name", signature.name}};
     if (signature.field) {
-      json["field"] = signature.field->settings;
+      json["field"] = to_json(signature.field->settings);
       json["histogram"] = to_json(signature.histogram);
     } else if (signature.descriptor) {
       json["descriptor"] = signature.descriptor->settings;

@@ -35,7 +35,7 @@ std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const std::string place = fmt::format("fields.{}", i);
     fields.push_back(at(place, [&] { return read_field(list[i]); }));
-    if (fields.back().samples != fields.front().samples) {
+    if (fields.back().settings.samples != fields.front().settings.samples) {
       throw ConfigurationError{place + ".at", R"(the fields of a descriptor must have the same "at")"};
     }
   }
@@ -76,7 +76,7 @@ DescriptorChoice make_descriptor(const Json& settings) {
 std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, const Shape& shape) {
   std::vector<ScalarField> fields;
   if (choice.fields.empty()) return fields;
-  const Samples samples = take_samples(shape, choice.fields.front().samples);
+  const Samples samples = take_samples(shape, choice.fields.front().settings.samples);
   FieldSource source(shape);
   for (const Field& field : choice.fields) {
     fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});

@@ -27,11 +27,11 @@ struct RunContext {
 
 /// What a run has done. Of several processes rank 0 knows it.
 struct RunOutcome {
-  std::vector<std::string> files;       ///< written to RunContext::results, by name; without the manifest
-  nlohmann::ordered_json manifest;      ///< seed, inputs, counts, failures, fields: what the manifest says of them
-  nlohmann::ordered_json execution;     ///< threads, seconds, use of the cache: what differs from run to run
-  std::string summary;                  ///< for a terminal
-  std::vector<std::string> notes = {};  ///< what users should know of the files
+  std::vector<std::string> files = {};    ///< written to RunContext::results, by name; without the manifest
+  nlohmann::ordered_json manifest = {};   ///< seed, inputs, counts, failures, fields: what the manifest says of them
+  nlohmann::ordered_json execution = {};  ///< threads, seconds, use of the cache: what differs from run to run
+  std::string summary = {};               ///< for a terminal
+  std::vector<std::string> notes = {};    ///< what users should know of the files
   std::vector<std::string> warnings = {};
   std::vector<LeftOutShape> left_out = {};
   std::size_t used = 0;             ///< shapes that the results are of

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
@@ -33,7 +34,7 @@ std::string describe(const nlohmann::json& settings) {
 }
 
 std::string describe(const SignatureConfiguration& signature, const std::vector<SignatureConfiguration>& all) {
-  if (signature.field) return describe(signature.field->settings) + describe(signature.histogram);
+  if (signature.field) return describe(to_json(signature.field->settings)) + describe(signature.histogram);
   if (signature.descriptor || signature.derived) {
     std::string text = describe(signature.descriptor ? signature.descriptor->settings : signature.derived->settings);
     text.resize(text.size() - 2);
