@@ -31,13 +31,13 @@ class Registry {
         entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
 
   /// Adds an entry, which configurations, listings and the schema know from then on. What its views and spans refer to
-  /// must live as long as the program. Throws InputError for a name that is empty or taken, and what the check throws.
+  /// must live as long as the program. Throws ArgumentError for a name that is empty or taken, and what the check throws.
   void add(Entry entry) {
-    if (entry.name.empty()) throw InputError("a " + kind_ + " needs a name");
+    if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
     if (check_ != nullptr) check_(entry);
     const std::unique_lock lock(mutex_);
     if (std::ranges::any_of(entries_, [&](const Entry& known) { return known.name == entry.name; })) {
-      throw InputError("there is a " + kind_ + " \"" + std::string(entry.name) + "\" already");
+      throw ArgumentError("there is a " + kind_ + " \"" + std::string(entry.name) + "\" already");
     }
     entries_.push_back(std::move(entry));
   }

@@ -25,15 +25,15 @@ RC_GTEST_PROP(EditDistance, IsSymmetricAndBoundedByTheLongerWord, (const std::st
   RC_ASSERT(edit_distance(a, a) == 0U);
 }
 
-const std::vector<std::string> words{"bins", "range", "smoothing_bins"};
+const std::vector<std::string> settings{"bins", "range", "smoothing_bins"};
 
 TEST(NearestWord, FindsWhatWasMeant) {
-  EXPECT_EQ(nearest_word("bin", words), "bins");
-  EXPECT_EQ(nearest_word("smoothing", words), std::nullopt);
-  EXPECT_EQ(nearest_word("smooting_bin", words), "smoothing_bins");
+  EXPECT_EQ(nearest_word("bin", settings), "bins");
+  EXPECT_EQ(nearest_word("smoothing", settings), std::nullopt);
+  EXPECT_EQ(nearest_word("smooting_bin", settings), "smoothing_bins");
 }
 
-TEST(NearestWord, NothingForAnotherWord) { EXPECT_EQ(nearest_word("colour", words), std::nullopt); }
+TEST(NearestWord, NothingForAnotherWord) { EXPECT_EQ(nearest_word("colour", settings), std::nullopt); }
 
 TEST(NearestWord, AShortWordIsNotNearToEverything) {
   EXPECT_EQ(nearest_word("xy", std::vector<std::string>{"l1", "at"}), std::nullopt);
@@ -45,8 +45,8 @@ TEST(NearestWord, EndlessWordsAreNotCompared) {
 }
 
 TEST(Suggestion, NamesTheNearestOrAll) {
-  EXPECT_EQ(suggestion("rnage", words), "; did you mean \"range\"?");
-  EXPECT_EQ(suggestion("colour", words), "; known here: \"bins\", \"range\", \"smoothing_bins\"");
+  EXPECT_EQ(suggestion("rnage", settings), "; did you mean \"range\"?");
+  EXPECT_EQ(suggestion("colour", settings), "; known here: \"bins\", \"range\", \"smoothing_bins\"");
   EXPECT_EQ(suggestion("colour", {}), "");
 }
 

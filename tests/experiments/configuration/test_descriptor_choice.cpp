@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/retrieval/descriptors/d2.h"

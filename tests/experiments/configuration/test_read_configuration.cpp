@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/support/test_files.h"
 
@@ -75,7 +76,7 @@ TEST(Configuration, FillsInDefaults) {
   EXPECT_EQ(configuration.signatures[0].histogram.range, HistogramRange::dataset);
   EXPECT_EQ(configuration.signatures[1].histogram.range, HistogramRange::fixed);
   EXPECT_EQ(configuration.signatures[1].histogram.fixed.high, 0.6);
-  EXPECT_EQ(configuration.signatures[1].field->settings,
+  EXPECT_EQ(to_json(configuration.signatures[1].field->settings),
             Json::parse(R"({"type": "cone_sdf", "engine": "embree", "opening_angle_degrees": 60.0, "rays": 25,
                             "postprocess": false, "at": "faces"})"));
   EXPECT_EQ(configuration.location->classification, "/configs/data/test.cla");

@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::text_of;
 
-GeneratorOptions two_models(std::uint64_t seed) {
+GeneratorOptions two_generated(std::uint64_t seed) {
   return {.classes = 1, .models_per_class = 2, .faces = 1000, .seed = seed};
 }
 
@@ -22,7 +22,7 @@ int models_made(std::uint64_t seed, const fs::path& folder) {
   int made = 0;
   RunControl control;
   control.progress = [&](std::string_view, std::size_t, std::size_t) { ++made; };
-  prepare_generated(folder, two_models(seed), control, *single_process());
+  prepare_generated(folder, two_generated(seed), control, *single_process());
   EXPECT_EQ(find_dataset({.layout = "shrec11", .root = folder, .classification = folder / "test.cla"}).models.size(),
             2U);
   return made;
@@ -41,14 +41,14 @@ TEST(PrepareGenerated, MakesAnewWhatAnInterruptionLeft) {
   const test::TemporaryFolder folder;
   RunControl control;
   control.interrupted = [] { return true; };
-  EXPECT_THROW(prepare_generated(folder.path() / "new", two_models(1), control, *single_process()), Interrupted);
+  EXPECT_THROW(prepare_generated(folder.path() / "new", two_generated(1), control, *single_process()), Interrupted);
   EXPECT_EQ(models_made(1, folder.path() / "new"), 2);
 }
 
 TEST(PrepareGenerated, DoesNotReplaceAnotherDataSet) {
   const test::TemporaryFolder folder;
   test::write_text(folder.path() / "T0.off", "mine");
-  EXPECT_THROW(prepare_generated(folder.path(), two_models(1), {}, *single_process()), InputError);
+  EXPECT_THROW(prepare_generated(folder.path(), two_generated(1), {}, *single_process()), InputError);
   EXPECT_EQ(text_of(folder.path() / "T0.off"), "mine");
 }
 

@@ -14,7 +14,7 @@
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/engine/result_folder.h"
-#include "shapegauge/experiments/retrieval/manifest_entries.h"
+#include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
@@ -235,7 +235,7 @@ TEST_F(SegmentationRun, StopsAtAShapeThatCannotBeUsedOrNamesIt) {
   run.on_error = OnError::skip;
   const SegmentationResults results = run_segmentation(run, folder_.path() / "none", {}, cache);
   ASSERT_EQ(results.failures.size(), 1U);
-  EXPECT_EQ(results.failures[0].model.id, "21");
+  EXPECT_EQ(results.failures[0].id, "21");
   EXPECT_THAT(results.scores.ids, testing::ElementsAre("1", "22"));
 }
 

@@ -62,7 +62,7 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
   ASSERT_EQ(GetParam().summaries.size(), all.size());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const PreparedShape prepared = prepare_shape(all[i], {});
-    const Samples samples = take_samples(prepared.shape, field.samples);
+    const Samples samples = take_samples(prepared.shape, field.settings.samples);
     FieldSource source(prepared.shape);
     const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
     const Summary& recorded = GetParam().summaries[i];
@@ -78,7 +78,7 @@ TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
   const PreparedShape prepared = prepare_shape(crossing, {});
   const Field field = read_field({{"type", "offset_sdf"}, {"offset", 0.05}});
-  const Samples samples = take_samples(prepared.shape, field.samples);
+  const Samples samples = take_samples(prepared.shape, field.settings.samples);
   FieldSource source(prepared.shape);
   const Summary found = summary_of(field.compute(source, samples, false).values, samples.weights);
   ASSERT_EQ(field.versions, (Json{{"offset_sdf", 9}}));
@@ -155,7 +155,7 @@ std::vector<double> numbers_of(const DescriptorChoice& choice) {
     FieldSource source(ready);
     auto& of_shape = fields.emplace_back();
     for (const Field& field : choice.fields) {
-      const Samples samples = take_samples(ready, field.samples);
+      const Samples samples = take_samples(ready, field.settings.samples);
       of_shape.push_back({field.compute(source, samples, false).values, samples.weights});
     }
   }

@@ -68,7 +68,7 @@ TEST(CacheKeys, AFieldDependsOnItsSettingsAndItsVersion) {
     EXPECT_FALSE(field.versions.empty()) << settings;
     keys.insert(field_key("shape", field));
     keys.insert(field_key("other shape", field));
-    for (auto& version : field.versions) version = version.get<int>() + 1;
+    for (auto& [algorithm, version] : field.versions) ++version;
     keys.insert(field_key("shape", field));
   }
   EXPECT_EQ(keys.size(), 18U);
