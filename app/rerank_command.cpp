@@ -45,17 +45,30 @@ std::string option_name(std::string_view parameter) {
   return name;
 }
 
+/// A number, a word, or numbers between commas, as a configuration has them.
+nlohmann::json setting_value(const Parameter& parameter, const std::string& text) {
+  if (std::ranges::find(parameter.choices, text) != parameter.choices.end()) return text;
+  nlohmann::json list = nlohmann::json::parse(fmt::format("[{}]", text), nullptr, false);
+  const bool numbers = list.is_array() && !list.empty() &&
+                       std::ranges::all_of(list, [](const nlohmann::json& value) { return value.is_number(); });
+  const bool takes_lists = parameter.kind == ParameterKind::integers;
+  if (!numbers || (list.size() > 1 && !takes_lists)) {
+    throw InputError(fmt::format("{} is \"{}\"; it must be {}", option_name(parameter.name), text,
+                                 takes_lists ? "a number, numbers between commas, or auto" : "a number"));
+  }
+  return list.size() == 1 ? list.front() : list;
+}
+
 /// The settings of the method. Throws InputError for one that is another method's.
 ParameterValues values_of(const RerankArguments& arguments, const RerankMethod& method) {
   nlohmann::json given = nlohmann::json::object();
   for (const auto& [name, text] : arguments.settings) {
     if (text.empty()) continue;
-    if (std::ranges::find(method.parameters, name, &Parameter::name) == method.parameters.end()) {
+    const auto parameter = std::ranges::find(method.parameters, name, &Parameter::name);
+    if (parameter == method.parameters.end()) {
       throw InputError(fmt::format("{} does not go with --method {}", option_name(name), method.name));
     }
-    const nlohmann::json value = nlohmann::json::parse(text, nullptr, false);
-    if (!value.is_number()) throw InputError(fmt::format("{} is \"{}\"; it must be a number", option_name(name), text));
-    given[name] = value;
+    given[name] = setting_value(*parameter, text);
   }
   return read_parameters(method.parameters, given);
 }
@@ -171,7 +184,8 @@ void add_rerank_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "rerank", "Improve distances by what they say of the whole set of models, without knowing classes");
   command->footer(
-      "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n"
+      "Examples: shapegauge rerank distances.npy -o better.npy --neighbours 10\n"
+      "          shapegauge rerank distances.npy -o better.npy --neighbours auto      (mean over 4, 5, 7, 10, 14, 20)\n"
       "Diffusion of more than 5,000 models takes the sparse form, for which the matrix need not fit into memory\n"
       "(.npy in C order and .matrix).");
   const auto arguments = std::make_shared<RerankArguments>();

@@ -194,6 +194,7 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, of_offset, of_cone] {
+    if (!arguments->method.ends_with("_sdf")) arguments->method += "_sdf";
     const bool is_offset = is_offset_sdf(*arguments);
     for (const CLI::Option* option : of_cone) {
       if (is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method cone_sdf only");

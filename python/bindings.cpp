@@ -23,6 +23,7 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
 #include "shapegauge/experiments/configuration/chosen_offset.h"
+#include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
@@ -348,6 +349,11 @@ py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::s
   }));
 }
 
+/// The sum of distances of which `settings` says the terms, as a signature of a configuration does.
+py::array fuse(const std::vector<DistanceMatrix>& distances, const std::string& settings, int threads) {
+  return array_of(compute(threads, [&] { return make_derived("sum", Json::parse(settings)).compute(distances); }));
+}
+
 /// Results of a run as Python has them.
 struct FinishedRun {
   std::string summary;
@@ -410,6 +416,7 @@ PYBIND11_MODULE(_native, module) {
   bind_shapes(module);
   bind_evaluation(module);
   bind_comparison(module);
+  module.def("fuse", &fuse);
   module.def("rerank", &rerank);
   py::class_<FinishedRun>(module, "FinishedRun")
       .def_readonly("summary", &FinishedRun::summary)

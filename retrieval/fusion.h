@@ -7,17 +7,40 @@
 
 namespace shapegauge {
 
-/// What a distance matrix is divided by before it is added to others: a number over the distances between different
-/// models.
-enum class DistanceScale { none, median, mean };
+/// What a distance matrix is divided by before it is added to others.
+enum class DistanceScale {
+  none,
+  median,  ///< over the distances between different models
+  mean,    ///< the same
+  /// Each distance by sqrt(s_i s_j), s_i being the mean distance of i to its ten nearest (Zelnik-Manor and Perona
+  /// 2004). Models at distance 0 are doubles and do not count among the ten. s is at least a hundredth of its median,
+  /// so that a group of almost equal models does not outweigh the other matrices.
+  local,
+};
 
 /// The sum of distance matrices of the same models, each divided by its scale and multiplied by its weight. A distance
 /// that is infinite in a matrix of positive weight is infinite in the sum; scales are over the finite ones. Sums of
 /// finite distances are finite: too large ones become the largest number. Throws ArgumentError where there are
 /// no matrices, they differ in size or are not square, weights are not as many, a weight is negative or not finite, a
-/// distance is negative or not a number, all weights are 0, or a scale is 0.
+/// distance is negative or not a number, all weights are 0, or a median or mean is 0.
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 DistanceScale scale = DistanceScale::median);
+
+/// What the weights of a sum follow from, besides those that are given. None of it knows classes.
+enum class SumWeights {
+  given,       ///< nothing else
+  agreement,   ///< the square of how many nearest models a matrix has in common with the others
+  clustering,  ///< the fourth power of how many nearest models are each other's
+};
+
+/// The weights of a sum, each a given one times what the distances themselves say of the matrix:
+/// - agreement: the mean fraction of a model's five nearest that are among its five nearest by another matrix, over the
+///   models and the other matrices, the latter by their given weights.
+/// - clustering: the mean fraction of a model's five nearest that have it among theirs.
+/// Nearest are those nearer than the sixth, so equal distances and the order of models do not matter. Where all
+/// factors are 0, or only one weight is positive, the weights are as given. Throws as sum_of_distances().
+std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
+                                SumWeights kind);
 
 /// How ranks are turned into a score.
 enum class RankScore {

@@ -55,10 +55,10 @@ class Registry {
     return found == entries_.end() ? nullptr : &*found;
   }
 
-  /// The entry of that name. Throws InputError, with the nearest name or all names, where there is none.
+  /// The entry of that name. Throws ArgumentError, with the nearest name or all names, where there is none.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
-    throw InputError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
+    throw ArgumentError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
                      suggestion(name, names()));
   }
 

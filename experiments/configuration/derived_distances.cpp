@@ -17,12 +17,19 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
-constexpr std::array<std::string_view, 3> distance_scales{"median", "mean", "none"};
+constexpr std::array<std::string_view, 4> distance_scales{"median", "mean", "none", "local"};
+constexpr std::array<std::string_view, 3> weight_kinds{"given", "agreement", "clustering"};
 constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
 
 DistanceScale scale_of(std::string_view word) {
   if (word == "none") return DistanceScale::none;
+  if (word == "local") return DistanceScale::local;
   return word == "mean" ? DistanceScale::mean : DistanceScale::median;
+}
+
+SumWeights weights_of(std::string_view word) {
+  if (word == "agreement") return SumWeights::agreement;
+  return word == "clustering" ? SumWeights::clustering : SumWeights::given;
 }
 
 DerivedDistances sum_of(const Json& signature) {
@@ -37,10 +44,11 @@ DerivedDistances sum_of(const Json& signature) {
   if (std::ranges::all_of(weights, [](double weight) { return weight == 0; })) {
     throw ConfigurationError{"sum", "one of the weights at least must be positive"};
   }
-  const std::string_view scale = read_parameters(derived_parameters(), signature).word("scale");
-  derived.settings["scale"] = scale;
-  derived.compute = [weights, scale = scale_of(scale)](std::span<const DistanceMatrix> matrices) {
-    return sum_of_distances(matrices, weights, scale);
+  const ParameterValues values = read_parameters(derived_parameters(), signature);
+  for (const char* setting : {"scale", "weights"}) derived.settings[setting] = values.word(setting);
+  derived.compute = [weights, kind = weights_of(values.word("weights")),
+                     scale = scale_of(values.word("scale"))](std::span<const DistanceMatrix> matrices) {
+    return sum_of_distances(matrices, sum_weights(matrices, weights, kind), scale);
   };
   return derived;
 }
@@ -85,7 +93,15 @@ std::span<const Parameter> derived_parameters() {
                 .default_value = distance_scales[0],
                 .choices = distance_scales,
                 .description = "With sum: what each signature's distances are divided by first, their median or mean "
-                               "over all pairs of models."},
+                               "over all pairs of models; local: each by the two models' mean distances to their ten "
+                               "nearest."},
+      Parameter{.name = "weights",
+                .kind = ParameterKind::choice,
+                .default_value = weight_kinds[0],
+                .choices = weight_kinds,
+                .description = "With sum: what the weights of the terms are multiplied by. given: nothing; agreement: "
+                               "the square of the share of nearest models that a signature has in common with the "
+                               "others; clustering: the fourth power of the share that are each other's nearest."},
       Parameter{.name = "score",
                 .kind = ParameterKind::choice,
                 .default_value = rank_scores[0],
@@ -105,7 +121,7 @@ std::span<const Parameter> sum_term_parameters() {
 
 DerivedDistances make_derived(const std::string& key, const Json& signature) {
   for (const Parameter& parameter : derived_parameters()) {
-    const std::string_view belongs_to = parameter.name == "scale" ? kinds_of_derived[0] : kinds_of_derived[1];
+    const std::string_view belongs_to = parameter.name == "score" ? kinds_of_derived[1] : kinds_of_derived[0];
     if (signature.contains(parameter.name) && key != belongs_to) {
       throw ConfigurationError{std::string(parameter.name), fmt::format("goes with \"{}\" only", belongs_to)};
     }

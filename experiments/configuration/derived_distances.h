@@ -25,7 +25,7 @@ struct DerivedDistances {
 /// The settings that ask for derived distances, by each of which a signature is of that kind.
 std::span<const std::string_view> derived_keys();
 
-/// The settings that go with one of them: "scale" with "sum", "score" with "fuse_ranks".
+/// The settings that go with one of them: "scale" and "weights" with "sum", "score" with "fuse_ranks".
 std::span<const Parameter> derived_parameters();
 
 /// The settings of a term of "sum" besides "of".

@@ -10,13 +10,13 @@ for any number of threads, and what the command line warns of is a Python warnin
 """
 
 from . import _native
-from ._evaluation import Comparison, Scores, compare, evaluate, rerank
+from ._evaluation import Comparison, Scores, compare, evaluate, fuse, rerank
 from ._native import InputError
 from ._run import Run, run
 from ._shapes import ScalarField, Shape, describe, field, normals, read, sdf, segment, write
 
 __all__ = [
     "Comparison", "InputError", "Run", "ScalarField", "Scores", "Shape", "compare", "describe", "evaluate", "field",
-    "normals", "read", "rerank", "run", "sdf", "segment", "write",
+    "fuse", "normals", "read", "rerank", "run", "sdf", "segment", "write",
 ]
 __version__ = _native.version()

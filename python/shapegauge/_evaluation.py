@@ -243,12 +243,34 @@ def compare(methods, labels, protocol="psb", *, measures=(), test="randomization
     return Comparison(native)
 
 
+def fuse(distances, weight=None, *, scale="median", weights="given", threads=0):
+    """Sums distances of the same models, without labels. The result is n x n.
+
+    distances: a list of n x n distances. weight: a number for each (default: 1). scale: what each is divided by first,
+    "median", "mean", "none", or "local", each model's mean distance to its ten nearest. weights: what the weights are
+    multiplied by, "given" (nothing), "agreement" (of the nearest models with those of the other distances) or
+    "clustering" (how many nearest models are each other's).
+
+    >>> both = sg.fuse([first, second], scale="local", weights="agreement")
+    """
+    matrices = [square_matrix(matrix) for matrix in ordered(distances, "distances")]
+    if not matrices:
+        raise InputError("distances is an empty list")
+    numbers = [1.0] * len(matrices) if weight is None else ordered(weight, "weight")
+    if len(numbers) != len(matrices):
+        raise InputError(f"weight has {len(numbers)} numbers for {len(matrices)} distances")
+    terms = [{"of": str(i), "weight": finite_number(number, f"weight[{i}]")} for i, number in enumerate(numbers)]
+    settings = {"sum": terms, "scale": word(scale, "scale"), "weights": word(weights, "weights")}
+    return _native.fuse(matrices, _json.dumps(settings), number_of_threads(threads))
+
+
 def rerank(distances, method="diffusion", *, threads=0, **settings):
     """Distances re-ranked by those of the whole set, without labels. The result is n x n.
 
-    method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion".
+    method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion". neighbours is a number, a list
+    of numbers, over which the mean is taken, or "auto".
 
-    >>> better = sg.rerank(distances, neighbours=10)
+    >>> better = sg.rerank(distances, neighbours="auto")
     """
     settings = {name: plain(value, name) for name, value in settings.items()}
     return _native.rerank(square_matrix(distances), word(method, "method"), _json.dumps(settings),

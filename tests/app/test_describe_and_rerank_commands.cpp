@@ -151,8 +151,12 @@ TEST(RerankCommand, GivesWhatTheLibraryGives) {
   EXPECT_EQ(rerank("--method k_reciprocal --neighbours 4 --expansion-neighbours 2 --original 0.5"),
             k_reciprocal(line(), {.neighbours = 4, .expansion_neighbours = 2, .original = 0.5}));
   EXPECT_EQ(rerank("--method query_expansion"), query_expansion(line()));
+  EXPECT_EQ(rerank("--neighbours 3,5,4"), diffused(line(), {.neighbours = {3, 4, 5}}));
+  EXPECT_EQ(rerank("--neighbours auto"), diffused(line(), {.neighbours = {}}));
+  EXPECT_EQ(rerank("--method k_reciprocal --neighbours auto"), k_reciprocal(line(), {.neighbours = {}}));
   // The sparse form is accurate to 1e-6, as diffused_affinities() says; so is the difference of its two triangles.
   EXPECT_LT((rerank("--neighbours 3 --sparse") - diffused(line(), {.neighbours = 3})).cwiseAbs().maxCoeff(), 1e-5);
+  EXPECT_LT((rerank("--neighbours auto --sparse") - diffused(line(), {.neighbours = {}})).cwiseAbs().maxCoeff(), 1e-5);
 }
 
 TEST(RerankCommand, IdsOfACsvStay) {
@@ -211,7 +215,10 @@ TEST(RerankCommand, TellsWhatIsWrongInALine) {
   const std::string call = fmt::format("rerank '{}' -o '{}' ", at("d.npy"), at("r.npy"));
   expect_error_lines({{call + "--neighbours 0", "neighbours"},
                       {call + "--original 1", "--method diffusion"},
+                      {call + "--neighbours 4,0", "neighbours"},
+                      {call + "--neighbours many", "--neighbours"},
                       {call + "--damping x", "--damping"},
+                      {call + "--damping 0.5,0.6", "--damping"},
                       {call + "--method k_reciprocal --neighbours 2", "expansion_neighbours"},
                       {call + "--method query_expansion --sparse", "--sparse"},
                       {fmt::format("rerank '{}' -o '{}'", at("d.npy"), at("r.txt")), ".npy"},

@@ -194,7 +194,7 @@ TEST(MeasureRegistry, NoMeasureIsNamedTwice) {
 }
 
 TEST(MeasureRegistry, OtherNamesAreErrors) {
-  EXPECT_THAT(measure_error_of("PP"), HasSubstr("no measure \"PP\"; known are: NN FT ST"));
+  EXPECT_THAT(measure_error_of("PP"), HasSubstr("no measure \"PP\"; did you mean \"mAP\"?"));
   EXPECT_THAT(measure_error_of("FT@3"), HasSubstr("no measure \"FT@3\""));
   for (const char* name : {"P@0", "P@", "P@x", "P@-1", "P@1.5", "P@k", "P@99999999999"}) {
     EXPECT_THAT(measure_error_of(name),
@@ -216,7 +216,7 @@ TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
                              }});
   EXPECT_EQ(value("Miss@4", list_of_hits({true, false, false, true, true})), 0.5);
   EXPECT_EQ(measure_definitions().names().back(), "Miss@k");
-  EXPECT_THAT(measure_error_of("nowhere"), HasSubstr(" Miss@k"));
+  EXPECT_THAT(measure_error_of("nowhere"), HasSubstr("\"Miss@k\""));
 }
 
 TEST(MeasureRegistry, RefusesWhatItCouldNotServe) {

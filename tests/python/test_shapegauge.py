@@ -187,6 +187,24 @@ def test_reranked_distances_are_the_command_lines(tmp_path):
     np.testing.assert_array_equal(sg.rerank(distances, neighbours=3), np.load(tmp_path / "better.npy"))
 
 
+def test_neighbours_are_a_number_a_list_or_auto():
+    distances, _ = toy()
+    np.testing.assert_array_equal(sg.rerank(distances, neighbours="auto"),
+                                  sg.rerank(distances, neighbours=np.array([4, 5, 7, 10, 14, 20])))
+    assert not np.array_equal(sg.rerank(distances, neighbours="auto"), sg.rerank(distances, neighbours=4))
+
+
+def test_sums_of_distances():
+    distances, _ = toy()
+    other = np.sqrt(distances)
+    plain = sg.fuse([distances, other], [2, 0.5], scale="none")
+    np.testing.assert_allclose(plain, 2 * distances + 0.5 * other, rtol=1e-14)
+    assert sg.fuse([distances, other]).shape == distances.shape
+    local = sg.fuse([distances, other], scale="local", weights="agreement")
+    np.testing.assert_allclose(local, sg.fuse([1024 * distances, other / 8], scale="local", weights="agreement"),
+                               rtol=1e-12)
+
+
 def test_what_is_odd_is_warned_of():
     distances, labels = toy()
     with pytest.warns(UserWarning, match="similarities"):

@@ -1,12 +1,18 @@
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numeric>
+#include <rapidcheck/gtest.h>
+#include <stdexcept>
+#include <tbb/task_arena.h>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/fusion.h"
+#include "tests/retrieval/reranking_examples.h"
 
 namespace shapegauge {
 namespace {
@@ -133,6 +139,190 @@ TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
   EXPECT_TRUE(sum_of_distances(twice, equal, DistanceScale::none).allFinite());
 }
 
+/// The sum of locally scaled distances by its definition, literally.
+DistanceMatrix local_reference(const std::vector<DistanceMatrix>& matrices, const std::vector<double>& weights) {
+  const Eigen::Index n = matrices.front().rows();
+  DistanceMatrix sum = DistanceMatrix::Zero(n, n);
+  for (std::size_t k = 0; k < matrices.size(); ++k) {
+    const DistanceMatrix& d = matrices[k];
+    std::vector<double> scales;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      std::vector<double> others;
+      for (Eigen::Index j = 0; j < n; ++j) {
+        if (i != j && d(i, j) > 0 && std::isfinite(d(i, j))) others.push_back(d(i, j));
+      }
+      std::ranges::sort(others);
+      others.resize(std::min<std::size_t>(others.size(), 10));
+      const double total = std::accumulate(others.begin(), others.end(), 0.0);
+      scales.push_back(others.empty() ? unreachable : total / static_cast<double>(others.size()));
+    }
+    std::vector<double> known;
+    std::ranges::copy_if(scales, std::back_inserter(known), [](double scale) { return std::isfinite(scale); });
+    std::ranges::sort(known);
+    for (double& scale : scales) scale = std::isfinite(scale) ? std::max(scale, known[known.size() / 2] / 100) : 1;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        const double scale = std::sqrt(scales[static_cast<std::size_t>(i)] * scales[static_cast<std::size_t>(j)]);
+        if (weights[k] > 0) sum(i, j) += weights[k] * d(i, j) / scale;
+      }
+    }
+  }
+  return sum;
+}
+
+const std::vector<double> unequal = {1, 0.25};
+
+TEST(LocalScale, IsWhatTheDefinitionSays) {
+  const std::vector plain = {random_distances(40, 1), test::distances_of(test::arcs(20, 2, 2))};
+  std::vector gaps = plain;
+  gaps[1] = test::with_gaps(gaps[1]);
+  std::vector doubles = plain;  // eleven equal models and one that is almost equal
+  for (const Eigen::Index i : {3, 5, 6, 9, 12, 20, 21, 25, 30, 31, 37}) {
+    doubles[0].row(i) = doubles[0].row(3);
+    doubles[0].col(i) = doubles[0].col(3);
+  }
+  doubles[0].row(7) = doubles[0].row(3).array() + 1e-9;
+  doubles[0].col(7) = doubles[0].row(7).transpose();
+  doubles[0].diagonal().setZero();
+  for (const std::vector<DistanceMatrix>& matrices : {plain, gaps, doubles}) {
+    const DistanceMatrix found = sum_of_distances(matrices, unequal, DistanceScale::local);
+    test::expect_near(found, local_reference(matrices, unequal), 1e-10 * test::largest_finite(found));
+    EXPECT_EQ(found, DistanceMatrix(found.transpose()));
+  }
+}
+
+TEST(LocalScale, BringsLooseAndTightGroupsToOneScale) {
+  // The second group is the first, a hundred times as large.
+  const DistanceMatrix group = random_distances(12, 4);
+  DistanceMatrix both = DistanceMatrix::Constant(24, 24, 1000);
+  both.topLeftCorner(12, 12) = group;
+  both.bottomRightCorner(12, 12) = 100 * group;
+  const DistanceMatrix scaled = sum_of_distances({&both, 1}, std::vector<double>{1}, DistanceScale::local);
+  EXPECT_LT((scaled.topLeftCorner(12, 12) - scaled.bottomRightCorner(12, 12)).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+RC_GTEST_PROP(LocalScale, UnitsOfAMatrixDoNotMatter, ()) {
+  const auto size = *rc::gen::inRange<Eigen::Index>(1, 30);
+  const std::vector<DistanceMatrix> plain = {random_distances(size, *rc::gen::arbitrary<std::uint64_t>()),
+                                             random_distances(size, *rc::gen::arbitrary<std::uint64_t>())};
+  const std::vector<DistanceMatrix> scaled = {plain[0], std::ldexp(1, *rc::gen::inRange(-900, 900)) * plain[1]};
+  const DistanceMatrix expected = sum_of_distances(plain, unequal, DistanceScale::local);
+  const DistanceMatrix found = sum_of_distances(scaled, unequal, DistanceScale::local);
+  RC_ASSERT((found - expected).cwiseAbs().maxCoeff() <= 1e-12 * expected.maxCoeff());
+}
+
+TEST(LocalScale, FewModelsEqualOnesAndFarOnesAreNoTrouble) {
+  const auto alone = [](const DistanceMatrix& matrix) {
+    return sum_of_distances({&matrix, 1}, std::vector<double>{1}, DistanceScale::local);
+  };
+  EXPECT_EQ(alone(DistanceMatrix::Zero(1, 1)), DistanceMatrix::Zero(1, 1));
+  EXPECT_EQ(alone(DistanceMatrix::Zero(5, 5)), DistanceMatrix::Zero(5, 5));
+  EXPECT_NEAR(alone(line_distances({0, 3}))(0, 1), 1, 1e-15);
+  EXPECT_EQ(alone(DistanceMatrix{{0, unreachable}, {unreachable, 0}})(0, 1), unreachable);
+  for (const double far : {1e200, std::numeric_limits<double>::max()}) {
+    DistanceMatrix matrix = random_distances(20, 3);
+    matrix.row(4).setConstant(far);
+    matrix.col(4).setConstant(far);
+    matrix(4, 4) = 0;
+    EXPECT_TRUE(alone(matrix).allFinite());
+  }
+}
+
+/// Three classes of ten; the matrix sees them the better, the less noise it has.
+DistanceMatrix noisy_classes(double noise, std::uint64_t seed) {
+  RandomNumbers random(seed);
+  Eigen::MatrixXd points(30, 6);
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    for (Eigen::Index k = 0; k < points.cols(); ++k) {
+      points(i, k) = (i / 10 == k % 3 ? 1 : 0) + random.uniform(-noise, noise);
+    }
+  }
+  return test::distances_of(points);
+}
+
+/// Whether b is among the five nearest of a.
+bool is_near(const DistanceMatrix& distances, Eigen::Index a, Eigen::Index b) {
+  return a != b && (distances.row(a).array() < distances(a, b)).count() <= 5;  // itself and four others
+}
+
+TEST(SumWeights, AreWhatTheDefinitionsSay) {
+  const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
+  const std::vector<double> given = {1, 0.5, 2};
+  const std::vector<double> agreement = sum_weights(matrices, given, SumWeights::agreement);
+  const std::vector<double> clustering = sum_weights(matrices, given, SumWeights::clustering);
+  for (std::size_t k = 0; k < 3; ++k) {
+    double common = 0;
+    double mutual = 0;
+    double others = 0;
+    for (std::size_t other = 0; other < 3; ++other) {
+      if (other == k) continue;
+      others += given[other];
+      for (Eigen::Index i = 0; i < 30; ++i) {
+        for (Eigen::Index j = 0; j < 30; ++j) {
+          if (is_near(matrices[k], i, j) && is_near(matrices[other], i, j)) common += given[other];
+        }
+      }
+    }
+    for (Eigen::Index i = 0; i < 30; ++i) {
+      for (Eigen::Index j = 0; j < 30; ++j) mutual += is_near(matrices[k], i, j) && is_near(matrices[k], j, i) ? 1 : 0;
+    }
+    EXPECT_NEAR(agreement[k], given[k] * std::pow(common / others / 150, 2), 1e-12);
+    EXPECT_NEAR(clustering[k], given[k] * std::pow(mutual / 150, 4), 1e-12);
+  }
+  EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
+}
+
+TEST(SumWeights, AreSmallForDistancesThatSeeNothing) {
+  const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(0.3, 2), random_distances(30, 3)};
+  const std::vector<double> given(3, 1);
+  for (const SumWeights kind : {SumWeights::agreement, SumWeights::clustering}) {
+    const std::vector<double> weights = sum_weights(matrices, given, kind);
+    EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
+  }
+}
+
+const SumWeights all_found[] = {SumWeights::agreement, SumWeights::clustering};
+
+TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
+  DistanceMatrix whole_numbers = (10 * noisy_classes(0.5, 5)).array().round();
+  const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), whole_numbers};
+  const std::vector<Eigen::Index> order = test::random_order(30, 8);
+  const std::vector<DistanceMatrix> permuted = {matrices[0](order, order), matrices[1](order, order)};
+  for (const SumWeights kind : all_found) {
+    const std::vector<double> weights = sum_weights(matrices, equal, kind);
+    EXPECT_EQ(sum_weights(permuted, equal, kind), weights);
+    const DistanceMatrix sum = sum_of_distances(matrices, weights, DistanceScale::local);
+    const DistanceMatrix found = sum_of_distances(permuted, weights, DistanceScale::local);
+    EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
+  }
+}
+
+TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
+  const std::vector<DistanceMatrix> constant = {DistanceMatrix::Constant(20, 20, 1),
+                                                DistanceMatrix::Constant(20, 20, 2)};
+  const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
+  const std::vector<DistanceMatrix> infinite(2, DistanceMatrix::Constant(9, 9, unreachable));
+  for (const SumWeights kind : all_found) {
+    for (const auto& matrices : {constant, one, infinite}) EXPECT_EQ(sum_weights(matrices, unequal, kind), unequal);
+    const std::vector<DistanceMatrix> both = {noisy_classes(0.3, 1), noisy_classes(0.3, 2)};
+    EXPECT_EQ(sum_weights(both, std::vector<double>{3, 0}, kind), (std::vector<double>{3, 0}));
+    const std::vector<DistanceMatrix> few = {line_distances({0, 1, 3}), line_distances({0, 5, 1})};
+    EXPECT_EQ(sum_weights(few, unequal, kind), unequal);  // all models are near each other
+  }
+}
+
+TEST(Fusion, SameBytesOnAnyNumberOfThreads) {
+  const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), test::with_gaps(noisy_classes(1, 2))};
+  const auto on = [&](int threads) {
+    tbb::task_arena arena(threads);
+    return arena.execute([&] {
+      return sum_of_distances(matrices, sum_weights(matrices, equal, SumWeights::agreement), DistanceScale::local);
+    });
+  };
+  const DistanceMatrix one = on(1);
+  EXPECT_EQ(std::memcmp(one.data(), on(4).data(), sizeof(double) * static_cast<std::size_t>(one.size())), 0);
+}
+
 TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
   DistanceMatrix a = line_distances({0, 1, 3, 4});
   const DistanceMatrix b = a;
@@ -159,6 +349,7 @@ TEST(Fusion, RefusesWhatCannotBeAdded) {
   for (const auto& matrices : unusable) {
     EXPECT_THROW(sum_of_distances(matrices, equal), ArgumentError);
     EXPECT_THROW(fusion_of_ranks(matrices, equal), ArgumentError);
+    EXPECT_THROW(sum_weights(matrices, equal, SumWeights::agreement), ArgumentError);
   }
   const std::vector both = {a, a};
   for (const std::vector<double>& weights : {std::vector<double>{0, 0}, {1, -1}, {1}}) {

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
+#include <stdexcept>
+#include <vector>
 
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/option_parameters.h"
 
 namespace shapegauge {
@@ -13,12 +16,16 @@ struct SampleOptions {
   int count = 3;
   double share = 0.5;
   bool wanted = true;
+  IntegerList sizes = {2, 4};
 };
+
+constexpr std::array<std::string_view, 1> automatic{"auto"};
 
 constexpr std::array sample_table = {
     option_of<&SampleOptions::count>("count", {.low = 1, .high = 9}, "How many."),
     option_of<&SampleOptions::share>("share", {.low = 0, .high = 1, .high_open = true}, "How much."),
     option_of<&SampleOptions::wanted>("wanted", "Whether at all."),
+    option_of<&SampleOptions::sizes>("sizes", {.low = 1, .high = 9}, "Of each.", automatic),
 };
 constexpr auto sample_parameters = parameters_of(sample_table);
 
@@ -41,6 +48,22 @@ TEST(OptionParameters, BecomeOptionsAgain) {
   EXPECT_EQ(options.share, 0.5);
   EXPECT_FALSE(options.wanted);
   EXPECT_THROW(values.set("count", std::int64_t{10}), InputError);
+}
+
+TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {
+  ParameterValues values(sample_parameters);
+  const auto sizes = [&] { return options_from(sample_table, values).sizes; };
+  EXPECT_EQ(sizes(), (IntegerList{2, 4}));
+  values.set("sizes", std::int64_t{7});
+  EXPECT_EQ(sizes(), IntegerList(7));
+  values.set("sizes", IntegerList{9, 1, 9});
+  EXPECT_EQ(sizes(), (IntegerList{9, 1, 9}));
+  values.set("sizes", automatic[0]);
+  EXPECT_TRUE(sizes().empty());
+  EXPECT_NO_THROW(check_options("x", sample_table, {.sizes = {}}));
+  EXPECT_THROW(check_options("x", sample_table, {.sizes = {1, 10}}), InputError);
+  EXPECT_THROW(values.set("sizes", IntegerList{0}), InputError);
+  EXPECT_THROW(IntegerList(std::vector<std::int64_t>(17, 1)), ArgumentError);
 }
 
 TEST(OptionParameters, BoundsHoldForOptionsToo) {

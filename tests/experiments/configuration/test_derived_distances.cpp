@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <gmock/gmock.h>
+#include <utility>
 
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/retrieval/diffusion.h"
@@ -51,6 +52,34 @@ TEST(Derived, SumIsOfScaledAndWeightedDistances) {
   EXPECT_EQ(plain.derived->compute({&two_matrices[1], 1})(0, 1), 40);
 }
 
+TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
+  const std::vector<double> given{1, 0.5};
+  for (const auto& [word, kind] : {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement),
+                                   std::pair("clustering", SumWeights::clustering)}) {
+    const auto sum = derived_signature(
+        {{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", "local"}, {"weights", word}});
+    EXPECT_EQ(sum.derived->compute(two_matrices),
+              sum_of_distances(two_matrices, sum_weights(two_matrices, given, kind), DistanceScale::local));
+  }
+}
+
+TEST(Derived, NeighboursAreANumberAListOrAuto) {
+  const auto reranked = [](const Json& neighbours) {
+    const Json last{{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", neighbours}}}};
+    return derived_signature(last).derived->compute({&two_matrices[1], 1});
+  };
+  EXPECT_EQ(reranked({1, 2}), diffused(two_matrices[1], {.neighbours = {1, 2}}));
+  EXPECT_EQ(reranked("auto"), diffused(two_matrices[1], {.neighbours = {}}));
+  EXPECT_EQ(reranked(Json::array({2})), reranked(2));
+  const auto error = [](const Json& neighbours) {
+    return derived_error_with({{"rerank", {{"of", "b"}, {"method", "diffusion"}, {"neighbours", neighbours}}}});
+  };
+  EXPECT_THAT(error({4, 0}), HasSubstr("signatures.2.rerank.neighbours.1"));
+  EXPECT_THAT(error(Json::array()), HasSubstr("signatures.2.rerank.neighbours"));
+  EXPECT_THAT(error(std::vector<int>(17, 4)), HasSubstr("signatures.2.rerank.neighbours"));
+  EXPECT_THAT(error("many"), HasSubstr("signatures.2.rerank.neighbours"));
+}
+
 TEST(Derived, RanksAndRerankingAreThoseOfTheLibrary) {
   const std::vector<double> equal{1, 1};
   EXPECT_EQ(derived_signature({{"fuse_ranks", {"a", "b"}}}).derived->compute(two_matrices),
@@ -76,7 +105,10 @@ TEST(Derived, ComeAfterWhatTheyAreMadeFrom) {
 
 TEST(Derived, ReadBackAsTheSame) {
   for (const Json& last : {Json{{"sum", {{{"of", "a"}}}}, {"scale", "mean"}}, Json{{"fuse_ranks", {"b", "a"}}},
-                           Json{{"rerank", {{"of", "a"}, {"method", "diffusion"}}}}}) {
+                           Json{{"sum", {{{"of", "a"}}}}, {"scale", "local"}, {"weights", "agreement"}},
+                           Json{{"rerank", {{"of", "a"}, {"method", "diffusion"}}}},
+                           Json{{"rerank", {{"of", "a"}, {"method", "diffusion"}, {"neighbours", "auto"}}}},
+                           Json{{"rerank", {{"of", "a"}, {"method", "k_reciprocal"}, {"neighbours", {7, 9}}}}}}) {
     const Json filled = to_json(configuration_from_json(document_with(last), "x.json", "."));
     EXPECT_EQ(to_json(configuration_from_json(filled, "again.json", ".")), filled);
   }
@@ -93,6 +125,7 @@ TEST(Derived, MistakesGiveThePlace) {
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", 0}}}}}), HasSubstr("signatures.2.sum"));
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}, {"weight", -1}}}}}), HasSubstr("signatures.2.sum.0.weight"));
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"score", "borda"}}), HasSubstr("signatures.2.score"));
+  EXPECT_THAT(derived_error_with({{"fuse_ranks", {"a"}}, {"weights", "agreement"}}), HasSubstr("signatures.2.weights"));
   EXPECT_THAT(derived_error_with({{"rerank", {{"of", "a"}, {"method", "diffusion"}, {"original", 1}}}}),
               HasSubstr("unknown key \"original\""));
   EXPECT_THAT(

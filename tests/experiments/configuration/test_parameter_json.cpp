@@ -38,6 +38,30 @@ TEST(ParameterJson, FillsInDefaultsAndReadsBackAsTheSame) {
   EXPECT_EQ(read_parameters(parameters, {{"width", "auto"}}).word("width"), "auto");
 }
 
+/// A parameter that takes lists.
+const std::vector<Parameter> listed{{.name = "sizes",
+                                     .kind = ParameterKind::integers,
+                                     .default_value = IntegerList{3},
+                                     .bounds = {.low = 1, .high = 9},
+                                     .choices = automatic,
+                                     .description = "S."}};
+
+TEST(ParameterJson, ListsAreNumbersListsOrWords) {
+  for (const Json& sizes : {Json(4), Json({4, 9, 1}), Json("auto")}) {
+    EXPECT_EQ(to_json(read_parameters(listed, {{"sizes", sizes}})).at("sizes"), sizes);
+  }
+  EXPECT_EQ(to_json(read_parameters(listed, {{"sizes", Json::array({4})}})).at("sizes"), 4);
+  EXPECT_EQ(to_json(read_parameters(listed, Json::object())).at("sizes"), 3);
+  for (const Json& sizes : {Json(0), Json({4, 10}), Json({4, 1.5}), Json(std::vector<int>(17, 4)), Json("all")}) {
+    EXPECT_THAT(test::input_error_of([&] { read_parameters(listed, {{"sizes", sizes}}); }), HasSubstr("sizes is"));
+  }
+  EXPECT_EQ(Json(schema_of(listed[0])), Json::parse(R"({"description": "S.", "if": {"type": "string"},
+      "then": {"enum": ["auto"]}, "else": {"if": {"type": "array"},
+        "then": {"minItems": 1, "maxItems": 16, "items": {"type": "integer", "minimum": 1, "maximum": 9}},
+        "else": {"type": "integer", "minimum": 1, "maximum": 9}}, "default": 3})"));
+  EXPECT_THAT(markdown_table(listed), HasSubstr("`auto`"));
+}
+
 TEST(ParameterJson, RefusesWhatTheParameterDoesNotTake) {
   const auto message = [](const Json& settings) {
     return test::input_error_of([&] { read_parameters(parameters, settings); });

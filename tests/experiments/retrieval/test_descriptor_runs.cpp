@@ -110,7 +110,10 @@ TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
   const Json more = Json::parse(R"([
     {"name": "ranks", "fuse_ranks": ["d2", "joint"]},
     {"name": "k", "rerank": {"of": "sum", "method": "k_reciprocal", "neighbours": 3, "expansion_neighbours": 2}},
-    {"name": "query", "rerank": {"of": "sum", "method": "query_expansion"}}])");
+    {"name": "query", "rerank": {"of": "sum", "method": "query_expansion"}},
+    {"name": "agreed", "sum": [{"of": "d2"}, {"of": "joint"}, {"of": "fixed"}], "scale": "local", "weights": "agreement"},
+    {"name": "clustered", "sum": [{"of": "d2"}, {"of": "joint"}], "weights": "clustering"},
+    {"name": "averaged", "rerank": {"of": "agreed", "method": "diffusion", "neighbours": "auto"}}])");
   all["signatures"].insert(all["signatures"].end(), more.begin(), more.end());
   const ExperimentResults results = run(all, false);
   test::write_text(data() / "test.cla", "PSB 1\n3 9\n\na 0 3\n0\n3\n8\n\nb 0 3\n1\n4\n6\n\nc 0 3\n2\n5\n7\n");
