@@ -19,7 +19,8 @@ int main(int argument_count, char** arguments) {
   shapegauge::write_file_atomically(folder / "two.html", shapegauge::view_page(shapegauge::test_view::page()));
   const shapegauge::ShapeView cloud = shapegauge::test_view::cloud();
   nlohmann::ordered_json corners = nlohmann::ordered_json::array();
-  for (const auto& corner : shapegauge::splats(cloud.shape).vertices.rowwise()) {
+  const shapegauge::Shape hexagons = shapegauge::splats(cloud.shape);
+  for (const auto& corner : hexagons.vertices.rowwise()) {
     corners.push_back({corner[0], corner[1], corner[2]});
   }
   const nlohmann::ordered_json json{{"balls", shape_view_json(shapegauge::test_view::balls())},
