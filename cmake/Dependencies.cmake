@@ -35,3 +35,9 @@ find_file(SHAPEGAUGE_D3_FILE d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/shar
 # three.js draws the shapes that one can turn: one file as well.
 find_file(SHAPEGAUGE_THREE_FILE three.min.js PATHS /usr/share/javascript/three /usr/share/nodejs/three/build
           DOC "three.min.js of three.js, release 110 to 150 (Debian: libjs-three)" NO_CACHE REQUIRED)
+# esbuild bundles the scripts of HTML pages.
+find_program(SHAPEGAUGE_ESBUILD esbuild DOC "esbuild 0.12 or later (Debian: esbuild)" REQUIRED)
+if(SHAPEGAUGE_BUILD_TESTS)
+  find_program(SHAPEGAUGE_NODE NAMES node nodejs DOC "Node.js 18 or later, which runs the tests of scripts (Debian: nodejs)"
+               REQUIRED)
+endif()

@@ -28,18 +28,23 @@ std::string script_data(const nlohmann::ordered_json& json);
 std::string filled_page(std::string_view page,
                         std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
 
-/// The files of pages/ and the JavaScript libraries, as the build compiles them in (page_files.cpp.in).
+/// The files of pages/, its bundled scripts and the JavaScript libraries, as the build compiles them in
+/// (CMakeLists.txt). Pages have marks such as {{data}} where the rest goes.
 namespace page_files {
 
-std::string_view common_style();   ///< of all pages
-std::string_view view_style();     ///< of views
-std::string_view common_script();  ///< what the scripts of all pages use
-std::string_view view_script();    ///< the views, which use common_script() and both libraries
-std::string_view view_page();      ///< the page of `shapegauge view`
-std::string_view view_page_script();
-std::string_view report_page();    ///< the page of a report, with marks such as {{data}} where the rest goes
-std::string_view report_style();   ///< of reports
-std::string_view report_script();  ///< of reports, with view_script() before it where the report has views
+std::string_view common_style();  ///< of all pages, after palette_style()
+
+std::string_view view_page();    ///< the page of `shapegauge view`
+std::string_view view_style();   ///< of interactive views
+std::string_view view_script();  ///< of that page; needs both libraries
+
+std::string_view report_page();
+std::string_view report_style();
+std::string_view report_script();  ///< needs the chart library, and the shape library where the report has views
+
+std::string_view segmentation_page();
+std::string_view segmentation_style();
+
 std::string_view chart_library();  ///< D3, with its licence
 std::string_view shape_library();  ///< three.js, with its licence
 

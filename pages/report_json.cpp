@@ -10,6 +10,7 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/metrics/retrieval_failures.h"
 #include "shapegauge/pages/html_page.h"
+#include "shapegauge/pages/packed_numbers.h"
 
 namespace shapegauge {
 
@@ -103,7 +104,7 @@ Json confusion_json(const Report& report, const ReportMethod& method) {
 Json histograms_json(const ReportHistograms& histograms) {
   if (histograms.table == nullptr) return nullptr;
   const Eigen::VectorXd values = histograms.table->reshaped<Eigen::RowMajor>().cast<double>();
-  Json json = packed(values);
+  Json json = packed_numbers(values);
   json["bins"] = histograms.table->cols();
   json["ranges"] = Json::array();
   for (const Interval& range : histograms.ranges) {
@@ -149,23 +150,13 @@ Json views_json(const ReportViews& views) {
 
 }  // namespace
 
-Json packed(const Eigen::Ref<const Eigen::VectorXd>& values) {
-  constexpr double levels = 65534;
+Json packed_numbers(const Eigen::Ref<const Eigen::VectorXd>& values) {
   double scale = 0;
   for (const double value : values) {
     if (std::isfinite(value)) scale = std::max(scale, value);
   }
   if (!(scale > 0)) scale = 1;
-  std::string bytes;
-  bytes.reserve(2 * static_cast<std::size_t>(values.size()));
-  for (const double value : values) {
-    const bool finite = std::isfinite(value);
-    const auto level =
-        finite ? static_cast<std::uint16_t>(std::lround(levels * std::max(0.0, value) / scale)) : std::uint16_t{65535};
-    bytes.push_back(static_cast<char>(level & 0xff));
-    bytes.push_back(static_cast<char>(level >> 8));
-  }
-  return {{"scale", scale}, {"values", base64(bytes)}};
+  return {{"scale", scale}, {"values", packed_values(values, 0, scale)}};
 }
 
 Json heat_map(const DistanceOverview& distances) {
@@ -177,7 +168,8 @@ Json heat_map(const DistanceOverview& distances) {
     for (Eigen::Index column = symmetric ? row : 0; column < side; ++column) values.push_back(cells(row, column));
   }
   Json json{{"side", side}, {"block", distances.block}, {"symmetric", symmetric}};
-  json.update(packed(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
+  json.update(
+      packed_numbers(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
   return json;
 }
 

@@ -8,13 +8,12 @@
 
 namespace shapegauge {
 
-/// Non-negative numbers in two bytes each: {"scale", "values"}, where the value is scale * n / 65534 for each
-/// little-endian n in the base64 text, and 65535 stands for infinity and for no value. Scale is the largest finite
-/// value, or 1.
-nlohmann::ordered_json packed(const Eigen::Ref<const Eigen::VectorXd>& values);
+/// Non-negative numbers as {"scale", "values"}: packed_values() from 0 to the scale, which is the largest finite value,
+/// or 1.
+nlohmann::ordered_json packed_numbers(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// The picture of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as packed(). Of a
-/// symmetric picture, row i has the cells from column i on.
+/// The picture of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as
+/// packed_numbers(). Of a symmetric picture, row i has the cells from column i on.
 nlohmann::ordered_json heat_map(const DistanceOverview& distances);
 
 /// The most models for each of which the report says its nearest ones; of larger data sets it does so for the worst

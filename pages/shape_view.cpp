@@ -13,6 +13,8 @@
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/pages/html_page.h"
+#include "shapegauge/pages/packed_numbers.h"
+#include "shapegauge/pages/palette.h"
 
 namespace shapegauge {
 
@@ -20,19 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double levels = 65535;  ///< of a coordinate; of a value one less, as the last one stands for none
-constexpr int digits = 7;         ///< of numbers that are not packed
-
-void append_short(std::string& bytes, long number) {
-  bytes.push_back(static_cast<char>(number & 0xff));
-  bytes.push_back(static_cast<char>(number >> 8 & 0xff));
-}
-
-std::string packed_shorts(const std::vector<std::int32_t>& numbers) {
-  std::string bytes;
-  for (const std::int32_t number : numbers) append_short(bytes, number);
-  return base64(bytes);
-}
+constexpr int digits = 7;  ///< of numbers that are not packed
 
 /// The vertices in the order in which they are drawn first; those that are never drawn are not in it.
 struct VertexOrder {
@@ -63,7 +53,7 @@ VertexOrder order_of_use(const Shape& mesh) {
 
 Json packed_points(const Shape& shape, const std::vector<std::int32_t>& vertices) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
-  const double step = box.sizes().maxCoeff() / levels;
+  const double step = box.sizes().maxCoeff() / coordinate_level;
   std::string bytes;
   for (const std::int32_t vertex : vertices) {
     for (int k = 0; k < 3; ++k) append_short(bytes, std::lround((shape.vertices(vertex, k) - box.min()[k]) / step));
@@ -74,7 +64,8 @@ Json packed_points(const Shape& shape, const std::vector<std::int32_t>& vertices
 std::string packed_directions(const Points& directions, const std::vector<std::int32_t>& places) {
   std::string bytes;
   for (const std::int32_t place : places) {
-    for (int k = 0; k < 3; ++k) bytes.push_back(static_cast<char>(std::lround(127 * directions(place, k))));
+    for (int k = 0; k < 3; ++k)
+      bytes.push_back(static_cast<char>(std::lround(direction_levels * directions(place, k))));
   }
   return base64(bytes);
 }
@@ -89,24 +80,20 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
     high = std::max(high, value);
   }
   if (low > high) low = high = 0;
-  const double width = high > low ? high - low : 1;
-  std::string bytes;
-  for (const std::int32_t place : places) {
-    const double value = field.values[place];
-    append_short(bytes, std::isfinite(value) ? std::lround((levels - 1) * (value - low) / width) : std::lround(levels));
-  }
-  return {
-      {"name", field.name},     {"low", low}, {"high", high}, {"from", field.colours.low}, {"to", field.colours.high},
-      {"values", base64(bytes)}};
+  const Eigen::VectorXd values = field.values(places);
+  return {{"name", field.name},
+          {"low", low},
+          {"high", high},
+          {"from", field.colours.low},
+          {"to", field.colours.high},
+          {"values", packed_values(values, low, high > low ? high - low : 1)}};
 }
-
-std::string hex(const Colour& colour) { return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]); }
 
 Json packed_parts(const ShapeView& view, const std::vector<std::int32_t>& places) {
   std::vector<std::int32_t> parts;
   for (const std::int32_t place : places) parts.push_back(view.parts[static_cast<std::size_t>(place)]);
   Json colours = Json::array();
-  for (const Colour& colour : view.part_colours) colours.push_back(hex(colour));
+  for (const Colour& colour : view.part_colours) colours.push_back(css_colour(colour));
   return {{"values", packed_shorts(parts)}, {"colours", std::move(colours)}};
 }
 
@@ -124,7 +111,7 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
     radii.push_back(first.norm());
     largest = std::max(largest, radii.back());
   }
-  const double step = largest / levels;
+  const double step = largest / coordinate_level;
   std::string bytes;
   for (const std::int32_t place : places)
     append_short(bytes, std::lround(radii[static_cast<std::size_t>(place)] / step));
@@ -203,7 +190,7 @@ Json shape_view_json(const ShapeView& view) {
 std::string shape_view_picture(const ShapeView& view, int pixels) {
   const bool faces = !is_cloud(view.shape) && view.site == SampleSite::faces;
   const Eigen::Index places = faces ? view.shape.triangles.rows() : view.shape.vertices.rows();
-  std::vector<Colour> colours(static_cast<std::size_t>(places), Colour{198, 198, 194});
+  std::vector<Colour> colours(static_cast<std::size_t>(places), plain_colour);
   if (!view.fields.empty()) {
     const ViewField& field = view.fields.front();
     colours = colours_of(field.values, field.colours.low, field.colours.high);
@@ -231,16 +218,14 @@ std::string view_page(const ViewPage& page) {
   const std::string title = html_text(page.title);
   const std::string data =
       script_data({{"version", version()}, {"title", page.title}, {"missing", page.missing}, {"shapes", shapes}});
-  const std::string style = fmt::format("{}{}", page_files::common_style(), page_files::view_style());
+  const std::string style = palette_style().append(page_files::common_style()).append(page_files::view_style());
   const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
-  const std::string script =
-      fmt::format("{}{}{}", page_files::common_script(), page_files::view_script(), page_files::view_page_script());
   const std::array<std::pair<std::string_view, std::string_view>, 6> marks{{{"{{title}}", title},
                                                                             {"{{style}}", style},
                                                                             {"{{pictures}}", images},
                                                                             {"{{libraries}}", libraries},
                                                                             {"{{data}}", data},
-                                                                            {"{{script}}", script}}};
+                                                                            {"{{script}}", page_files::view_script()}}};
   return filled_page(page_files::view_page(), marks);
 }
 

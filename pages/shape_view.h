@@ -18,6 +18,9 @@ namespace shapegauge {
 /// would otherwise use up a scale of colours. Nothing where no value is known.
 std::optional<Interval> central_range(const ScalarField& field);
 
+/// The colour of a shape without values.
+inline constexpr Colour plain_colour = {198, 198, 194};
+
 /// A field in a view.
 struct ViewField {
   std::string name;
@@ -38,7 +41,7 @@ struct ShapeView {
   Points normals = {};                    ///< unit or zero, one a place, or none at all
 };
 
-/// The view as the data that the page's scripts read (pages/view/shape_data.js): coordinates in 65,536 steps
+/// The view as the data that the page's scripts read (pages/view/shape_data.mjs): coordinates in 65,536 steps
 /// of the longest side of the box, values in 65,535 steps from the least to the largest, vertices that no triangle uses
 /// left out. The first position is principal_view(). Throws InputError where the shape has no extent.
 nlohmann::ordered_json shape_view_json(const ShapeView& view);

@@ -13,14 +13,13 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/render/shading.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 namespace {
-
-constexpr double smooth_edge_degrees = 40;
 
 /// The image plane of a parallel projection, in front of the shape.
 struct Camera {
@@ -65,7 +64,7 @@ Camera camera_for(const Shape& shape, const RenderOptions& options) {
   camera.forward = -options.towards_viewer.normalized();
   camera.right = camera.forward.cross(options.up).normalized();
   camera.up = camera.right.cross(camera.forward);
-  camera.light = (camera.up - 0.6 * camera.right - 0.9 * camera.forward).normalized();
+  camera.light = (light_up * camera.up + light_right * camera.right - light_towards * camera.forward).normalized();
   Eigen::Matrix3d axes;
   axes << camera.right, camera.up, camera.forward;
   Eigen::AlignedBox3d box;  // in the camera's axes
@@ -275,11 +274,12 @@ class Scene {
     return sum.normalized();
   }
 
-  /// Light from the upper left that wraps around the form, and a little from the viewer.
+  /// Part of the colour that is seen (shading.h).
   [[nodiscard]] static double shade(Eigen::Vector3d normal, const Camera& camera) {
     if (normal.dot(camera.forward) > 0) normal = -normal;
-    const double wrapped = (normal.dot(camera.light) + 0.6) / 1.6;
-    return 0.36 + 0.54 * std::max(0.0, wrapped) + 0.1 * std::max(0.0, -normal.dot(camera.forward));
+    const double wrapped = (normal.dot(camera.light) + light_wrap) / (1 + light_wrap);
+    return ambient_part + wrapped_part * std::max(0.0, wrapped) +
+           frontal_part * std::max(0.0, -normal.dot(camera.forward));
   }
 
   const Shape& shape_;

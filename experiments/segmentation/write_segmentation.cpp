@@ -14,6 +14,7 @@
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/evaluation/segmentation_tables.h"
 #include "shapegauge/experiments/segmentation/part_consistency.h"
+#include "shapegauge/experiments/segmentation/segmentation_report.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "shapegauge/segmentation/seg_file.h"
 
@@ -41,9 +42,10 @@ std::string summary_markdown(const SegmentationResults& results) {
 }
 
 std::vector<std::pair<std::string, std::string>> text_files(const SegmentationResults& results) {
-  std::vector<std::pair<std::string, std::string>> files{{"summary.md", summary_markdown(results)},
-                                                         {"consistency.csv", to_csv(consistency_table(results))},
-                                                         {std::string(report_name), segmentation_page(results)}};
+  std::vector<std::pair<std::string, std::string>> files{
+      {"summary.md", summary_markdown(results)},
+      {"consistency.csv", to_csv(consistency_table(results))},
+      {std::string(report_name), segmentation_page(report_of(results))}};
   if (const Table moved = moved_table(results); !moved.rows.empty()) files.emplace_back("moved.csv", to_csv(moved));
   if (!results.has_people) return files;
   files.emplace_back("errors.csv", to_csv(mesh_table(results.scores)));

@@ -18,8 +18,4 @@ void write_segmentation(const std::filesystem::path& destination, const Segmenta
 /// The errors of all methods, in a terminal's tables.
 std::string summary_text(const SegmentationResults& results);
 
-/// The report as one HTML file without scripts: tables, bars by class, and each shape's parts beside a person's, those
-/// of the greatest Rand error of the first method first.
-std::string segmentation_page(const SegmentationResults& results);
-
 }  // namespace shapegauge

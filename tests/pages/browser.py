@@ -138,3 +138,8 @@ def check_theme(page):
     page.click(page.one("#theme"))
     expect(ground() != before, "the theme does not change")
     page.click(page.one("#theme"))
+
+
+def set_theme(page, theme):
+    if page.run("return document.documentElement.dataset.theme") != theme:
+        page.run("document.getElementById('theme').click()")

@@ -1,8 +1,12 @@
-// make_sample_views FOLDER: writes the sample page, for a browser to open.
+// make_sample_views FOLDER: writes the sample page for a browser to open, and for tests of scripts its shapes with the
+// corners of the splats.
 #include <filesystem>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/render/render_shape.h"
 #include "tests/pages/sample_views.h"
 
 int main(int argument_count, char** arguments) {
@@ -13,5 +17,15 @@ int main(int argument_count, char** arguments) {
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
   shapegauge::write_file_atomically(folder / "two.html", shapegauge::view_page(shapegauge::test_view::page()));
+  const shapegauge::ShapeView cloud = shapegauge::test_view::cloud();
+  nlohmann::ordered_json corners = nlohmann::ordered_json::array();
+  const shapegauge::Shape hexagons = shapegauge::splats(cloud.shape);
+  for (const auto& corner : hexagons.vertices.rowwise()) {
+    corners.push_back({corner[0], corner[1], corner[2]});
+  }
+  const nlohmann::ordered_json json{{"balls", shape_view_json(shapegauge::test_view::balls())},
+                                    {"cloud", shape_view_json(cloud)},
+                                    {"splats", std::move(corners)}};
+  shapegauge::write_file_atomically(folder / "view.json", json.dump());
   return 0;
 }

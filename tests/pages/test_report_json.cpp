@@ -17,15 +17,15 @@ using testing::Not;
 
 TEST(PackedValues, TwoBytesEachOfTheLargest) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const nlohmann::ordered_json json = packed(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
+  const nlohmann::ordered_json json = packed_numbers(Eigen::VectorXd{{0, 3, 1.5, infinity, std::nan(""), -1}});
   EXPECT_EQ(json["scale"], 3);
   // 0, 65534, 32767, 65535, 65535, 0
   EXPECT_EQ(json["values"], base64(std::string("\0\0\xfe\xff\xff\x7f\xff\xff\xff\xff\0\0", 12)));
 }
 
 TEST(PackedValues, AllZeroOrNothing) {
-  EXPECT_EQ(packed(Eigen::VectorXd{{0, 0}})["scale"], 1);
-  EXPECT_EQ(packed(Eigen::VectorXd(0))["values"], "");
+  EXPECT_EQ(packed_numbers(Eigen::VectorXd{{0, 0}})["scale"], 1);
+  EXPECT_EQ(packed_numbers(Eigen::VectorXd(0))["values"], "");
 }
 
 TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
@@ -35,7 +35,7 @@ TEST(HeatMap, OfASymmetricMatrixHasTheUpperHalfInTheClassesOrder) {
   EXPECT_EQ(json["side"], 3);
   EXPECT_EQ(json["block"], 1);
   EXPECT_EQ(json["symmetric"], true);
-  EXPECT_EQ(json["values"], packed(Eigen::VectorXd{{0, 4, 1, 0, 2, 0}})["values"]);
+  EXPECT_EQ(json["values"], packed_numbers(Eigen::VectorXd{{0, 4, 1, 0, 2, 0}})["values"]);
   EXPECT_EQ(json["scale"], 4);
 }
 
@@ -43,7 +43,7 @@ TEST(HeatMap, OfAnyOtherMatrixHasAllCellsAndTheDiagonalPlaysNoPart) {
   const DistanceMatrix distances{{9, 1}, {3, 9}};
   const auto json = heat_map(overview_of(distances, std::vector<int>{0, 0}));
   EXPECT_EQ(json["symmetric"], false);
-  EXPECT_EQ(json["values"], packed(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
+  EXPECT_EQ(json["values"], packed_numbers(Eigen::VectorXd{{0, 1, 3, 0}})["values"]);
 }
 
 TEST(HeatMap, OfManyModelsIsOfTheMeansOfBlocks) {

@@ -1,0 +1,36 @@
+// What the charts of all pages share.
+
+import { ramp } from './constants.mjs';
+import { make } from './elements.mjs';
+import { number } from './words.mjs';
+
+// An SVG drawing in a place, and the area within its margins.
+export function drawing(place, { width, height, left, right, top, bottom, label }) {
+  const svg = d3.create('svg').attr('viewBox', `0 0 ${width} ${height}`).attr('width', width).attr('height', height)
+    .attr('role', 'img').attr('aria-label', label);
+  const area = svg.append('g').attr('transform', `translate(${left},${top})`);
+  place.replaceChildren(svg.node());
+  return { svg, area, width: width - left - right, height: height - top - bottom };
+}
+
+// The colour of the colour map at a part from 0 to 1.
+export const rampColour = (part) => ramp[Math.round((ramp.length - 1) * Math.max(0, Math.min(1, part)))];
+
+// The values at parts of a range; root: of a scale of square roots, so that small values have more of it.
+export const scaleTicks = ({ from, to, root }) =>
+  (root ? [0, 0.04, 0.16, 0.36, 0.64, 1] : [0, 0.25, 0.5, 0.75, 1]).map((part) => from + part * (to - from));
+
+// Where a value is on a scale, from 0 to 1 within it.
+export function scalePart({ from, to, root }, value) {
+  const part = to > from ? (value - from) / (to - from) : 0.5;
+  return root ? Math.sqrt(Math.max(0, part)) : part;
+}
+
+// A ramp of the colour map with ticks; place(value) is where a value is, from 0 to 1.
+export function colourScale(title, ticks, place, format = number) {
+  const stops = ramp.filter((_, level) => level % 15 === 0).join(',');
+  const marks = ticks.map((tick) => make('span', { style: `left:${100 * place(tick)}%` }, format(tick)));
+  const coloured = make('div', { class: 'ramp', style: `background:linear-gradient(to right,${stops})` });
+  return make('div', { class: 'scale' }, make('span', {}, title),
+    make('div', {}, coloured, make('div', { class: 'ticks' }, ...marks)));
+}

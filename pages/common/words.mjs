@@ -1,0 +1,17 @@
+// Numbers and counts as text.
+
+const plurals = { class: 'classes', query: 'queries' };
+
+export const counted = (count, noun) => `${count} ${count === 1 ? noun : plurals[noun] || `${noun}s`}`;
+export const percent = (fraction) => (100 * fraction).toFixed(2);
+
+// Four significant digits; null is infinity.
+export const number = (value, digits = 4) => (value === null ? '\u221e' : String(Number(value.toPrecision(digits))));
+
+export const shortened = (text, length) => (text.length > length ? `${text.slice(0, length - 1)}\u2026` : text);
+
+// The parts as one sentence and the hints as one each.
+export function sentences(parts, hints = []) {
+  const sentence = (text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+  return [parts.join(', '), ...hints].map(sentence).join(' ');
+}

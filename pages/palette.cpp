@@ -1,0 +1,63 @@
+#include "shapegauge/pages/palette.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <string_view>
+
+namespace shapegauge {
+
+namespace {
+
+struct PageColour {
+  std::string_view name;
+  std::string_view light;
+  std::string_view dark;
+};
+
+constexpr auto page_colours = std::to_array<PageColour>({
+    {"paper", "#ffffff", "#14181b"},
+    {"raised", "#f6f7f8", "#1d2327"},
+    {"ink", "#1c2227", "#e8ebee"},
+    {"muted", "#57616a", "#a3aeb7"},
+    {"rule", "#d9dee2", "#39424a"},
+    {"grid", "#e8ebed", "#2a3137"},
+    {"accent", "#0b5fa5", "#71b7f2"},
+    {"accent-channels", "11, 95, 165", "88, 166, 236"},
+    {"right", "#00705a", "#45cfa5"},
+    {"wrong", "#b3470a", "#ff9d5c"},
+});
+
+constexpr auto colours_of_methods = std::to_array<PageColour>({
+    {"blue", "#0b62ad", "#63b1f5"},
+    {"orange", "#c44e00", "#ff9349"},
+    {"green", "#007d5c", "#40cf9f"},
+    {"purple", "#a23b8c", "#ea8fd5"},
+    {"ochre", "#80630a", "#dfc04a"},
+    {"sky", "#2b8bbd", "#a4dcff"},
+    {"grey", "#5b6168", "#b9c1c8"},
+});
+static_assert(colours_of_methods.size() == method_colours);
+
+std::string theme_rule(std::string_view selector, std::string_view theme, std::string_view PageColour::*colour) {
+  std::string rule = fmt::format("{} {{\n  color-scheme: {};\n", selector, theme);
+  for (const PageColour& one : page_colours) rule += fmt::format("  --{}: {};\n", one.name, one.*colour);
+  for (std::size_t i = 0; i < colours_of_methods.size(); ++i) {
+    rule += fmt::format("  --method-{}: {};\n", i, colours_of_methods[i].*colour);
+  }
+  return rule + "}\n";
+}
+
+}  // namespace
+
+std::string palette_style() {
+  return theme_rule(":root", "light", &PageColour::light) +
+         theme_rule(":root[data-theme=\"dark\"]", "dark", &PageColour::dark) +
+         "@media (prefers-color-scheme: dark) {\n" +
+         theme_rule(":root:not([data-theme=\"light\"])", "dark", &PageColour::dark) + "}\n";
+}
+
+std::string css_colour(const Colour& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,21 @@
+// A method's colour, dashes and sign: alike in all charts. Methods of one colour differ in both others.
+
+import { methodColours } from '../common/constants.mjs';
+
+const dashes = ['none', '7 3', '2 3', '9 3 2 3', '12 4', '5 2 1 2 1 2', '3 2'];
+const signs = ['Circle', 'Square', 'Triangle', 'Diamond', 'Cross', 'Star', 'Wye'];
+
+// The position in lists of `count`: one further with each round of the colours.
+export const shifted = (index, count) => (index + Math.floor(index / methodColours)) % count;
+
+export const colourOf = (index) => `var(--method-${index % methodColours})`;
+export const dashesOf = (index) => dashes[shifted(index, dashes.length)];
+export const signOf = (index) => d3.symbol().type(d3[`symbol${signs[shifted(index, signs.length)]}`]).size(34)();
+
+export function swatch(index) {
+  const svg = d3.create('svg').attr('class', 'swatch').attr('viewBox', '0 0 34 10').attr('aria-hidden', 'true');
+  svg.append('line').attr('x1', 0).attr('x2', 34).attr('y1', 5).attr('y2', 5)
+    .style('stroke', colourOf(index)).style('stroke-dasharray', dashesOf(index));
+  svg.append('path').attr('transform', 'translate(17,5)').attr('d', signOf(index)).style('fill', colourOf(index));
+  return svg.node();
+}

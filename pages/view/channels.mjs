@@ -1,0 +1,42 @@
+// What the colours of a view can show, and on which scale.
+
+// Fields, parts, normals, the bare shape: { name, kind, of(shape) }, where of() is null for a shape without it.
+export function channelsOf(shapes) {
+  const names = [...new Set(shapes.flatMap(({ fields }) => fields.map(({ name }) => name)))];
+  const fieldNamed = (name) => (shape) => shape.fields.find((field) => field.name === name) || null;
+  const channels = names.map((name) => ({ name, kind: 'values', of: fieldNamed(name) }));
+  if (shapes.some(({ parts }) => parts)) channels.push({ name: 'Parts', kind: 'parts', of: ({ parts }) => parts });
+  if (shapes.some(({ directions }) => directions)) {
+    channels.push({ name: 'Normals', kind: 'normals', of: ({ directions }) => directions });
+  }
+  return [...channels, { name: 'Nothing', kind: 'plain', of: () => null }];
+}
+
+// The scale of a channel's colours on a shape { from, to, root } and the range of its values { low, high }: a given
+// one, or from the least to the greatest of the shapes that share it. Null where the shape has no values.
+export function scaleOf(channel, shape, sharing, given) {
+  const field = channel.of(shape);
+  if (channel.kind !== 'values' || !field) return null;
+  if (given) return { low: field.low, high: field.high, ...given };
+  const fields = sharing.map((other) => channel.of(other)).filter(Boolean);
+  const least = (key) => Math.min(...fields.map((one) => one[key]));
+  const greatest = (key) => Math.max(...fields.map((one) => one[key]));
+  return { from: least('from'), to: greatest('to'), low: least('low'), high: greatest('high') };
+}
+
+// What DrawnShape.show() is to show.
+export function shownBy(channel, shape, scale) {
+  const data = channel.of(shape);
+  if (scale) return { kind: 'values', values: data.values, ...scale };
+  if (!data) return { kind: 'plain' };
+  if (channel.kind !== 'parts') return { kind: channel.kind };
+  return { kind: 'values', values: data.values, from: 0, to: data.colours.length - 1, colours: data.colours };
+}
+
+// The bins of a histogram of what is shown: one a part, or 64 over the range of the values.
+export function binsOf({ low, high, colours }) {
+  const bins = colours ? colours.length : 64;
+  const [from, to] = colours ? [-0.5, bins - 0.5] : [low, high];
+  const edge = (bin) => from + (bin * (to - from)) / bins;
+  return { bins, low: from, high: to, edge };
+}

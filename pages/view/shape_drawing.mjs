@@ -1,0 +1,193 @@
+// Draws shapes with WebGL. One context draws all of them, one after the other, and each is copied to its own canvas:
+// browsers allow few contexts.
+
+import { ramp } from '../common/constants.mjs';
+import { channelNumbers, fragmentShader, vertexShader } from './shaders.mjs';
+import { cornerNormals } from './surface.mjs';
+
+const mostNormalLines = 4000;
+
+// Returns the one renderer, or null where the browser has no WebGL. The context is asked for first: three.js would
+// complain on the console.
+export const glRenderer = (() => {
+  let renderer;
+  return () => {
+    if (renderer !== undefined) return renderer;
+    const canvas = document.createElement('canvas');
+    const settings = { alpha: true, antialias: true };
+    const context = canvas.getContext('webgl2', settings) || canvas.getContext('webgl', settings);
+    renderer = context ? new THREE.WebGLRenderer({ canvas, context, ...settings }) : null;
+    if (renderer) renderer.setClearColor(0, 0);
+    return renderer;
+  };
+})();
+
+// A row of colours for the shader; smooth: blended between.
+function colourTexture(colours, smooth) {
+  const bytes = new Uint8Array(4 * colours.length);
+  colours.forEach((text, i) => {
+    const { r, g, b } = d3.rgb(text);
+    bytes.set([r, g, b, 255], 4 * i);
+  });
+  const texture = new THREE.DataTexture(bytes, colours.length, 1, THREE.RGBAFormat);
+  texture.magFilter = texture.minFilter = smooth ? THREE.LinearFilter : THREE.NearestFilter;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+// The values of three numbers a place, at corners.
+const atCorners = (placeOf, values) =>
+  Float32Array.from({ length: 3 * placeOf.length }, (_, i) => values[3 * placeOf[Math.floor(i / 3)] + (i % 3)]);
+
+function geometryOf(shape) {
+  const { placeOf, positions, directions, faceNormals, vertexOf } = shape;
+  const count = placeOf.length;
+  const faceOf = Uint32Array.from({ length: count }, (_, corner) => Math.floor(corner / 3));
+  const attributes = {
+    position: [positions, 3],
+    normal: [vertexOf ? cornerNormals(shape) : atCorners(faceOf, faceNormals), 3],
+    direction: [directions ? atCorners(placeOf, directions) : new Float32Array(3 * count), 3],
+    value: [new Float32Array(count), 1],
+    known: [new Float32Array(count), 1],
+  };
+  const geometry = new THREE.BufferGeometry();
+  for (const [name, [array, size]] of Object.entries(attributes)) {
+    geometry.setAttribute(name, new THREE.BufferAttribute(array, size));
+  }
+  return geometry;
+}
+
+function shapeMaterial() {
+  const uniforms = {
+    colours: null, levels: ramp.length, range: new THREE.Vector2(0, 1), root: false, what: channelNumbers.plain,
+    lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
+  };
+  for (const name of Object.keys(uniforms)) uniforms[name] = { value: uniforms[name] };
+  return new THREE.ShaderMaterial({ vertexShader, fragmentShader, side: THREE.DoubleSide, uniforms });
+}
+
+// Normals as lines; of many places, every so many.
+function normalLines({ directions, placeOf, positions, places }) {
+  const step = Math.ceil(places / mostNormalLines);
+  const feet = new Float32Array(3 * places);
+  const corners = new Uint32Array(places);
+  placeOf.forEach((place, corner) => {
+    ++corners[place];
+    for (let k = 0; k < 3; ++k) feet[3 * place + k] += positions[3 * corner + k];
+  });
+  const ends = [];
+  for (let place = 0; place < places; place += step) {
+    if (!corners[place]) continue;
+    const foot = [0, 1, 2].map((k) => feet[3 * place + k] / corners[place]);
+    ends.push(...foot, ...foot.map((x, k) => x + 0.04 * directions[3 * place + k]));
+  }
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(Float32Array.from(ends), 3));
+  const lines = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial());
+  lines.visible = false;
+  return lines;
+}
+
+export class DrawnShape {
+  constructor(shape) {
+    this.shape = shape;
+    this.material = shapeMaterial();
+    this.mesh = new THREE.Mesh(geometryOf(shape), this.material);
+    this.lines = shape.directions ? normalLines(shape) : null;
+    this.drawn = this.lines ? [this.mesh, this.lines] : [this.mesh];
+    this.turned = new THREE.Group();
+    this.turned.add(...this.drawn);
+    this.scene = new THREE.Scene();
+    this.scene.add(this.turned);
+    this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 20);
+    this.camera.position.z = 10;
+    // The rows are the picture's axes: to the right, upwards, towards the viewer.
+    const axes = new THREE.Matrix4().set(...shape.axes.flatMap((row) => [...row, 0]), 0, 0, 0, 1);
+    this.upright = new THREE.Quaternion().setFromRotationMatrix(axes);
+    this.caster = new THREE.Raycaster();
+  }
+
+  // Shows { kind: 'values' (with values, from, to, root, colours), 'normals' or 'plain' }.
+  show(shown) {
+    const { uniforms } = this.material;
+    uniforms.what.value = channelNumbers[shown.kind];
+    if (this.lines) this.lines.visible = shown.kind === 'normals';
+    if (shown.kind !== 'values') return;
+    const { value, known } = this.mesh.geometry.attributes;
+    // As parts of the range of colours: single precision suffices then, whatever the unit.
+    const width = shown.to > shown.from ? shown.to - shown.from : 1;
+    this.part = (x) => (x - shown.from) / width;
+    this.shape.placeOf.forEach((place, corner) => {
+      const x = shown.values[place];
+      known.array[corner] = Number.isNaN(x) ? 0 : 1;
+      value.array[corner] = Number.isNaN(x) ? 0 : this.part(x);
+    });
+    value.needsUpdate = known.needsUpdate = true;
+    uniforms.range.value.set(...(shown.to > shown.from ? [0, 1] : [-0.5, 0.5]));
+    uniforms.root.value = Boolean(shown.root);
+    if (uniforms.colours.value) uniforms.colours.value.dispose();
+    uniforms.colours.value = colourTexture(shown.colours || ramp, !shown.colours);
+    uniforms.levels.value = (shown.colours || ramp).length;
+  }
+
+  // Sets the colours, as d3.rgb() has them, of what is not lit up and of the lines.
+  setColours(unlit, lines) {
+    this.material.uniforms.unlit.value.setRGB(unlit.r / 255, unlit.g / 255, unlit.b / 255);
+    if (this.lines) this.lines.material.color.setRGB(lines.r / 255, lines.g / 255, lines.b / 255);
+  }
+
+  // Lights up the places with values in the interval only; null: all.
+  light(interval) {
+    const { lighting, lit } = this.material.uniforms;
+    lighting.value = Boolean(interval);
+    if (interval) lit.value.set(this.part(interval[0]) - 1e-6, this.part(interval[1]) + 1e-6);
+  }
+
+  // camera: { turn, zoom, shift }, the same for all shapes.
+  draw(canvas, camera) {
+    const renderer = glRenderer();
+    const ratio = Math.min(2, window.devicePixelRatio || 1);
+    const pixels = (side) => Math.max(1, Math.round(side * ratio));
+    const [width, height] = [pixels(canvas.clientWidth), pixels(canvas.clientHeight)];
+    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
+    const size = renderer.getSize(new THREE.Vector2());
+    if (size.x !== width || size.y !== height) renderer.setSize(width, height, false);
+    this.place(camera, width / height);
+    renderer.render(this.scene, this.camera);
+    const context = canvas.getContext('2d');
+    context.clearRect(0, 0, width, height);
+    context.drawImage(renderer.domElement, 0, 0);
+  }
+
+  place({ turn, zoom, shift }, aspect) {
+    this.turned.quaternion.multiplyQuaternions(turn, this.upright);
+    const half = 1.04 / zoom;
+    const [wide, high] = aspect > 1 ? [half * aspect, half] : [half, half / aspect];
+    const sides = { left: -wide + shift.x, right: wide + shift.x, top: high + shift.y, bottom: -high + shift.y };
+    Object.assign(this.camera, sides).updateProjectionMatrix();
+    this.scene.updateMatrixWorld();
+  }
+
+  // What is at a point of the canvas (from -1 to 1): the place and, where values belong to vertices, the three around
+  // it with their shares. Null where there is nothing.
+  at(x, y) {
+    this.caster.setFromCamera(new THREE.Vector2(x, y), this.camera);
+    const [hit] = this.caster.intersectObject(this.mesh);
+    if (!hit) return null;
+    const corners = [0, 1, 2].map((k) => 3 * hit.faceIndex + k);
+    const places = corners.map((corner) => this.shape.placeOf[corner]);
+    if (this.shape.site !== 'vertex') return { place: places[0], places: [places[0]], shares: [1] };
+    const ends = corners.map((corner) => new THREE.Vector3().fromArray(this.shape.positions, 3 * corner));
+    const point = this.mesh.worldToLocal(hit.point.clone());
+    const shares = THREE.Triangle.getBarycoord(point, ...ends, new THREE.Vector3()).toArray();
+    return { place: places[shares.indexOf(Math.max(...shares))], places, shares };
+  }
+
+  dispose() {
+    if (this.material.uniforms.colours.value) this.material.uniforms.colours.value.dispose();
+    for (const { geometry, material } of this.drawn) {
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+}

@@ -1,0 +1,253 @@
+// Shapes that can be turned, side by side, with what their colours show: the same in a page of its own and in reports.
+
+import { colourScale, rampColour, scalePart, scaleTicks } from '../common/chart.mjs';
+import { choice, make } from '../common/elements.mjs';
+import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
+import { number } from '../common/words.mjs';
+import { binsOf, channelsOf, scaleOf, shownBy } from './channels.mjs';
+import { unpackShape } from './shape_data.mjs';
+import { DrawnShape, glRenderer } from './shape_drawing.mjs';
+import { listenToTurning } from './turning.mjs';
+import { binShares, ValueHistogram } from './value_histogram.mjs';
+
+const hints = {
+  live: 'Drag to turn, wheel to zoom, Shift and drag to move; arrow keys, + and \u2212 as well.',
+  still: 'These pictures stand still: turning them takes WebGL, which this browser does not have or has switched off.',
+  bars: 'Click on the bars or drag over them, or use the arrow keys there, to light up where the surface has these ' +
+    'values.',
+};
+const legendWords = {
+  ownScales: 'Each shape has colours from its own thinnest to its own thickest.',
+  parts: 'Each part has a colour; neighbours differ.',
+  normals: 'Red, green and blue are the x, y and z of the normals.',
+};
+
+export class ShapeView {
+  // scales: by the name of a field { from, to, root }, where its colours have a scale that is set; note: said below.
+  constructor(place, packed, { scales = {}, note = '' } = {}) {
+    this.place = place;
+    this.shapes = packed.map(unpackShape);
+    this.scales = scales;
+    this.channels = channelsOf(this.shapes);
+    this.channel = this.channels[0];
+    this.together = true;
+    this.lit = null;
+    this.camera = { turn: new THREE.Quaternion(), zoom: 1, shift: new THREE.Vector2() };
+    this.live = glRenderer() !== null;
+    this.words = make('output', { class: 'view-words' });
+    this.legend = make('div', { class: 'view-legend' });
+    this.cells = this.shapes.map((shape) => this.makeCell(shape));
+    const alone = this.shapes.length === 1 ? ' alone' : '';
+    place.replaceChildren(this.tools(), this.legend,
+      make('div', { class: `view-cells${alone}` }, ...this.cells.map(({ figure }) => figure)),
+      make('p', { class: 'stamp' }, [this.live ? hints.live : hints.still, hints.bars, note].join(' ')));
+    this.onTheme = () => this.show();
+    document.addEventListener('themechange', this.onTheme);
+    this.resizing = new ResizeObserver(() => this.resized());
+    this.resizing.observe(place);
+    this.show();
+  }
+
+  destroy() {
+    document.removeEventListener('themechange', this.onTheme);
+    this.resizing.disconnect();
+    for (const { drawn } of this.cells) if (drawn) drawn.dispose();
+    this.cells = [];
+    tooltip.hide();
+  }
+
+  tools() {
+    const change = (values) => {
+      Object.assign(this, values, { lit: null });
+      this.show();
+    };
+    const names = this.channels.map(({ name }) => name);
+    const parts = [choice('Colours', names, 0, (index) => change({ channel: this.channels[index] }))];
+    if (this.shapes.length > 1) {
+      const toggle = (event) => change({ together: event.target.checked });
+      const same = make('input', { type: 'checkbox', checked: true, change: toggle });
+      parts.push(make('label', { class: 'view-same' }, same, 'Same scale for all'));
+    }
+    const reset = () => this.reset();
+    if (this.live) parts.push(make('button', { type: 'button', class: 'view-reset', click: reset }, 'Reset view'));
+    return make('div', { class: 'tools' }, ...parts, this.words);
+  }
+
+  makeCell(shape) {
+    const label = `${shape.name}, can be turned`;
+    const cell = {
+      shape,
+      drawn: this.live ? new DrawnShape(shape) : null,
+      histogram: null,
+      canvas: make('canvas', { tabindex: 0, role: 'img', 'aria-label': label, hidden: !this.live }),
+      bars: make('div', { class: 'chart view-bars' }),
+    };
+    const picture = make('img', { alt: `Picture of ${shape.name}`, src: shape.picture, hidden: this.live });
+    const note = make('span', { class: 'count' }, shape.note ? ` ${shape.note}` : '');
+    cell.figure = make('figure', { class: 'view-cell' },
+      make('figcaption', {}, make('b', {}, shape.name), note),
+      make('div', { class: 'view-stage' }, picture, cell.canvas), cell.bars);
+    if (this.live) {
+      listenToTurning(cell.canvas, {
+        turn: (x, y) => this.turn(x, y),
+        move: (x, y) => this.move(x, y),
+        zoom: (factor) => this.zoom(factor),
+        reset: () => this.reset(),
+        hover: (event) => this.read(cell, event),
+        leave: () => this.leave(),
+      });
+    }
+    return cell;
+  }
+
+  // Turns about axes in the plane of the picture.
+  turn(x, y) {
+    const step = new THREE.Quaternion().setFromEuler(new THREE.Euler(y, x, 0));
+    this.camera.turn.premultiply(step).normalize();
+    this.schedule();
+  }
+
+  move(x, y) {
+    this.camera.shift.add(new THREE.Vector2(-x, y).multiplyScalar(2.08 / this.camera.zoom));
+    this.schedule();
+  }
+
+  zoom(factor) {
+    this.camera.zoom = Math.max(0.2, Math.min(60, this.camera.zoom * factor));
+    this.schedule();
+  }
+
+  reset() {
+    this.camera.turn.set(0, 0, 0, 1);
+    this.camera.zoom = 1;
+    this.camera.shift.set(0, 0);
+    this.schedule();
+  }
+
+  scale(shape) {
+    return scaleOf(this.channel, shape, this.together ? this.shapes : [shape], this.scales[this.channel.name]);
+  }
+
+  // Draws everything anew: after another channel, theme or scale.
+  show() {
+    const colour = (name) => getComputedStyle(document.body).getPropertyValue(name).trim();
+    const dim = d3.rgb(d3.interpolateRgb(colour('--rule'), colour('--muted'))(0.3));
+    for (const cell of this.cells) {
+      cell.shown = shownBy(this.channel, cell.shape, this.scale(cell.shape));
+      if (cell.drawn) {
+        cell.drawn.show(cell.shown);
+        cell.drawn.setColours(dim, d3.rgb(colour('--ink')));
+      }
+      this.showBars(cell);
+    }
+    this.drawLegend();
+    this.light();
+  }
+
+  drawLegend() {
+    const scale = this.shapes.map((shape) => this.scale(shape)).find(Boolean);
+    if (!scale || (!this.together && this.shapes.length > 1)) {
+      const words = scale ? legendWords.ownScales : legendWords[this.channel.kind] || '';
+      this.legend.replaceChildren(make('p', { class: 'stamp' }, words));
+      return;
+    }
+    const ticks = scale.to > scale.from ? scaleTicks(scale) : [scale.from];
+    this.legend.replaceChildren(colourScale(`${this.channel.name}:`, ticks, (value) => scalePart(scale, value),
+      (value) => number(value, 3)));
+  }
+
+  showBars(cell) {
+    const { shape, shown } = cell;
+    cell.histogram = null;
+    if (shown.kind !== 'values') {
+      cell.bars.replaceChildren();
+      return;
+    }
+    const { colours } = shown;
+    const { bins, low, high, edge } = binsOf(shown);
+    cell.edges = (first, last) => [edge(first), edge(last + 1)];
+    cell.shares = binShares(shown.values, shape.weights, low, high, bins);
+    cell.histogram = new ValueHistogram(cell.bars, {
+      shares: cell.shares, low, high,
+      width: Math.max(260, cell.bars.clientWidth || 420),
+      label: `${this.channel.name} of ${shape.name}: share of the area`,
+      colourOf: (bin) => (colours ? colours[bin] : rampColour(scalePart(shown, edge(bin + 0.5)))),
+      ticks: colours && d3.range(0, bins, Math.ceil(bins / 12)),
+      chosen: (first, last) => this.choose(cell, first, last),
+    });
+  }
+
+  // Bins of one histogram: of all of them, where they have the same ones.
+  choose(cell, first, last) {
+    const shared = this.together && this.channel.kind === 'values' && !this.scales[this.channel.name];
+    this.lit = first === undefined ? null : { first, last, of: shared ? null : cell };
+    this.light(cell);
+  }
+
+  // Shows what is chosen; from: the cell whose bars already do.
+  light(from = null) {
+    const lit = this.lit ? [this.lit.first, this.lit.last] : [];
+    const lighted = this.cells.filter((cell) => this.lit && cell.histogram && (!this.lit.of || this.lit.of === cell));
+    for (const cell of this.cells) {
+      const mine = lighted.includes(cell);
+      if (cell.drawn) cell.drawn.light(mine ? cell.edges(...lit) : null);
+      if (cell.histogram && cell !== from) cell.histogram.select(...(mine ? lit : []));
+    }
+    this.words.textContent = lighted.length ? this.wordsOf(lighted) : '';
+    this.schedule();
+  }
+
+  wordsOf(cells) {
+    const { first, last } = this.lit;
+    const [low, high] = cells[0].edges(first, last);
+    const parts = first === last ? `Part ${first + 1}` : `Parts ${first + 1} to ${last + 1}`;
+    const range = this.channel.kind === 'parts' ? parts : `${number(low)} to ${number(high)}`;
+    const shares = cells.map((cell) => `${(100 * d3.sum(cell.shares.slice(first, last + 1))).toFixed(1)} %`);
+    return `${range}: ${shares.join(', ')} of the area`;
+  }
+
+  // The value under the pointer.
+  read({ drawn, shape }, event) {
+    const box = event.target.getBoundingClientRect();
+    const [x, y] = [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+    const hit = drawn.at(2 * x - 1, 1 - 2 * y);
+    if (!hit) {
+      this.leave();
+      return;
+    }
+    const valueIn = ({ values }) => d3.sum(hit.places, (place, k) => hit.shares[k] * values[place]);
+    const known = ({ values }) => hit.places.every((place) => !Number.isNaN(values[place]));
+    const words = (field) => (known(field) ? number(valueIn(field)) : 'no value');
+    const lines = shape.fields.map((field) => tipLine([field.name], words(field)));
+    if (shape.parts) lines.push(tipLine(['Part'], String(shape.parts.values[hit.place] + 1)));
+    const head = shape.site === 'vertex' ? shape.name : `${shape.name}, ${shape.site} ${hit.place}`;
+    tooltip.show(event.clientX, event.clientY, tipHead(head), ...lines);
+    const data = this.channel.of(shape);
+    const value = data && data.values && known(data) ? valueIn(data) : null;
+    for (const cell of this.cells) if (cell.histogram) cell.histogram.mark(cell.shape === shape ? value : null);
+  }
+
+  leave() {
+    tooltip.hide();
+    for (const { histogram } of this.cells) if (histogram) histogram.mark(null);
+  }
+
+  resized() {
+    const width = this.place.clientWidth;
+    if (width !== this.width) {
+      this.width = width;
+      for (const cell of this.cells) this.showBars(cell);
+      this.light();
+    }
+    this.schedule();
+  }
+
+  schedule() {
+    if (!this.live || this.waiting) return;
+    this.waiting = true;
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      for (const { drawn, canvas } of this.cells) drawn.draw(canvas, this.camera);
+    });
+  }
+}

@@ -1,0 +1,98 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import { methodColours } from '../../pages/common/constants.mjs';
+import { orderedClasses } from '../../pages/report/classes.mjs';
+import { countConfusions } from '../../pages/report/confusions.mjs';
+import { lowestPrecision } from '../../pages/report/curves.mjs';
+import { filteredModels } from '../../pages/report/gallery.mjs';
+import { histogramMethods } from '../../pages/report/histograms.mjs';
+import { colourOf, dashesOf } from '../../pages/report/method_look.mjs';
+import { ReportState } from '../../pages/report/report_state.mjs';
+import { bestText, sortedRows } from '../../pages/report/sortable_table.mjs';
+
+function sampleReport() {
+  const evaluation = (protocol) => ({ protocol, measures: ['NN', 'FT', 'mAP'], per_query: [[0, 0.5, 1]] });
+  return {
+    methods: ['a', 'b'].map((name) => ({ name, evaluations: ['psb', 'paper'].map(evaluation) })),
+    classes: ['ants', 'cups'], ids: ['T1', 'T2', 'T3'], labels: [0, 1, 0],
+  };
+}
+
+test('a change draws what shows it, once, and nothing else', () => {
+  const state = new ReportState(sampleReport());
+  const drawn = [];
+  state.show(['method', 'protocol'], () => drawn.push('both'));
+  state.show(['hidden'], () => drawn.push('hidden'));
+  assert.deepEqual(drawn, ['both', 'hidden']);
+  state.change({ method: 1, protocol: 1 });
+  assert.deepEqual(drawn, ['both', 'hidden', 'both']);
+  assert.equal(state.method.name, 'b');
+  assert.equal(state.protocolWords, 'protocol paper');
+});
+
+test('the first measure shown is FT; of a query mAP is AP', () => {
+  const state = new ReportState(sampleReport());
+  assert.equal(state.chosen.measure, 1);
+  assert.deepEqual(state.queryValues(0), [['NN', 0], ['FT', 0.5], ['AP', 1]]);
+});
+
+test('hidden methods are not visible', () => {
+  const state = new ReportState(sampleReport());
+  state.change({ hidden: new Set([0]) });
+  assert.deepEqual(state.visibleMethods, [1]);
+});
+
+test('methods of one colour differ in their dashes', () => {
+  const looks = Array.from({ length: methodColours ** 2 }, (_, index) => `${colourOf(index)} ${dashesOf(index)}`);
+  assert.equal(new Set(looks).size, looks.length);
+});
+
+test('rows are sorted by numbers as numbers and by texts in natural order', () => {
+  const rows = [{ id: 'T10', value: 9 }, { id: 'T9', value: 10 }, { id: 'T1', value: 9 }];
+  const columns = [{ text: ({ id }) => id }, { text: ({ value }) => String(value), value: ({ value }) => value }];
+  const ids = (column, ascending) => sortedRows(rows, columns, { column, ascending }).map(({ id }) => id);
+  assert.deepEqual(ids(0, true), ['T1', 'T9', 'T10']);
+  assert.deepEqual(ids(1, false), ['T9', 'T10', 'T1']); // the order of alike ones stays
+  assert.equal(bestText(columns[1], rows), '10');
+  assert.equal(bestText(columns[1], rows.slice(0, 1)), null);
+});
+
+test('the axis of precision begins at the tenth below the lowest value', () => {
+  assert.equal(lowestPrecision([[1, 0.57], [0.8, 0.62]], false), 0.5);
+  assert.equal(lowestPrecision([[1, 0.57]], true), 0);
+  assert.equal(lowestPrecision([[1, 1]], false), 0.9);
+  assert.equal(lowestPrecision([], false), 0);
+});
+
+test('classes by value, lowest or highest first', () => {
+  assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 0), [0, 1, 2]);
+  assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 1), [2, 0, 1]);
+  assert.deepEqual(orderedClasses([0.5, 0.9, 0.1], 2), [1, 0, 2]);
+});
+
+test('confusions are counted, most frequent first', () => {
+  const { totals, wrong } = countConfusions([[[0, 3], [1, 1]], [[0, 2], [2, 2]], []]);
+  assert.deepEqual(totals, [4, 4, 0]);
+  assert.deepEqual(wrong, [
+    { label: 1, other: 0, count: 2, part: 0.5 }, { label: 1, other: 2, count: 2, part: 0.5 },
+    { label: 0, other: 1, count: 1, part: 0.25 },
+  ]);
+});
+
+test('the gallery is narrowed by words of ids and classes, and by class', () => {
+  const report = sampleReport();
+  assert.deepEqual(filteredModels(report, { text: '', label: -1 }),
+    [{ label: 0, models: [0, 2] }, { label: 1, models: [1] }]);
+  assert.deepEqual(filteredModels(report, { text: 'cup', label: -1 }), [{ label: 1, models: [1] }]);
+  assert.deepEqual(filteredModels(report, { text: 't3', label: 0 }), [{ label: 0, models: [2] }]);
+  assert.deepEqual(filteredModels(report, { text: 't3', label: 1 }), []);
+});
+
+test('a method that is others side by side has their histograms', () => {
+  const methods = [{ histograms: {}, parts: [] }, { histograms: {}, parts: [] }, { histograms: null, parts: [0, 1] },
+    { histograms: null, parts: [2, 0] }, { histograms: null, parts: [] }];
+  assert.deepEqual(histogramMethods(methods, 1), [1]);
+  assert.deepEqual(histogramMethods(methods, 3), [0, 1, 0]);
+  assert.deepEqual(histogramMethods(methods, 4), []);
+});

@@ -1,0 +1,15 @@
+#include <gtest/gtest.h>
+
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/pages/page_constants.h"
+
+namespace shapegauge {
+namespace {
+
+TEST(PageConstants, AreThoseOfTheScripts) {
+  EXPECT_EQ(read_file_bytes(SHAPEGAUGE_PAGE_CONSTANTS), page_constants_script())
+      << "to write the file anew, build the target update_page_constants";
+}
+
+}  // namespace
+}  // namespace shapegauge

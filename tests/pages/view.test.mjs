@@ -1,0 +1,138 @@
+// Reads view.json of make_sample_views in the folder SHAPEGAUGE_SAMPLE_VIEWS.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+
+import { rampColour, scalePart, scaleTicks } from '../../pages/common/chart.mjs';
+import { ramp, trianglesPerSplat } from '../../pages/common/constants.mjs';
+import { binsOf, channelsOf, scaleOf, shownBy } from '../../pages/view/channels.mjs';
+import { cornersOf, unpackShape } from '../../pages/view/shape_data.mjs';
+import { cornerNormals, measureTriangles } from '../../pages/view/surface.mjs';
+import { binShares, selectionAfter } from '../../pages/view/value_histogram.mjs';
+import { cross, difference, dot, scaled, unit, vectorAt } from '../../pages/view/vectors.mjs';
+
+const sample = JSON.parse(readFileSync(join(process.env.SHAPEGAUGE_SAMPLE_VIEWS, 'view.json'), 'utf8'));
+const length = (a) => Math.sqrt(dot(a, a));
+const near = (a, b, tolerance) => assert.ok(Math.abs(a - b) <= tolerance, `${a} is not ${b}`);
+
+test('corners by their distance from the next unused vertex', () => {
+  // Triangles 0 1 2 and 2 1 3: new, new, new, one back of three, two back, new.
+  assert.deepEqual([...cornersOf(Buffer.from([0, 0, 0, 1, 2, 0]).toString('base64'), 6)], [0, 1, 2, 2, 1, 3]);
+  // Two bytes: 200 new vertices, and the first again.
+  const bytes = [...new Array(200).fill(0), 200 & 127 | 128, 200 >> 7];
+  assert.equal(cornersOf(Buffer.from(bytes).toString('base64'), 201)[200], 0);
+});
+
+test('a cloud has the hexagons of splats()', () => {
+  const { places, positions, radius, site } = unpackShape(sample.cloud);
+  const corners = trianglesPerSplat + 2;
+  assert.equal(site, 'point');
+  assert.equal(places, sample.splats.length / corners);
+  const ringOf = (place) => { // three corners of the first triangle, then the last of each further one
+    const at = (corner) => scaled(vectorAt(positions, 3 * (3 * trianglesPerSplat * place + corner)), radius);
+    return [at(0), at(1), at(2), ...Array.from({ length: trianglesPerSplat - 1 }, (_, k) => at(3 * (k + 1) + 2))];
+  };
+  const middle = (ring) => scaled(ring.reduce((sum, point) => sum.map((x, k) => x + point[k])), 1 / ring.length);
+  const normal = (ring) => unit(cross(difference(ring[1], ring[0]), difference(ring[2], ring[0])));
+  const firstOffset = difference(middle(ringOf(0)), middle(sample.splats.slice(0, corners)));
+  for (let place = 0; place < places; ++place) {
+    const [mine, theirs] = [ringOf(place), sample.splats.slice(corners * place, corners * (place + 1))];
+    const offset = difference(middle(mine), middle(theirs)); // the whole cloud is moved
+    assert.ok(length(difference(offset, firstOffset)) < 1e-4 * radius);
+    const size = length(difference(theirs[0], middle(theirs)));
+    for (const corner of mine) near(length(difference(corner, middle(mine))), size, 1e-3 * size);
+    assert.ok(Math.abs(dot(normal(mine), normal(theirs))) > Math.cos(Math.PI / 180)); // 127 levels
+  }
+});
+
+test('a mesh has the area of each face and its values', () => {
+  const shape = unpackShape(sample.balls);
+  const half = shape.places / 2; // the large ball of diameter 2, then the small one of 0.5
+  near(shape.weights.subarray(0, half).reduce((sum, weight) => sum + weight), 16 / 17, 1e-4);
+  assert.deepEqual([...new Set(shape.fields[0].values.subarray(0, half))], [2]);
+  assert.deepEqual([...new Set(shape.fields[0].values.subarray(half))], [0.5]);
+  assert.deepEqual([...new Set(shape.parts.values.subarray(half))], [1]);
+  for (let face = 0; face < shape.places; face += 7) { // the normals point outwards, and are those of the program
+    assert.ok(dot(vectorAt(shape.faceNormals, 3 * face), unit(vectorAt(shape.directions, 3 * face))) > 0.999);
+  }
+});
+
+// A roof: two triangles that meet at an edge, bent by an angle in degrees.
+function roof(degrees) {
+  const angle = (degrees * Math.PI) / 180;
+  const [a, b, c, d] = [[0, 0, 0], [0, 1, 0], [-1, 0, 0], [Math.cos(angle), 0, -Math.sin(angle)]];
+  return {
+    positions: Float32Array.of(...c, ...a, ...b, ...d, ...b, ...a),
+    vertexOf: Uint32Array.of(2, 0, 1, 3, 1, 0), placeOf: Uint32Array.of(0, 0, 0, 1, 1, 1), places: 2,
+  };
+}
+
+test('edges are shaded smoothly up to an angle, and triangles by themselves beyond', () => {
+  const bent = (degrees) => {
+    const surface = roof(degrees);
+    const normals = cornerNormals({ ...surface, ...measureTriangles(surface) });
+    return Math.acos(Math.min(1, dot(vectorAt(normals, 3), vectorAt(normals, 15)))); // of both triangles at one vertex
+  };
+  near(bent(60), 0, 1e-3); // each 30 degrees from their mean
+  near(bent(90), Math.PI / 2, 1e-3);
+});
+
+test('parts of a surface have their shares of the area', () => {
+  const { weights } = measureTriangles(roof(0));
+  assert.deepEqual([...weights], [0.5, 0.5]);
+});
+
+test('bins hold the area of their values; beyond the ends is the first or last', () => {
+  assert.deepEqual(binShares([0, 0.4, 1, NaN, 5], [0.1, 0.2, 0.3, 0.3, 0.1], 0, 1, 2), [0.1 + 0.2, 0.3 + 0.1]);
+  assert.deepEqual(binShares([2, 2], [0.5, 0.5], 2, 2, 3), [1, 0, 0]);
+});
+
+test('keys move and widen the selected bins', () => {
+  const right = { key: 'ArrowRight' };
+  assert.deepEqual(selectionAfter(null, right, 4), [0, 0]);
+  assert.deepEqual(selectionAfter(null, { key: 'ArrowLeft' }, 4), [3, 3]);
+  assert.deepEqual(selectionAfter([3, 3], right, 4), [3, 3]);
+  assert.deepEqual(selectionAfter([1, 2], { ...right, shiftKey: true }, 4), [1, 3]);
+  assert.deepEqual(selectionAfter([1, 1], { key: 'ArrowLeft', shiftKey: true }, 4), [1, 1]);
+  assert.equal(selectionAfter([1, 1], { key: 'Escape' }, 4), null);
+  assert.equal(selectionAfter(null, { key: 'Escape' }, 4), undefined);
+  assert.equal(selectionAfter(null, { key: 'a' }, 4), undefined);
+});
+
+test('shapes share a scale, have their own, or one that is given', () => {
+  const field = (k) => ({ name: 'f', from: k, to: k + 1, low: k - 1, high: k + 2, values: [] });
+  const shapes = [0, 1].map((k) => ({ fields: [field(k)] }));
+  const [channel, nothing] = channelsOf(shapes);
+  assert.deepEqual(scaleOf(channel, shapes[0], shapes), { from: 0, to: 2, low: -1, high: 3 });
+  assert.deepEqual(scaleOf(channel, shapes[1], [shapes[1]]), { from: 1, to: 2, low: 0, high: 3 });
+  assert.deepEqual(scaleOf(channel, shapes[1], shapes, { from: 5, to: 6, root: true }),
+    { from: 5, to: 6, low: 0, high: 3, root: true });
+  assert.equal(scaleOf(nothing, shapes[0], shapes), null);
+  assert.deepEqual(shownBy(nothing, shapes[0], null), { kind: 'plain' });
+});
+
+test('a view lists what its shapes have', () => {
+  const shapes = [sample.balls, sample.cloud].map(unpackShape);
+  assert.deepEqual(channelsOf(shapes).map(({ name }) => name), ['thickness', 'height', 'Parts', 'Normals', 'Nothing']);
+  assert.deepEqual(channelsOf(shapes.slice(1)).map(({ name }) => name), ['thickness', 'Nothing']);
+  assert.equal(channelsOf(shapes)[1].of(shapes[1]), null);
+});
+
+test('parts have a bin each, values 64', () => {
+  assert.deepEqual([binsOf({ colours: ['#000', '#fff'] }).edge(0), binsOf({ colours: ['#000', '#fff'] }).edge(2)],
+    [-0.5, 1.5]);
+  const { bins, edge } = binsOf({ low: 1, high: 3 });
+  assert.deepEqual([bins, edge(0), edge(32), edge(64)], [64, 1, 2, 3]);
+});
+
+test('scales place their ticks between their ends', () => {
+  for (const root of [false, true]) {
+    const scale = { from: 2, to: 6, root };
+    const percents = scaleTicks(scale).map((tick) => Math.round(100 * scalePart(scale, tick)));
+    assert.deepEqual(percents, root ? [0, 20, 40, 60, 80, 100] : [0, 25, 50, 75, 100]);
+  }
+  assert.equal(scalePart({ from: 1, to: 1 }, 1), 0.5);
+  assert.equal(rampColour(-1), ramp[0]);
+  assert.equal(rampColour(2), ramp[255]);
+});
