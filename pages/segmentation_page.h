@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "shapegauge/experiments/files/table.h"
+#include "shapegauge/datasets/files/table.h"
 
 namespace shapegauge {
 

@@ -31,7 +31,8 @@ class Registry {
         entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
 
   /// Adds an entry, which configurations, listings and the schema know from then on. What its views and spans refer to
-  /// must live as long as the program. Throws ArgumentError for a name that is empty or taken, and what the check throws.
+  /// must live as long as the program. Throws ArgumentError for a name that is empty or taken, and what the check
+  /// throws.
   void add(Entry entry) {
     if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
     if (check_ != nullptr) check_(entry);
@@ -59,7 +60,7 @@ class Registry {
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
     throw ArgumentError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
-                     suggestion(name, names()));
+                        suggestion(name, names()));
   }
 
   /// All entries.

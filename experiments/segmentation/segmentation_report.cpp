@@ -82,8 +82,8 @@ SegmentationPage report_of(const SegmentationResults& results) {
                         .typical = {},
                         .shown = {}};
   if (results.has_people) page.errors = page_errors(results);
-  for (const FailedSegmentation& failure : results.failures) {
-    page.failures.emplace_back(failure.model.id, failure.message);
+  for (const LeftOutShape& failure : results.failures) {
+    page.failures.emplace_back(failure.id, failure.message);
   }
   if (!results.experiment.pictures) return page;
   for (const std::size_t i : typical_shapes(results.scores)) page.typical.push_back(figure_of(results, i));

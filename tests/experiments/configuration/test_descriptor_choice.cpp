@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "tests/support/test_files.h"

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
-#include "shapegauge/experiments/engine/replay.h"
 #include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/engine/replay.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

@@ -167,7 +167,8 @@ TEST_F(ExperimentKinds, CanBeAddedFromOutsideTheLibrary) {
   EXPECT_EQ(run({{"count", "shapes"}}, "count", none, *single_process()).summary, "6");
   EXPECT_EQ(test::text_of(at("count/count.txt")), "6\n");
   EXPECT_EQ(Json::parse(test::text_of(at("count/manifest.json"))).at("configuration"), (Json{{"count", "shapes"}}));
-  EXPECT_THROW(experiment_kinds().add({.name = "count", .description = "", .describes = nullptr, .read = read_count}), InputError);
+  EXPECT_THROW(experiment_kinds().add({.name = "count", .description = "", .describes = nullptr, .read = read_count}),
+               InputError);
 }
 
 }  // namespace
