@@ -272,13 +272,10 @@ TEST(SumWeights, AreWhatTheDefinitionsSay) {
   EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
 }
 
-TEST(SumWeights, AreSmallForDistancesThatSeeNothing) {
+TEST(SumWeights, AgreementIsSmallForDistancesThatSeeNothing) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(0.3, 2), random_distances(30, 3)};
-  const std::vector<double> given(3, 1);
-  for (const SumWeights kind : {SumWeights::agreement, SumWeights::clustering}) {
-    const std::vector<double> weights = sum_weights(matrices, given, kind);
-    EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
-  }
+  const std::vector<double> weights = sum_weights(matrices, std::vector<double>(3, 1), SumWeights::agreement);
+  EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
 }
 
 const SumWeights all_found[] = {SumWeights::agreement, SumWeights::clustering};
