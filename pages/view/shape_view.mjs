@@ -8,7 +8,7 @@ import { binsOf, channelsOf, scaleOf, shownBy } from './channels.mjs';
 import { unpackShape } from './shape_data.mjs';
 import { DrawnShape, glRenderer } from './shape_drawing.mjs';
 import { listenToTurning } from './turning.mjs';
-import { binShares, ValueHistogram } from './value_histogram.mjs';
+import { binShares, valueHistogram } from './value_histogram.mjs';
 
 const hints = {
   live: 'Drag to turn, wheel to zoom, Shift and drag to move; arrow keys, + and \u2212 as well.',
@@ -167,7 +167,7 @@ export class ShapeView {
     const { bins, low, high, edge } = binsOf(shown);
     cell.edges = (first, last) => [edge(first), edge(last + 1)];
     cell.shares = binShares(shown.values, shape.weights, low, high, bins);
-    cell.histogram = new ValueHistogram(cell.bars, {
+    cell.histogram = valueHistogram(cell.bars, {
       shares: cell.shares, low, high,
       width: Math.max(260, cell.bars.clientWidth || 420),
       label: `${this.channel.name} of ${shape.name}: share of the area`,

@@ -43,67 +43,57 @@ function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ti
   return { svg, area, width, height, bars, x };
 }
 
-export class ValueHistogram {
-  // options: as drawBars() takes them, and chosen(first, last), which receives the bins that are brushed, or nothing
-  // where none are.
-  constructor(place, options) {
-    Object.assign(this, drawBars(place, options));
-    this.chosen = options.chosen;
-    this.bins = options.shares.length;
-    this.selected = null; // [first, last]
-    this.moving = false; // the brush, by select()
-    this.marked = this.area.append('line').attr('class', 'level').attr('y1', 0).attr('y2', this.height)
-      .style('display', 'none');
-    this.brush = d3.brushX().extent([[0, 0], [this.width, this.height]]);
-    this.brushed = this.area.append('g').attr('class', 'brush');
-    this.brushed.call(this.brush.on('brush end', () => this.followBrush(d3.event)));
-    this.svg.attr('tabindex', 0).on('keydown', () => this.followKey(d3.event));
-  }
+// Draws a histogram. chosen(first, last) receives the bins that are brushed, or nothing where none are. Returns what
+// moves its marks from outside: mark(value) and select(first, last).
+export function valueHistogram(place, options) {
+  const { shares, chosen } = options;
+  const { svg, area, width, height, bars, x } = drawBars(place, options);
+  const bins = shares.length;
+  const edge = (bin) => (width * bin) / bins;
+  const marked = area.append('line').attr('class', 'level').attr('y1', 0).attr('y2', height).style('display', 'none');
 
-  // Shows bins as selected, or none.
-  select(first, last) {
-    const edge = (bin) => (this.width * bin) / this.bins;
-    this.selected = first === undefined ? null : [first, last];
-    this.bars.style('opacity', (_, bin) => (this.selected && (bin < first || bin > last) ? 0.25 : 1));
-    this.moving = true;
-    this.brushed.call(this.brush.move, this.selected && [edge(first), edge(last + 1)]);
-    this.moving = false;
-  }
-
-  // Marks a value; null: none.
-  mark(value) {
-    const there = value !== null && !Number.isNaN(value);
-    this.marked.style('display', there ? null : 'none');
-    if (there) this.marked.attr('x1', this.x(value)).attr('x2', this.x(value));
-  }
-
-  choose(...range) {
-    this.select(...range);
-    this.chosen(...range);
-  }
-
-  binAt(x) {
-    return Math.max(0, Math.min(this.bins - 1, Math.floor((this.bins * x) / this.width)));
-  }
-
-  followBrush({ type, selection, sourceEvent }) {
-    if (this.moving || !sourceEvent) return;
+  let selected = null;
+  let moving = false; // the brush, by show()
+  const brushed = area.append('g').attr('class', 'brush');
+  const brush = d3.brushX().extent([[0, 0], [width, height]]);
+  const show = (first, last) => {
+    selected = first === undefined ? null : [first, last];
+    bars.style('opacity', (_, bin) => (selected && (bin < first || bin > last) ? 0.25 : 1));
+    moving = true;
+    brushed.call(brush.move, selected && [edge(first), edge(last + 1)]);
+    moving = false;
+  };
+  const choose = (...range) => {
+    show(...range);
+    chosen(...range);
+  };
+  const binAt = (at) => Math.max(0, Math.min(bins - 1, Math.floor((bins * at) / width)));
+  brushed.call(brush.on('brush end', () => {
+    const { type, selection, sourceEvent } = d3.event;
+    if (moving || !sourceEvent) return;
     if (selection) {
-      const range = [this.binAt(selection[0] + 0.01), this.binAt(selection[1] - 0.01)];
-      if (type === 'end') this.choose(...range);
-      else this.chosen(...range);
+      const range = [binAt(selection[0] + 0.01), binAt(selection[1] - 0.01)];
+      if (type === 'end') choose(...range);
+      else chosen(...range);
     } else if (type === 'end') { // a click
-      const bin = this.binAt(d3.mouse(this.area.node())[0]);
-      const again = this.selected && this.selected.every((end) => end === bin);
-      this.choose(...(again ? [] : [bin, bin]));
+      const bin = binAt(d3.mouse(area.node())[0]);
+      if (selected && selected[0] === bin && selected[1] === bin) choose();
+      else choose(bin, bin);
     }
-  }
-
-  followKey(event) {
-    const range = selectionAfter(this.selected, event, this.bins);
+  }));
+  svg.attr('tabindex', 0).on('keydown', () => {
+    const range = selectionAfter(selected, d3.event, bins);
     if (range === undefined) return;
-    event.preventDefault();
-    if (range === null) event.stopPropagation(); // Escape would close a dialog, too
-    this.choose(...(range || []));
-  }
+    d3.event.preventDefault();
+    if (range === null) d3.event.stopPropagation(); // Escape would close a dialog, too
+    choose(...(range || []));
+  });
+  return {
+    select: show,
+    mark(value) {
+      const there = value !== null && !Number.isNaN(value);
+      marked.style('display', there ? null : 'none');
+      if (there) marked.attr('x1', x(value)).attr('x2', x(value));
+    },
+  };
 }
