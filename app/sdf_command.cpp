@@ -165,8 +165,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->add_option("--method", arguments->method,
                    "offset_sdf (or offset): of the offset surface; cone_sdf (or cone): conventional")
       ->required()
-      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "offset", "cone"}))
-      ->transform(CLI::Transformer(std::map<std::string, std::string>{{"offset", "offset_sdf"}, {"cone", "cone_sdf"}}));
+      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "offset", "cone"}));
   add_shape_outputs(*command, arguments->files,
                     ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)");
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")

@@ -298,10 +298,14 @@ Measure measure_of(std::string_view name) {
   if (name == other_name_of_map) name = "mAP";
   const std::size_t at = name.find('@');
   const std::string stem(name.substr(0, at));
-  const MeasureDefinition& definition =
-      measure_definitions().at(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));
+  const MeasureDefinition* const definition =
+      measure_definitions().find(at == std::string_view::npos ? stem : stem + std::string(ranks_suffix));
+  if (definition == nullptr) {
+    throw ArgumentError("there is no measure \"" + std::string(name.substr(0, 40)) + "\"" +
+                        suggestion(name, measure_definitions().names()));
+  }
   const std::size_t k = at == std::string_view::npos ? 0 : ranks_of(name, name.substr(at + 1));
-  return {.name = std::string(name), .definition = &definition, .k = k};
+  return {.name = std::string(name), .definition = definition, .k = k};
 }
 
 std::vector<Measure> measures_of(std::span<const std::string> names) {
