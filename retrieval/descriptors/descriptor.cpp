@@ -10,6 +10,7 @@
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
+#include "shapegauge/retrieval/descriptors/panorama.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
 
@@ -20,7 +21,7 @@ namespace {
 std::vector<Descriptor> own_descriptors() {
   return {
       joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(), d2_descriptor(),
-      spherical_harmonics_descriptor(), shape_dna_descriptor(),
+      spherical_harmonics_descriptor(), shape_dna_descriptor(),       panorama_descriptor(),
   };
 }
 

@@ -1,0 +1,150 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <tbb/global_control.h>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/retrieval/descriptors/cylinder_map.h"
+#include "shapegauge/retrieval/descriptors/panorama.h"
+#include "shapegauge/retrieval/descriptors/surface_moments.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+double distance_of_panoramas(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
+  return panorama_distance({a.data(), static_cast<std::size_t>(a.size())},
+                           {b.data(), static_cast<std::size_t>(b.size())});
+}
+
+/// A shape whose axes differ, and that no rotation or reflection brings upon itself: a bar with a knob.
+Shape knobbed_bar() {
+  const auto at = [](const Shape& part, const Eigen::Vector3d& place) {
+    return test::transformed(part, 1, Eigen::Matrix3d::Identity(), place);
+  };
+  return test::joined({test::box({1, 2, 4}, 4), at(test::sphere(0.5, 3), {0.6, 1, 1.5})});
+}
+
+/// The distance from the knobbed bar to the nearest of some other shapes.
+double distance_to_others() {
+  const Eigen::VectorXf bar = panorama(knobbed_bar());
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Shape& other : {test::box({1, 1, 1}, 2), test::sphere(1, 3), test::torus(1, 0.3, 24, 12)}) {
+    nearest = std::min(nearest, distance_of_panoramas(panorama(other), bar));
+  }
+  return nearest;
+}
+
+TEST(Panorama, FeaturesAreFourierMagnitudesByTheirDefinition) {
+  const PanoramaOptions options = {.frequencies = 3};
+  // A box along x is its own principal pose, except for signs.
+  const Shape box = test::box({4, 2, 1}, 2);
+  const Eigen::VectorXf found = panorama(box, options);
+  const double spread = std::sqrt(surface_moments(box).covariance.trace());
+  const CylinderGrid map =
+      project_on_cylinder(box, {.axis = 0, .radius = options.radius * spread}).cosine.array().pow(options.sharpness);
+  const auto magnitude = [&](int along, int around) {
+    std::complex<double> sum = 0;
+    for (Eigen::Index row = 0; row < map.rows(); ++row) {
+      for (Eigen::Index column = 0; column < map.cols(); ++column) {
+        const double turns = static_cast<double>(along * row) / static_cast<double>(map.rows()) +
+                             static_cast<double>(around * column) / static_cast<double>(map.cols());
+        sum += static_cast<double>(map(row, column)) * std::polar(1.0, -2 * std::numbers::pi * turns);
+      }
+    }
+    return std::abs(sum);
+  };
+  double total = 0;
+  for (int around = 0; around <= 3; ++around) {
+    for (int along = 0; along <= 3; ++along) total += magnitude(along, around) + magnitude(-along, around);
+  }
+  Eigen::Index next = 2 * 16;  // the first cylinder's map of distances has 2 x 4 x 4 features
+  for (const bool greater : {true, false}) {
+    for (int around = 0; around <= 3; ++around) {
+      for (int along = 0; along <= 3; ++along, ++next) {
+        const double one = magnitude(along, around);
+        const double other = magnitude(-along, around);
+        const double expected = greater ? std::max(one, other) : std::min(one, other);
+        EXPECT_NEAR(found[next], std::pow(expected / total, options.exponent), 2e-4) << along << " " << around;
+      }
+    }
+  }
+  EXPECT_EQ(found.size(), 2 * 3 * 2 * 2 * 16);
+}
+
+TEST(Panorama, RotationReflectionPlaceAndScaleChangeLittle) {
+  const Shape bar = knobbed_bar();
+  const Eigen::VectorXf expected = panorama(bar);
+  const double tolerance = 0.02 * distance_to_others();
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Shape turned = test::transformed(bar, 3, test::rotation(seed), {5, 6, 7});
+    EXPECT_LT(distance_of_panoramas(panorama(turned), expected), tolerance) << seed;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    Shape mirrored = bar;
+    mirrored.vertices.col(axis) *= -1;
+    EXPECT_LT(distance_of_panoramas(panorama(mirrored), expected), tolerance) << axis;
+  }
+}
+
+TEST(Panorama, OrderOrientationConnectivityAndMeshDoNotMatter) {
+  const Shape bar = test::box({1, 2, 4}, 2);
+  const Eigen::VectorXf expected = panorama(bar);
+  const double tolerance = 0.01 * distance_of_panoramas(panorama(test::box({1, 1, 4}, 2)), expected);
+  for (const Shape& same :
+       {test::flipped(bar), test::soup(bar), test::permuted(bar, 3).shape, test::box({1, 2, 4}, 7)}) {
+    EXPECT_LT(distance_of_panoramas(panorama(same), expected), tolerance);
+  }
+}
+
+TEST(Panorama, CloudsAreNearTheirMeshes) {
+  const Shape bar = knobbed_bar();
+  const Eigen::VectorXf cloud = panorama(test::random_points(bar, 10'000, 1));
+  EXPECT_LT(distance_of_panoramas(cloud, panorama(bar)), 0.4 * distance_to_others());
+}
+
+TEST(Panorama, AnyNumberOfThreadsGivesTheSameBytes) {
+  const Shape cloud = test::random_points(knobbed_bar(), 2000, 1);
+  const Eigen::VectorXf expected = panorama(cloud);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_EQ(panorama(cloud), expected);
+}
+
+TEST(Panorama, TheNearerPoseCounts) {
+  const Eigen::VectorXf a = Eigen::Vector4f(1, 2, 3, 4);
+  const Eigen::VectorXf b = Eigen::Vector4f(2, 4, 3, 2);
+  EXPECT_EQ(distance_of_panoramas(a, b), 2);
+  EXPECT_EQ(distance_of_panoramas(b, a), 2);
+  EXPECT_THROW(distance_of_panoramas(a, Eigen::Vector2f(1, 2)), ArgumentError);
+}
+
+TEST(Panorama, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
+  const Shape ball = test::sphere(1, 1);
+  EXPECT_THROW(panorama(ball, {.angles = 8}), InputError);
+  EXPECT_THROW(panorama(ball, {.heights = 2000}), InputError);
+  EXPECT_THROW(panorama(ball, {.frequencies = 0}), InputError);
+  EXPECT_THROW(panorama(ball, {.exponent = 0}), InputError);
+  EXPECT_THROW(panorama(ball, {.sharpness = 17}), InputError);
+  EXPECT_THROW(panorama(ball, {.radius = std::nan("")}), InputError);
+  EXPECT_THROW(panorama(Shape{}), InputError);
+  EXPECT_THROW(panorama(Shape{Points::Zero(4, 3), {}}), InputError);
+  Shape broken = ball;
+  broken.vertices(0, 0) = std::nan("");
+  EXPECT_THROW(panorama(broken), InputError);
+  Shape line = ball;
+  line.vertices.rightCols<2>().setZero();
+  EXPECT_THROW(panorama(line), InputError);
+}
+
+TEST(Panorama, OfAFlatSheetIsFinite) {
+  const Shape sheet{Points{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
+  EXPECT_TRUE(panorama(sheet).allFinite());
+}
+
+}  // namespace
+}  // namespace shapegauge
