@@ -63,7 +63,7 @@ bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, dou
 /// Pairs of neighbours, each once, the lesser point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
-  const double reach = 2 * proxy.covering_radius;
+  const double reach = 3 * proxy.covering_radius;
   std::vector<Segment> pairs;
   for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
