@@ -29,10 +29,15 @@ const ProxyGeodesics& ProxySource::geodesics() {
   return *geodesics_;
 }
 
-const Spectrum& ProxySource::spectrum(int eigenvalues) {
-  const int count = std::max(eigenvalues, least_eigenvalues);
-  if (!spectrum_) spectrum_ = std::make_unique<Spectrum>(laplacian_spectrum(laplacian_of(proxy()), count));
-  return *spectrum_;
+Spectrum ProxySource::spectrum(int eigenvalues) {
+  // Numbers of their own, not the heads of whatever was computed before: values may not depend on the order of calls.
+  const int computed = std::max(eigenvalues, shared_eigenvalues);
+  if (!spectra_.contains(computed)) spectra_.emplace(computed, laplacian_spectrum(laplacian_of(proxy()), computed));
+  const Spectrum& all = spectra_.at(computed);
+  const Eigen::Index count = std::min<Eigen::Index>(eigenvalues, all.eigenvalues.size());
+  return {.eigenvalues = all.eigenvalues.head(count),
+          .components = all.components,
+          .eigenvectors = all.eigenvectors.leftCols(count)};
 }
 
 Eigen::VectorXd ProxySource::at_samples(const Samples& samples, const Eigen::VectorXd& at_points) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <memory>
-#include <optional>
 
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/proxy/proxy_geodesics.h"
@@ -19,7 +19,7 @@ class ProxySource {
   /// Landmarks of geodesics().
   static constexpr int landmarks = 500;
   /// Eigenvalues that spectrum() computes at least.
-  static constexpr int least_eigenvalues = 100;
+  static constexpr int shared_eigenvalues = 100;
 
   explicit ProxySource(const Shape& shape) : shape_(&shape) {}
 
@@ -29,9 +29,9 @@ class ProxySource {
 
   const ProxyGeodesics& geodesics();
 
-  /// The smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points: max(eigenvalues,
-  /// least_eigenvalues) of them, or as many as there are points.
-  const Spectrum& spectrum(int eigenvalues);
+  /// The smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points; fewer where there are
+  /// fewer points. All numbers up to shared_eigenvalues are answered from one computation.
+  Spectrum spectrum(int eigenvalues);
 
   /// Values at the proxy's points interpolated to samples of the shape: means over the nearest points of the same sheet,
   /// weighted by distance.
@@ -41,7 +41,7 @@ class ProxySource {
   const Shape* shape_;
   std::unique_ptr<SurfaceProxy> proxy_;
   std::unique_ptr<ProxyGeodesics> geodesics_;
-  std::unique_ptr<Spectrum> spectrum_;
+  std::map<int, Spectrum> spectra_;  ///< by number of eigenvalues
 };
 
 }  // namespace shapegauge

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <tuple>
 
@@ -63,7 +64,7 @@ bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, dou
 /// Pairs of neighbours, each once, the lesser point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
-  const double reach = 3 * proxy.covering_radius;
+  const double reach = (getenv("REACH") ? atof(getenv("REACH")) : 3.0) * proxy.covering_radius;
   std::vector<Segment> pairs;
   for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
@@ -77,6 +78,16 @@ std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
   std::ranges::sort(pairs, {}, ends);
   pairs.erase(std::ranges::unique(pairs, {}, ends).begin(), pairs.end());
   return pairs;
+}
+
+/// The normals, of either sign, with a sign that does not depend on the orientation of faces.
+Points unsigned_normals(Points normals) {
+  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+    auto normal = normals.row(i);
+    const auto first = std::ranges::find_if(normal, [](double x) { return x != 0; });
+    if (first != normal.end() && *first < 0) normal = -normal;
+  }
+  return normals;
 }
 
 void set_arcs(SurfaceProxy& proxy, const std::vector<Segment>& segments) {
@@ -122,8 +133,15 @@ double cotangent(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   return std::abs(product) < bound * twice_area ? product / twice_area : std::copysign(bound, product);
 }
 
-/// Adds a third of the cotangent weights of the triangles about each point.
+/// Radius of the circle through the origin, u and v.
+double circumradius(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+  return u.norm() * v.norm() * (u - v).norm() / (2 * std::abs(u.x() * v.y() - u.y() * v.x()));
+}
+
+/// A third of the cotangent weights of the triangles about each point. Circles larger than the covering radius hold a
+/// hole or reach across the border: such triangles do not count, for the slivers along borders would.
 Triplets cotangent_weights(const SurfaceProxy& proxy) {
+  const double largest_circle = 1.5 * proxy.covering_radius;
   Triplets weights;
   const SparseInterruptionCheck check;
   for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
@@ -131,41 +149,58 @@ Triplets cotangent_weights(const SurfaceProxy& proxy) {
     const auto point = static_cast<std::int32_t>(i);
     const std::vector<Eigen::Vector2d> flat = in_tangent_plane(proxy, i);
     const std::span<const ProxyArc> arcs = proxy.arcs_of(i);
-    for (const auto& [a, b] : delaunay_star(flat)) {
+    auto star = delaunay_star(flat);
+    double area = 0;
+    std::erase_if(star, [&](const auto& t) { return !(circumradius(flat[static_cast<std::size_t>(t[0])], flat[static_cast<std::size_t>(t[1])]) <= largest_circle); });
+    for (const auto& [a, b] : star) { const auto& u = flat[static_cast<std::size_t>(a)]; const auto& v = flat[static_cast<std::size_t>(b)]; area += std::abs(u.x() * v.y() - u.y() * v.x()) / 2; }
+    double scale = 1;
+    static const int mode = getenv("MODE") ? atoi(getenv("MODE")) : 0;
+    const double ratio = area > 0 ? proxy.areas[point] / (area / 3) : 1;
+    if (mode == 1) scale = std::clamp(ratio, 0.1, 2.0);
+    if (mode == 2) scale = std::clamp(ratio * 1.1, 0.1, 1.0);
+    if (mode == 3) scale = ratio < 0.7 ? ratio : 1;
+    for (const auto& [a, b] : star) {
       const Eigen::Vector2d& u = flat[static_cast<std::size_t>(a)];
       const Eigen::Vector2d& v = flat[static_cast<std::size_t>(b)];
       const std::int32_t j = arcs[static_cast<std::size_t>(a)].to;
       const std::int32_t k = arcs[static_cast<std::size_t>(b)].to;
-      add_weight(weights, j, k, cotangent(u, v) / 6);
-      add_weight(weights, point, k, cotangent(-u, v - u) / 6);
-      add_weight(weights, point, j, cotangent(-v, u - v) / 6);
+      add_weight(weights, j, k, scale * cotangent(u, v) / 6);
+      add_weight(weights, point, k, scale * cotangent(-u, v - u) / 6);
+      add_weight(weights, point, j, scale * cotangent(-v, u - v) / 6);
     }
   }
   return weights;
 }
 
-/// The graph Laplacian of the weights, summed, negative ones set to 0, and of the links.
-Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> links) {
+/// The graph Laplacian of the weights, summed, negative ones set to 0. Segments between what the weights leave apart,
+/// links and parts too thin for triangles, count as edges of a regular triangulation, less where a gap is wide.
+Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> segments) {
+  constexpr double least_joining = 0.01;
   const Eigen::Index count = proxy.points.rows();
   Triplets entries = cotangent_weights(proxy);
   Eigen::SparseMatrix<double> weights(count, count);
   weights.setFromTriplets(entries.begin(), entries.end());
   entries.clear();
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(count);
+  DisjointSets pieces;
+  pieces.grow_to(static_cast<std::size_t>(count));
   const auto add = [&](Eigen::Index i, Eigen::Index j, double weight) {
     entries.emplace_back(i, j, -weight);
     sums[i] += weight;
   };
   for (Eigen::Index column = 0; column < count; ++column) {
     for (Eigen::SparseMatrix<double>::InnerIterator entry(weights, column); entry; ++entry) {
-      if (entry.value() > 0) add(entry.row(), column, entry.value());
+      if (!(entry.value() > 0)) continue;
+      add(entry.row(), column, entry.value());
+      if (entry.value() < least_joining) continue;
+      pieces.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
     }
   }
-  for (const Segment& link : links) {
-    // The weight of an edge of a regular triangulation, less where the gap is wide.
-    const double weight = std::min(1.0, proxy.covering_radius / link.length) / std::numbers::sqrt3;
-    add(link.a, link.b, weight);
-    add(link.b, link.a, weight);
+  for (const Segment& segment : segments) {
+    if (pieces.find(segment.a) == pieces.find(segment.b)) continue;
+    const double weight = std::min(1.0, proxy.covering_radius / segment.length) / std::numbers::sqrt3;
+    add(segment.a, segment.b, weight);
+    add(segment.b, segment.a, weight);
   }
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, sums[i]);
   Eigen::SparseMatrix<double> stiffness(count, count);
@@ -189,15 +224,13 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   const ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
   SurfaceProxy proxy;
   proxy.points = chosen.points;
-  proxy.normals = chosen.normals;
+  proxy.normals = unsigned_normals(chosen.normals);
   proxy.areas = chosen.areas;
   proxy.covering_radius = chosen.covering_radius;
   std::vector<Segment> segments = neighbour_pairs(chosen, options.neighbours);
-  const std::size_t neighbourhoods = segments.size();
   set_arcs(proxy, segments);
   proxy.components = link_components(proxy.points, 8, segments);
-  const std::vector<Segment> links(segments.begin() + static_cast<std::ptrdiff_t>(neighbourhoods), segments.end());
-  proxy.stiffness = stiffness_of(proxy, links);
+  proxy.stiffness = stiffness_of(proxy, segments);
   for (Segment& segment : segments) segment.length *= frame.diagonal;
   proxy.arcs.clear();
   set_arcs(proxy, segments);

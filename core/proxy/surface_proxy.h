@@ -35,7 +35,7 @@ struct ProxyArc {
 /// Laplacian.
 struct SurfaceProxy {
   Points points;             ///< in farthest-point order, in the shape's units
-  Points normals;            ///< unit vectors of either sign
+  Points normals;            ///< unit vectors; the first component that is not 0 is positive
   Eigen::VectorXd areas;     ///< of the surface nearest to each point; the lumped mass of the Laplacian
   double covering_radius;    ///< the largest distance of a place of the surface from the point that stands for it
   std::int32_t components;   ///< number of pieces before they were linked
