@@ -25,8 +25,8 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
   check_interruption();
   const Eigen::Index basis = 3 * count;
   if (matrix.rows() <= 2 * basis) {  // faster directly
-    return descending_sizes(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues(),
-                            count);
+    return descending_sizes(
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues(), count);
   }
   Spectra::DenseSymMatProd<double> product(matrix);
   Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);

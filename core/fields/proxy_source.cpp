@@ -12,7 +12,8 @@ namespace shapegauge {
 namespace {
 
 Laplacian laplacian_of(const SurfaceProxy& proxy) {
-  Laplacian laplacian{proxy.stiffness, proxy.areas, std::vector<std::int32_t>(static_cast<std::size_t>(proxy.areas.size()))};
+  Laplacian laplacian{proxy.stiffness, proxy.areas,
+                      std::vector<std::int32_t>(static_cast<std::size_t>(proxy.areas.size()))};
   std::iota(laplacian.node_of.begin(), laplacian.node_of.end(), 0);
   return laplacian;
 }

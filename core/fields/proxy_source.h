@@ -33,8 +33,8 @@ class ProxySource {
   /// fewer points. All numbers up to shared_eigenvalues are answered from one computation.
   Spectrum spectrum(int eigenvalues);
 
-  /// Values at the proxy's points interpolated to samples of the shape: means over the nearest points of the same sheet,
-  /// weighted by distance.
+  /// Values at the proxy's points interpolated to samples of the shape: means over the nearest points of the same
+  /// sheet, weighted by distance.
   Eigen::VectorXd at_samples(const Samples& samples, const Eigen::VectorXd& at_points);
 
  private:

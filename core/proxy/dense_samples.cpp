@@ -155,7 +155,8 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, Eigen::Index count) {
   double total = 0;
   for (const std::int32_t t : order) total += triangles[static_cast<std::size_t>(t)].normal.norm() / 2;
   if (!std::isnormal(total)) throw InputError("a surface proxy needs a triangle with area, and the mesh has none");
-  DenseSamples samples{Points(count, 3), Points(count, 3), Eigen::VectorXd::Constant(count, total / static_cast<double>(count)),
+  DenseSamples samples{Points(count, 3), Points(count, 3),
+                       Eigen::VectorXd::Constant(count, total / static_cast<double>(count)),
                        std::vector<std::int32_t>(static_cast<std::size_t>(count))};
   double covered = 0;
   Eigen::Index i = 0;

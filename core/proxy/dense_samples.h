@@ -12,8 +12,8 @@ namespace shapegauge {
 /// faces, vertices and corners, nor on the orientation of faces.
 struct DenseSamples {
   Points points;
-  Points normals;              ///< unit vectors; zero where there is none
-  Eigen::VectorXd areas;       ///< the area that each sample stands for, positive
+  Points normals;                    ///< unit vectors; zero where there is none
+  Eigen::VectorXd areas;             ///< the area that each sample stands for, positive
   std::vector<std::int32_t> sheets;  ///< within a sheet normals are consistently oriented; across sheets the sign means
                                      ///< nothing. -1: in no sheet
 };
@@ -27,9 +27,11 @@ inline double normal_agreement(const Points& normals, const std::vector<std::int
 }
 
 /// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles; doubled
-/// triangles count once. Sheets are the pieces that edges of exactly two triangles join, as far as they can be oriented.
+/// triangles count once. Sheets are the pieces that edges of exactly two triangles join, as far as they can be
+/// oriented.
 ///
-/// Takes the distinct points of a cloud, weighted by point_weights(), with unsigned_point_normals(); of more than `count` points every so many-th along a Morton curve. All are in no sheet.
+/// Takes the distinct points of a cloud, weighted by point_weights(), with unsigned_point_normals(); of more than
+/// `count` points every so many-th along a Morton curve. All are in no sheet.
 ///
 /// Throws InputError for an unusable shape (require_usable()), and where the shape has no area.
 DenseSamples dense_samples(const Shape& shape, Eigen::Index count);

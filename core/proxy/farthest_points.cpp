@@ -27,8 +27,8 @@ std::vector<SampleBlock> blocks_of(const Points& points) {
   for (Eigen::Index first = 0; first < points.rows(); first += size) {
     const Eigen::Index last = std::min(first + size, points.rows());
     const auto rows = points.middleRows(first, last - first);
-    blocks.push_back({first, last, rows.colwise().minCoeff().transpose().array(),
-                      rows.colwise().maxCoeff().transpose().array()});
+    blocks.push_back(
+        {first, last, rows.colwise().minCoeff().transpose().array(), rows.colwise().maxCoeff().transpose().array()});
   }
   return blocks;
 }
@@ -83,10 +83,9 @@ class FarthestPointSelection {
     double farthest = 0;
     for (Eigen::Index i = block.first; i < block.last; ++i) {
       const double squared = (samples_.points.row(i) - samples_.points.row(sample)).squaredNorm();
-      if (squared < squared_[i] &&
-          (squared <= always_covered_ ||
-           normal_agreement(samples_.normals, samples_.sheets, static_cast<std::int32_t>(i),
-                            static_cast<std::int32_t>(sample)) > agreeing)) {
+      if (squared < squared_[i] && (squared <= always_covered_ ||
+                                    normal_agreement(samples_.normals, samples_.sheets, static_cast<std::int32_t>(i),
+                                                     static_cast<std::int32_t>(sample)) > agreeing)) {
         squared_[i] = squared;
         result_.nearest[static_cast<std::size_t>(i)] = place;
       }

@@ -51,9 +51,7 @@ std::vector<std::int32_t> outward_order(const SurfaceProxy& proxy, std::int32_t 
 class LandmarkBatch {
  public:
   explicit LandmarkBatch(const SurfaceProxy& proxy)
-      : proxy_(&proxy),
-        distances_(static_cast<std::size_t>(proxy.points.rows())),
-        pending_(distances_.size()) {}
+      : proxy_(&proxy), distances_(static_cast<std::size_t>(proxy.points.rows())), pending_(distances_.size()) {}
 
   const std::vector<Lanes>& solve(std::span<const std::int32_t> sources) {
     std::ranges::fill(distances_, Lanes::Constant(unreached));

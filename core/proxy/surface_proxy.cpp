@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <tuple>
 
@@ -33,7 +32,10 @@ struct ProxyPoints {
 /// Areas and mean normals of the samples that each chosen one stands for.
 ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& farthest) {
   const Eigen::Index count = std::ssize(farthest.chosen);
-  ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all), Points::Zero(count, 3), {}, Eigen::VectorXd::Zero(count),
+  ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all),
+                    Points::Zero(count, 3),
+                    {},
+                    Eigen::VectorXd::Zero(count),
                     farthest.covering_radius};
   for (const std::int32_t sample : farthest.chosen) {
     proxy.sheets.push_back(samples.sheets[static_cast<std::size_t>(sample)]);
@@ -64,7 +66,7 @@ bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, dou
 /// Pairs of neighbours, each once, the lesser point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
-  const double reach = (getenv("REACH") ? atof(getenv("REACH")) : 3.0) * proxy.covering_radius;
+  const double reach = 2.5 * proxy.covering_radius;
   std::vector<Segment> pairs;
   for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
     for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
@@ -126,47 +128,58 @@ std::vector<Eigen::Vector2d> in_tangent_plane(const SurfaceProxy& proxy, std::si
   return flat;
 }
 
+double twice_area(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+  return std::abs(u.x() * v.y() - u.y() * v.x());
+}
+
+/// Cotangent of the angle between two vectors.
 double cotangent(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   constexpr double bound = 1e3;
-  const double twice_area = std::abs(u.x() * v.y() - u.y() * v.x());
   const double product = u.dot(v);
-  return std::abs(product) < bound * twice_area ? product / twice_area : std::copysign(bound, product);
+  return std::abs(product) < bound * twice_area(u, v) ? product / twice_area(u, v) : std::copysign(bound, product);
 }
 
-/// Radius of the circle through the origin, u and v.
-double circumradius(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
-  return u.norm() * v.norm() * (u - v).norm() / (2 * std::abs(u.x() * v.y() - u.y() * v.x()));
+/// The Delaunay triangles about a point in its tangent plane.
+struct Star {
+  std::vector<Eigen::Vector2d> flat;                   ///< the point's neighbours
+  std::vector<std::array<std::int32_t, 2>> triangles;  ///< the other two corners of each
+  double area = 0;                                     ///< sum of the triangles' areas
+};
+
+/// Circles larger than the covering radius hold a hole or reach across the border: such triangles do not count, for
+/// the slivers along borders would.
+Star star_of(const SurfaceProxy& proxy, std::size_t point) {
+  Star star{.flat = in_tangent_plane(proxy, point), .triangles = {}};
+  for (const auto& triangle : delaunay_star(star.flat)) {
+    const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(triangle[0])];
+    const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(triangle[1])];
+    const double radius = u.norm() * v.norm() * (u - v).norm() / (2 * twice_area(u, v));
+    if (!(radius <= 1.5 * proxy.covering_radius)) continue;
+    star.triangles.push_back(triangle);
+    star.area += twice_area(u, v) / 2;
+  }
+  return star;
 }
 
-/// A third of the cotangent weights of the triangles about each point. Circles larger than the covering radius hold a
-/// hole or reach across the border: such triangles do not count, for the slivers along borders would.
+/// A third of the cotangent weights of the triangles about each point. They are scaled so that a third of the star's
+/// area is the area of the point: where stars of thin parts overlap, the surface would else count more than once.
 Triplets cotangent_weights(const SurfaceProxy& proxy) {
-  const double largest_circle = 1.5 * proxy.covering_radius;
   Triplets weights;
   const SparseInterruptionCheck check;
   for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
     check();
     const auto point = static_cast<std::int32_t>(i);
-    const std::vector<Eigen::Vector2d> flat = in_tangent_plane(proxy, i);
     const std::span<const ProxyArc> arcs = proxy.arcs_of(i);
-    auto star = delaunay_star(flat);
-    double area = 0;
-    std::erase_if(star, [&](const auto& t) { return !(circumradius(flat[static_cast<std::size_t>(t[0])], flat[static_cast<std::size_t>(t[1])]) <= largest_circle); });
-    for (const auto& [a, b] : star) { const auto& u = flat[static_cast<std::size_t>(a)]; const auto& v = flat[static_cast<std::size_t>(b)]; area += std::abs(u.x() * v.y() - u.y() * v.x()) / 2; }
-    double scale = 1;
-    static const int mode = getenv("MODE") ? atoi(getenv("MODE")) : 0;
-    const double ratio = area > 0 ? proxy.areas[point] / (area / 3) : 1;
-    if (mode == 1) scale = std::clamp(ratio, 0.1, 2.0);
-    if (mode == 2) scale = std::clamp(ratio * 1.1, 0.1, 1.0);
-    if (mode == 3) scale = ratio < 0.7 ? ratio : 1;
-    for (const auto& [a, b] : star) {
-      const Eigen::Vector2d& u = flat[static_cast<std::size_t>(a)];
-      const Eigen::Vector2d& v = flat[static_cast<std::size_t>(b)];
+    const Star star = star_of(proxy, i);
+    const double scale = star.area > 0 ? std::clamp(3 * proxy.areas[point] / star.area, 0.1, 2.0) / 6 : 0;
+    for (const auto& [a, b] : star.triangles) {
+      const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(a)];
+      const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(b)];
       const std::int32_t j = arcs[static_cast<std::size_t>(a)].to;
       const std::int32_t k = arcs[static_cast<std::size_t>(b)].to;
-      add_weight(weights, j, k, scale * cotangent(u, v) / 6);
-      add_weight(weights, point, k, scale * cotangent(-u, v - u) / 6);
-      add_weight(weights, point, j, scale * cotangent(-v, u - v) / 6);
+      add_weight(weights, j, k, scale * cotangent(u, v));
+      add_weight(weights, point, k, scale * cotangent(-u, v - u));
+      add_weight(weights, point, j, scale * cotangent(-v, u - v));
     }
   }
   return weights;

@@ -34,13 +34,13 @@ struct ProxyArc {
 /// A stand-in for a surface of any kind: evenly spread points with areas and normals, the neighbours of each, and a
 /// Laplacian.
 struct SurfaceProxy {
-  Points points;             ///< in farthest-point order, in the shape's units
-  Points normals;            ///< unit vectors; the first component that is not 0 is positive
-  Eigen::VectorXd areas;     ///< of the surface nearest to each point; the lumped mass of the Laplacian
-  double covering_radius;    ///< the largest distance of a place of the surface from the point that stands for it
-  std::int32_t components;   ///< number of pieces before they were linked
-  std::vector<std::size_t> first_arc;  ///< by point, where its arcs begin; one more entry at the end
-  std::vector<ProxyArc> arcs;          ///< each neighbourhood twice, once from either end; one component
+  Points points;            ///< in farthest-point order, in the shape's units
+  Points normals;           ///< unit vectors; the first component that is not 0 is positive
+  Eigen::VectorXd areas;    ///< of the surface nearest to each point; the lumped mass of the Laplacian
+  double covering_radius;   ///< the largest distance of a place of the surface from the point that stands for it
+  std::int32_t components;  ///< number of pieces before they were linked
+  std::vector<std::size_t> first_arc;     ///< by point, where its arcs begin; one more entry at the end
+  std::vector<ProxyArc> arcs;             ///< each neighbourhood twice, once from either end; one component
   Eigen::SparseMatrix<double> stiffness;  ///< symmetric, not negative definite, rows sum to 0
 
   [[nodiscard]] std::span<const ProxyArc> arcs_of(std::size_t point) const {
@@ -48,8 +48,8 @@ struct SurfaceProxy {
   }
 };
 
-/// Makes the proxy of a mesh of any kind or of a point cloud; the same bytes for any order of faces, vertices and corners,
-/// any orientation of faces, and any number of threads.
+/// Makes the proxy of a mesh of any kind or of a point cloud; the same bytes for any order of faces, vertices and
+/// corners, any orientation of faces, and any number of threads.
 ///
 /// Points are chosen from dense_samples() by farthest_points(). Neighbours are at most two covering radii apart and lie
 /// on the same sheet as far as their normals and the direction between them say: the two sides of a thin wall are no

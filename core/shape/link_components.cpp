@@ -55,11 +55,10 @@ std::vector<std::int32_t> probes_of(DisjointSets& components) {
 void join_components(const Points& points, DisjointSets& components, std::vector<Segment>& segments) {
   for (;;) {
     const std::vector<std::int32_t> probes = probes_of(components);
-    std::vector<Segment> between =
-        wanted_segments(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
-          return components.find(probes[static_cast<std::size_t>(a)]) !=
-                 components.find(probes[static_cast<std::size_t>(b)]);
-        });
+    std::vector<Segment> between = wanted_segments(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
+      return components.find(probes[static_cast<std::size_t>(a)]) !=
+             components.find(probes[static_cast<std::size_t>(b)]);
+    });
     if (between.empty()) return;
     std::ranges::sort(between, {}, [](const Segment& s) { return std::tuple(s.length, s.a, s.b); });
     std::vector<char> has_joined(components.size(), 0);

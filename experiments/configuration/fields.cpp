@@ -128,8 +128,9 @@ Parameter on_parameter() {
           .kind = ParameterKind::choice,
           .default_value = surfaces[0],
           .choices = surfaces,
-          .description = "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, for "
-                         "damaged meshes and clouds too."};
+          .description =
+              "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, for "
+              "damaged meshes and clouds too."};
 }
 
 bool is_on_proxy(const ParameterValues& values) { return values.word("on") == "proxy"; }

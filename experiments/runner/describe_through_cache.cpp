@@ -104,7 +104,8 @@ class DescribedModel {
       if (descriptor.found) continue;
       std::vector<ScalarField> fields;
       for (const std::size_t field : descriptor.plan.fields) fields.push_back(fields_[field].values);
-      descriptor.found = describe_features(*descriptor.choice, {.shape = source.shape(), .fields = fields, .proxy = &source.proxy()}, {});
+      descriptor.found = describe_features(*descriptor.choice,
+                                           {.shape = source.shape(), .fields = fields, .proxy = &source.proxy()}, {});
       cache_->store(EntryKind::features, descriptor.key, features_record(*descriptor.found));
     }
   }

@@ -20,7 +20,7 @@ namespace {
 
 std::vector<Descriptor>& registry() {
   static std::vector<Descriptor> registered = {
-      joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(), d2_descriptor(),
+      joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(),       d2_descriptor(),
       spherical_harmonics_descriptor(), shape_dna_descriptor(),       geodesic_spectrum_descriptor(),
   };
   return registered;

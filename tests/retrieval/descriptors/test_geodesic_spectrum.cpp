@@ -52,7 +52,8 @@ TEST(GeodesicSpectrum, TakesClouds) {
 }
 
 TEST(GeodesicSpectrum, RepeatsTheLastOfFewEigenvalues) {
-  const Eigen::VectorXf found = spectrum_of({.vertices = (Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), .triangles = {}});
+  const Eigen::VectorXf found =
+      spectrum_of({.vertices = (Points(2, 3) << 0, 0, 0, 1, 0, 0).finished(), .triangles = {}});
   // Two points of equal area at a distance: eigenvalues of either sign and the same size.
   EXPECT_LT(found.cwiseAbs().maxCoeff(), 1e-5);
 }
