@@ -86,8 +86,8 @@ std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
 Points unsigned_normals(Points normals) {
   for (Eigen::Index i = 0; i < normals.rows(); ++i) {
     auto normal = normals.row(i);
-    const auto first = std::ranges::find_if(normal, [](double x) { return x != 0; });
-    if (first != normal.end() && *first < 0) normal = -normal;
+    const double first = normal[0] != 0 ? normal[0] : normal[1] != 0 ? normal[1] : normal[2];
+    if (first < 0) normal = -normal;
   }
   return normals;
 }

@@ -51,7 +51,7 @@ struct SurfaceProxy {
 /// Makes the proxy of a mesh of any kind or of a point cloud; the same bytes for any order of faces, vertices and
 /// corners, any orientation of faces, and any number of threads.
 ///
-/// Points are chosen from dense_samples() by farthest_points(). Neighbours are at most two covering radii apart and lie
+/// Points are chosen from dense_samples() by farthest_points(). Neighbours are at most 2.5 covering radii apart and lie
 /// on the same sheet as far as their normals and the direction between them say: the two sides of a thin wall are no
 /// neighbours. The Laplacian is the mean of local ones: each point's neighbours in its tangent plane, at their
 /// distances, have a planar Delaunay triangulation, of whose triangles each counts a third (after Belkin, Sun, Wang
