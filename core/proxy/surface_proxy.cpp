@@ -146,35 +146,56 @@ struct Star {
   double area = 0;                                     ///< sum of the triangles' areas
 };
 
-/// Circles larger than the covering radius hold a hole or reach across the border: such triangles do not count, for
-/// the slivers along borders would.
+/// Circles much larger than the covering radius hold a wide hole or reach across the border: such triangles do not
+/// count, for the slivers along borders would.
 Star star_of(const SurfaceProxy& proxy, std::size_t point) {
   Star star{.flat = in_tangent_plane(proxy, point), .triangles = {}};
   for (const auto& triangle : delaunay_star(star.flat)) {
     const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(triangle[0])];
     const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(triangle[1])];
     const double radius = u.norm() * v.norm() * (u - v).norm() / (2 * twice_area(u, v));
-    if (!(radius <= 1.5 * proxy.covering_radius)) continue;
+    if (!(radius <= 2.5 * proxy.covering_radius)) continue;
     star.triangles.push_back(triangle);
     star.area += twice_area(u, v) / 2;
   }
   return star;
 }
 
-/// A third of the cotangent weights of the triangles about each point. They are scaled so that a third of the star's
-/// area is the area of the point: where stars of thin parts overlap, the surface would else count more than once.
+/// The share of each star that belongs to its point: the point's area over a third of the star's, over the median of
+/// all points. Where the stars of thin parts overlap, the surface would else count more than once. The median makes up
+/// for small holes, which stars span.
+std::vector<double> shares_of_stars(const SurfaceProxy& proxy, const std::vector<Star>& stars) {
+  std::vector<double> shares(stars.size(), 1);
+  std::vector<double> known;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    if (!(stars[i].area > 0)) continue;
+    shares[i] = 3 * proxy.areas[static_cast<Eigen::Index>(i)] / stars[i].area;
+    known.push_back(shares[i]);
+  }
+  if (known.empty()) return shares;
+  const auto middle = known.begin() + std::ssize(known) / 2;
+  std::nth_element(known.begin(), middle, known.end());
+  for (double& share : shares) share = std::clamp(share / *middle, 0.1, 2.0);
+  return shares;
+}
+
+/// A third of the cotangent weights of the triangles about each point.
 Triplets cotangent_weights(const SurfaceProxy& proxy) {
-  Triplets weights;
+  std::vector<Star> stars;
   const SparseInterruptionCheck check;
   for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
     check();
+    stars.push_back(star_of(proxy, i));
+  }
+  const std::vector<double> shares = shares_of_stars(proxy, stars);
+  Triplets weights;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
     const auto point = static_cast<std::int32_t>(i);
     const std::span<const ProxyArc> arcs = proxy.arcs_of(i);
-    const Star star = star_of(proxy, i);
-    const double scale = star.area > 0 ? std::clamp(3 * proxy.areas[point] / star.area, 0.1, 2.0) / 6 : 0;
-    for (const auto& [a, b] : star.triangles) {
-      const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(a)];
-      const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(b)];
+    const double scale = shares[i] / 6;
+    for (const auto& [a, b] : stars[i].triangles) {
+      const Eigen::Vector2d& u = stars[i].flat[static_cast<std::size_t>(a)];
+      const Eigen::Vector2d& v = stars[i].flat[static_cast<std::size_t>(b)];
       const std::int32_t j = arcs[static_cast<std::size_t>(a)].to;
       const std::int32_t k = arcs[static_cast<std::size_t>(b)].to;
       add_weight(weights, j, k, scale * cotangent(u, v));
