@@ -85,9 +85,11 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
 Described described(const DescriptorChoice& choice, const Shape& given, bool denoise) {
   const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
   Described result;
-  result.fields = compute_fields(choice, shape);
+  FieldSource source(shape);
+  result.fields = compute_fields(choice, source);
   if (learns(choice.descriptor, choice.values)) return result;
-  result.features = compute_features(choice.descriptor, {.shape = shape, .fields = result.fields}, {}, choice.values);
+  const DescriptorInput input{.shape = shape, .fields = result.fields, .proxy = &source.proxy()};
+  result.features = compute_features(choice.descriptor, input, {}, choice.values);
   result.fields.clear();
   return result;
 }

@@ -175,8 +175,10 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
                        " learns from a whole data set: describe one by a configuration, with run()");
     }
     const Shape shape = prepare_shape(shape_of(vertices, faces, normals), {}).shape;
-    const std::vector<ScalarField> fields = compute_fields(choice, shape);
-    return compute_features(choice.descriptor, {.shape = shape, .fields = fields}, {}, choice.values);
+    FieldSource source(shape);
+    const std::vector<ScalarField> fields = compute_fields(choice, source);
+    return compute_features(choice.descriptor, {.shape = shape, .fields = fields, .proxy = &source.proxy()}, {},
+                            choice.values);
   }));
 }
 

@@ -147,4 +147,10 @@ Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const Cen
   return at_samples(shape, samples, values);
 }
 
+Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure) {
+  const Eigen::MatrixXf& distances = geodesics.distances;
+  if (measure == Centricity::eccentricity) return distances.rowwise().maxCoeff().cast<double>();
+  return distances.cast<double>() * (geodesics.areas / geodesics.areas.sum());
+}
+
 }  // namespace shapegauge

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "shapegauge/core/fields/geodesics.h"
+#include "shapegauge/core/proxy/proxy_geodesics.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -37,6 +38,9 @@ struct CentricityOptions {
 /// InputError for options out of range, for samples that are not the shape's, for a shape without area, and as
 /// geodesic_distances().
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options = {});
+
+/// The same at the points of a surface proxy, from the distances to its landmarks.
+Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure);
 
 /// Values at a shape's vertices, brought to samples of it: by barycentric coordinates where those lie inside triangles,
 /// as they are where those are some of a cloud's points.

@@ -115,6 +115,21 @@ std::vector<Parameter> cone_sdf_parameters() {
            .description = "CGAL's post-processing: smoothed and scaled to [0, 1] shape by shape; engine cgal only."}};
 }
 
+constexpr std::array<std::string_view, 2> surfaces{"mesh", "proxy"};
+
+/// Where a field along the surface is computed.
+Parameter on_parameter() {
+  return {.name = "on",
+          .kind = ParameterKind::choice,
+          .default_value = surfaces[0],
+          .choices = surfaces,
+          .description =
+              "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, for "
+              "damaged meshes and clouds too."};
+}
+
+bool is_on_proxy(const ParameterValues& values) { return values.word("on") == "proxy"; }
+
 constexpr std::array<std::string_view, 2> centricity_measures{"mean", "eccentricity"};
 constexpr std::array<std::string_view, 3> geodesic_methods{"graph", "heat", "exact"};
 
@@ -130,6 +145,16 @@ FieldComputation centricity_field(const ParameterValues& values, const SamplePla
       .geodesics = {.method = geodesic_method(values.word("method")),
                     .neighbours = static_cast<int>(values.integer("neighbours"))},
       .sources = static_cast<int>(values.integer("sources"))};
+  if (is_on_proxy(values)) {
+    if (options.geodesics.method != GeodesicMethod::graph) {
+      throw InputError(R"("method": "heat" and "exact" need "on": "mesh")");
+    }
+    return {.versions = {{"centricity", centricity_version}, {"surface_proxy", surface_proxy_version}},
+            .compute = [measure = options.measure](FieldSource& source, const Samples& samples, bool /*parallel*/) {
+              ProxySource& proxy = source.proxy();
+              return FieldValues{.values = proxy.at_samples(samples, centricity(proxy.geodesics(), measure))};
+            }};
+  }
   return {.versions = {{"centricity", centricity_version}},
           .compute = [options](const FieldSource& source, const Samples& samples, bool /*parallel*/) {
             return FieldValues{.values = centricity(source.shape(), samples, options)};
@@ -157,7 +182,8 @@ std::vector<Parameter> centricity_parameters() {
            .kind = ParameterKind::integer,
            .default_value = std::int64_t{CentricityOptions{}.sources},
            .bounds = {.low = 1, .high = 1000},
-           .description = "Places, spread over the surface, that stand for all others."}};
+           .description = "Landmarks, spread over the surface, to which distances are taken; of the proxy always 500."},
+          on_parameter()};
 }
 
 /// How many eigenvalues heat kernels and their like are summed over.
@@ -173,6 +199,16 @@ Parameter eigenvalues_parameter() {
 /// - `column`: from a spectrum and the shape's area to values at the vertices.
 FieldComputation spectral_field(const ParameterValues& values,
                                 std::function<Eigen::VectorXd(const Spectrum&, double area)> column) {
+  if (is_on_proxy(values)) {
+    return {.versions = {{"heat_kernel", heat_kernel_version}, {"surface_proxy", surface_proxy_version}},
+            .dimension = FieldDimension::none,
+            .compute = [column = std::move(column), count = static_cast<int>(values.integer("eigenvalues"))](
+                           FieldSource& source, const Samples& samples, bool /*parallel*/) {
+              ProxySource& proxy = source.proxy();
+              const Eigen::VectorXd at_points = column(proxy.spectrum(count), proxy.proxy().areas.sum());
+              return FieldValues{.values = proxy.at_samples(samples, at_points)};
+            }};
+  }
   return {.versions = {{"heat_kernel", heat_kernel_version}},
           .dimension = FieldDimension::none,  // all are relative to the area, or to their neighbours in time
           .compute = [column = std::move(column), count = static_cast<int>(values.integer("eigenvalues"))](
@@ -194,7 +230,8 @@ std::vector<Parameter> heat_kernel_parameters() {
            .bounds = {.low = 1e-6, .high = 100},
            .description = "How long heat spreads, in units of the surface's area: about the square of a "
                           "neighbourhood's size."},
-          eigenvalues_parameter()};
+          eigenvalues_parameter(),
+          on_parameter()};
 }
 
 FieldComputation scale_invariant_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -211,7 +248,8 @@ std::vector<Parameter> scale_invariant_parameters() {
            .default_value = std::int64_t{0},
            .bounds = {.low = 0, .high = 63},
            .description = "Which of the Fourier coefficients over the logarithm of time."},
-          eigenvalues_parameter()};
+          eigenvalues_parameter(),
+          on_parameter()};
 }
 
 FieldComputation wave_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
@@ -242,7 +280,8 @@ std::vector<Parameter> wave_kernel_parameters() {
            .default_value = usual.width_steps,
            .bounds = {.low = 0.1, .high = 100},
            .description = "Standard deviation of a filter, in hundredths of the range of energies."},
-          eigenvalues_parameter()};
+          eigenvalues_parameter(),
+          on_parameter()};
 }
 
 constexpr std::array bilateral_table = {
@@ -314,7 +353,7 @@ FieldFunction with_outcomes(FieldFunction compute) {
 
 }  // namespace
 
-FieldSource::FieldSource(const Shape& shape) : shape_(&shape) {}
+FieldSource::FieldSource(const Shape& shape) : shape_(&shape), proxy_(shape) {}
 
 FieldSource::~FieldSource() = default;
 

@@ -14,13 +14,13 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/registry.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 class OffsetSdfSolver;
-struct Spectrum;
 
 /// A shape that fields are computed of, one after the other, and what they share. Keeps a reference to the shape.
 class FieldSource {
@@ -40,10 +40,14 @@ class FieldSource {
   /// laplacian_spectrum() of so many eigenvalues, computed when they are first asked for; throws what that throws.
   const Spectrum& spectrum(int eigenvalues);
 
+  /// The shape's surface proxy and what is computed on it; shared with descriptors.
+  ProxySource& proxy() { return proxy_; }
+
  private:
   const Shape* shape_;
   std::unique_ptr<OffsetSdfSolver> offset_sdf_solver_;
   std::map<int, std::unique_ptr<Spectrum>> spectra_;  ///< by number of eigenvalues
+  ProxySource proxy_;
 };
 
 /// Where a field takes its samples.

@@ -18,7 +18,7 @@
 #include "shapegauge/core/fields/geodesics_cgal.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
-#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/shape/link_components.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -27,13 +27,6 @@ namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A segment between two nodes, which paths may take either way.
-struct Segment {
-  std::int32_t a;
-  std::int32_t b;
-  double length;
-};
 
 /// The distinct used places of a shape's vertices: the nodes of a graph.
 struct Nodes {
@@ -95,71 +88,6 @@ std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int3
     if (length < infinity && node(p) != node(q)) segments.push_back({node(p), node(q), length});
   });
   return segments;
-}
-
-/// Every pair of nodes of which one is among the nearest of the other, if `wanted(a, b)`.
-template <typename Wanted>
-std::vector<Segment> nearest_segments(const Points& points, Eigen::Index neighbours, Wanted wanted) {
-  const PointNeighbours nearest = nearest_neighbours(points, neighbours);
-  std::vector<Segment> segments;
-  for (Eigen::Index i = 0; i < nearest.indices.rows(); ++i) {
-    for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
-      const auto a = static_cast<std::int32_t>(i);
-      const std::int32_t b = nearest.indices(i, k);
-      if (wanted(a, b)) segments.push_back({a, b, nearest.distances(i, k)});
-    }
-  }
-  return segments;
-}
-
-DisjointSets components_of(std::size_t nodes, std::span<const Segment> segments) {
-  DisjointSets components;
-  components.grow_to(nodes);
-  for (const Segment& segment : segments) components.join(segment.a, segment.b);
-  return components;
-}
-
-/// Up to 64 nodes of each component, evenly spread over its nodes' order.
-std::vector<std::int32_t> probes_of(DisjointSets& components) {
-  constexpr std::size_t most = 64;
-  std::vector<std::vector<std::int32_t>> members(components.size());
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const auto node = static_cast<std::int32_t>(i);
-    members[static_cast<std::size_t>(components.find(node))].push_back(node);
-  }
-  std::vector<std::int32_t> probes;
-  for (const auto& component : members) {
-    const std::size_t count = std::min(most, component.size());
-    for (std::size_t k = 0; k < count; ++k) probes.push_back(component[k * component.size() / count]);
-  }
-  return probes;
-}
-
-/// Boruvka's algorithm over the components: of each the shortest segment to another one, until there is only one. Of 64
-/// probes a component, the 64 nearest others of a probe always include one of another component.
-void join_components(const Points& points, DisjointSets& components, std::vector<Segment>& segments) {
-  for (;;) {
-    const std::vector<std::int32_t> probes = probes_of(components);
-    std::vector<Segment> between =
-        nearest_segments(points(probes, Eigen::all), 64, [&](std::int32_t a, std::int32_t b) {
-          return components.find(probes[static_cast<std::size_t>(a)]) !=
-                 components.find(probes[static_cast<std::size_t>(b)]);
-        });
-    if (between.empty()) return;
-    std::ranges::sort(between, {}, [](const Segment& s) { return std::tuple(s.length, s.a, s.b); });
-    std::vector<char> has_joined(components.size(), 0);
-    DisjointSets before = components;
-    for (const Segment& segment : between) {
-      const std::int32_t a = probes[static_cast<std::size_t>(segment.a)];
-      const std::int32_t b = probes[static_cast<std::size_t>(segment.b)];
-      char& of_a = has_joined[static_cast<std::size_t>(before.find(a))];
-      char& of_b = has_joined[static_cast<std::size_t>(before.find(b))];
-      if ((of_a != 0 && of_b != 0) || components.find(a) == components.find(b)) continue;
-      of_a = of_b = 1;
-      components.join(a, b);
-      segments.push_back({a, b, segment.length});
-    }
-  }
 }
 
 /// The nodes with the segments that leave each, in one array.
@@ -231,19 +159,8 @@ class Graph {
 GeodesicDistances graph_distances(const Shape& shape, std::span<const std::int32_t> merged, int neighbours) {
   Nodes nodes = nodes_of(shape, merged);
   std::vector<Segment> segments =
-      is_cloud(shape) ? nearest_segments(nodes.points, neighbours, [](std::int32_t, std::int32_t) { return true; })
-                      : mesh_segments(shape, merged, nodes);
-  DisjointSets components = components_of(nodes.vertices.size(), segments);
-  std::int32_t several = 0;
-  for (std::size_t i = 0; i < components.size(); ++i) several |= components.find(static_cast<std::int32_t>(i));
-  if (several != 0) {
-    const std::vector<Segment> across_gaps =
-        nearest_segments(nodes.points, neighbours,
-                         [&](std::int32_t a, std::int32_t b) { return components.find(a) != components.find(b); });
-    for (const Segment& segment : across_gaps) components.join(segment.a, segment.b);
-    segments.insert(segments.end(), across_gaps.begin(), across_gaps.end());
-    join_components(nodes.points, components, segments);
-  }
+      is_cloud(shape) ? nearest_segments(nodes.points, neighbours) : mesh_segments(shape, merged, nodes);
+  link_components(nodes.points, neighbours, segments);
   const auto graph = std::make_shared<const Graph>(std::move(nodes), segments);
   return [graph](std::int32_t source) { return graph->distances_from(source); };
 }

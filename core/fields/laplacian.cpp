@@ -215,8 +215,11 @@ Laplacian cotangent_laplacian(const Shape& given) {
 }
 
 Spectrum laplacian_spectrum(const Shape& mesh, int count) {
+  return laplacian_spectrum(cotangent_laplacian(mesh), count);
+}
+
+Spectrum laplacian_spectrum(const Laplacian& laplacian, int count) {
   if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
-  const Laplacian laplacian = cotangent_laplacian(mesh);
   const int components = component_count(laplacian.stiffness);
   if (components > most_components) {
     throw InputError(

@@ -38,4 +38,8 @@ struct Spectrum {
 /// count below 1, a mesh of more than 1,000 components, and where the iteration does not converge.
 Spectrum laplacian_spectrum(const Shape& mesh, int count);
 
+/// The same of a Laplacian that is known. Throws InputError for a count below 1, more than 1,000 components, and where
+/// the iteration does not converge.
+Spectrum laplacian_spectrum(const Laplacian& laplacian, int count);
+
 }  // namespace shapegauge

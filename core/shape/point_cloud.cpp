@@ -163,6 +163,23 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   return result;
 }
 
+PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::Index k) {
+  k = std::min(k, among.rows());
+  PointNeighbours result;
+  result.indices.resize(points.rows(), k);
+  result.distances.resize(points.rows(), k);
+  if (k == 0) return result;
+  const PointTree built(among);
+  parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, points.rows(), 256), [&](const auto& block) {
+    for (Eigen::Index i = block.begin(); i != block.end(); ++i) {
+      built.tree.knnSearch(points.row(i).data(), static_cast<std::size_t>(k), result.indices.row(i).data(),
+                           result.distances.row(i).data());
+    }
+  });
+  result.distances = result.distances.cwiseSqrt();
+  return result;
+}
+
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among) {
   const PointTree built(among);
   std::vector<std::int32_t> nearest(static_cast<std::size_t>(points.rows()));

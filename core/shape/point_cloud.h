@@ -21,6 +21,10 @@ struct PointNeighbours {
 /// order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 
+/// The k nearest of `among` to each of the points, nearest first; k is lowered to the number of `among`. Finds them as
+/// nearest_neighbours() does.
+PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::Index k);
+
 /// For each of the points the one of `among`, of which there must be any, that is nearest to it. Finds them as
 /// nearest_neighbours() does.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);

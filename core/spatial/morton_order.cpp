@@ -18,19 +18,24 @@ std::uint64_t spread(std::uint64_t bits) {
 
 }  // namespace
 
-std::vector<std::int32_t> morton_order(const Points& points) {
-  std::vector<std::int32_t> order(static_cast<std::size_t>(points.rows()));
-  std::iota(order.begin(), order.end(), 0);
-  if (points.rows() < 2) return order;
+std::vector<std::uint64_t> morton_codes(const Points& points) {
+  std::vector<std::uint64_t> codes(static_cast<std::size_t>(points.rows()), 0);
+  if (points.rows() < 2) return codes;
   const Eigen::RowVector3d low = points.colwise().minCoeff();
   const double size = (points.colwise().maxCoeff() - low).maxCoeff();
-  if (!(size > 0)) return order;
+  if (!(size > 0)) return codes;
   constexpr double cells = (1U << bits_per_axis) - 1;
-  std::vector<std::uint64_t> codes(order.size());
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  for (std::size_t i = 0; i < codes.size(); ++i) {
     const Eigen::RowVector3d place = (points.row(static_cast<Eigen::Index>(i)) - low) / size * cells;
     for (int k = 0; k < 3; ++k) codes[i] |= spread(static_cast<std::uint64_t>(place[k])) << k;
   }
+  return codes;
+}
+
+std::vector<std::int32_t> morton_order(const Points& points) {
+  const std::vector<std::uint64_t> codes = morton_codes(points);
+  std::vector<std::int32_t> order(codes.size());
+  std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
     return codes[static_cast<std::size_t>(i)] < codes[static_cast<std::size_t>(j)];
   });

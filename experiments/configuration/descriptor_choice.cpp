@@ -73,11 +73,10 @@ DescriptorChoice make_descriptor(const Json& settings) {
   return choice;
 }
 
-std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, const Shape& shape) {
+std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source) {
   std::vector<ScalarField> fields;
   if (choice.fields.empty()) return fields;
-  const Samples samples = take_samples(shape, choice.fields.front().settings.samples);
-  FieldSource source(shape);
+  const Samples samples = take_samples(source.shape(), choice.fields.front().settings.samples);
   for (const Field& field : choice.fields) {
     fields.push_back({.values = field.compute(source, samples, true).values, .weights = samples.weights});
   }

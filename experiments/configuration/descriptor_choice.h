@@ -22,6 +22,6 @@ struct DescriptorChoice {
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
 /// The fields that the descriptor is computed from, of a prepared shape. Throws InputError as they do.
-std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, const Shape& shape);
+std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source);
 
 }  // namespace shapegauge

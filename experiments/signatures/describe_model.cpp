@@ -136,13 +136,12 @@ PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& 
   return {.prepared = std::move(prepared), .description = std::move(description)};
 }
 
-void describe_fields(PreparedModel& model, const std::vector<SignatureConfiguration>& signatures,
+void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
                      std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   const PreparedShape& prepared = model.prepared;
   ModelDescription& description = model.description;
   description.histograms.resize(signatures.size());
   SamplesByPlan samples(prepared.shape);
-  FieldSource source(prepared.shape);
   for (std::size_t i = 0; i < plan.size(); ++i) {
     const Stopwatch stopwatch;
     const Samples& sites = samples.at(plan[i].field.settings.samples);
@@ -163,7 +162,8 @@ ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptio
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe) {
   PreparedModel model = prepare_model(std::move(perturbed), preparation);
-  describe_fields(model, signatures, plan, parallel, observe);
+  FieldSource source(model.prepared.shape);
+  describe_fields(model, source, signatures, plan, parallel, observe);
   return std::move(model.description);
 }
 

@@ -98,12 +98,13 @@ class DescribedModel {
   }
 
   /// Computes the features that are missing; once all fields are there.
-  void describe(const Shape& shape) {
+  void describe(FieldSource& source) {
     for (PartlyKnownFeatures& descriptor : descriptors_) {
       if (descriptor.found) continue;
       std::vector<ScalarField> fields;
       for (const std::size_t field : descriptor.plan.fields) fields.push_back(fields_[field].values);
-      descriptor.found = describe_features(*descriptor.choice, {.shape = shape, .fields = fields}, {});
+      descriptor.found = describe_features(*descriptor.choice,
+                                           {.shape = source.shape(), .fields = fields, .proxy = &source.proxy()}, {});
       cache_->store(EntryKind::features, descriptor.key, features_record(*descriptor.found));
     }
   }
@@ -303,12 +304,13 @@ ModelDescription describe_through_cache(const Dataset& dataset, std::size_t mode
   };
   if (!described.is_complete()) {
     PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);
-    describe_fields(prepared, configuration.signatures, described.missing(), parallel,
+    FieldSource source(prepared.prepared.shape);
+    describe_fields(prepared, source, configuration.signatures, described.missing(), parallel,
                     [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
                       described.take_values(field, samples, computed);
                     });
     described.complete(std::move(prepared.description));
-    described.describe(prepared.prepared.shape);
+    described.describe(source);
     described.draw(prepared.prepared.shape);
   } else if (described.is_drawing_missing()) {
     described.draw(prepare_shape(perturbed().shape, configuration.preparation).shape);

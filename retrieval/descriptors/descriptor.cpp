@@ -8,6 +8,7 @@
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
+#include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
 #include "shapegauge/retrieval/descriptors/panorama.h"
@@ -20,8 +21,14 @@ namespace {
 
 std::vector<Descriptor> own_descriptors() {
   return {
-      joint_histogram_descriptor(),     bag_of_features_descriptor(), light_field_descriptor(), d2_descriptor(),
-      spherical_harmonics_descriptor(), shape_dna_descriptor(),       panorama_descriptor(),
+      joint_histogram_descriptor(),
+      bag_of_features_descriptor(),
+      light_field_descriptor(),
+      d2_descriptor(),
+      spherical_harmonics_descriptor(),
+      shape_dna_descriptor(),
+      panorama_descriptor(),
+      geodesic_spectrum_descriptor(),
   };
 }
 

@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/registry.h"
+#include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -26,7 +27,16 @@ struct DescriptorSettings {
 struct DescriptorInput {
   const Shape& shape;                   ///< prepared, of unit area
   std::span<const ScalarField> fields;  ///< at the same samples; none where the descriptor takes none
+  ProxySource* proxy = nullptr;         ///< of the shape, shared with its fields and other descriptors; nullptr: none
 };
+
+/// Calls use(ProxySource&) with the input's proxy or, where it has none, with a new one.
+template <typename Use>
+auto on_proxy(const DescriptorInput& input, Use use) {
+  if (input.proxy != nullptr) return use(*input.proxy);
+  ProxySource own(input.shape);
+  return use(own);
+}
 
 /// What a descriptor must know of the whole data set before it can describe a shape: a codebook, for example. Empty for
 /// most.

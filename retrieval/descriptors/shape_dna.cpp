@@ -17,21 +17,40 @@ constexpr std::array table = {
                                              "Positive eigenvalues, from the least on."),
     option_of<&ShapeDnaOptions::divide_by_rank>("divide_by_rank", "Whether the k-th is divided by k."),
 };
-constexpr auto parameters = parameters_of(table);
+constexpr std::array<std::string_view, 2> surfaces{"mesh", "proxy"};
+
+constexpr auto parameters = [] {
+  constexpr auto options = parameters_of(table);
+  return std::array{options[0], options[1],
+                    Parameter{.name = "on",
+                              .kind = ParameterKind::choice,
+                              .default_value = surfaces[0],
+                              .choices = surfaces,
+                              .description = "mesh: the mesh's own Laplacian; proxy: that of the surface proxy, for "
+                                             "damaged meshes and clouds too."}};
+}();
+
+Eigen::VectorXf features_of(const Spectrum& spectrum, double area, const ShapeDnaOptions& options) {
+  Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
+  const Eigen::Index known = std::min<Eigen::Index>(features.size(), spectrum.eigenvalues.size() - spectrum.components);
+  for (Eigen::Index k = 0; k < known; ++k) {
+    const double by_area = spectrum.eigenvalues[k + spectrum.components] * area / (4 * std::numbers::pi);
+    features[k] = static_cast<float>(options.divide_by_rank ? by_area / static_cast<double>(k + 1) : by_area);
+  }
+  return features;
+}
 
 }  // namespace
 
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options) {
   check_options("shape_dna", table, options);
   require_usable(mesh);
-  const double area = surface_area(mesh);
-  const Spectrum spectrum = laplacian_spectrum(mesh, options.eigenvalues + 1);
-  Eigen::VectorXf features = Eigen::VectorXf::Zero(options.eigenvalues);
-  for (Eigen::Index k = 0; k + spectrum.components < spectrum.eigenvalues.size(); ++k) {
-    const double by_area = spectrum.eigenvalues[k + spectrum.components] * area / (4 * std::numbers::pi);
-    features[k] = static_cast<float>(options.divide_by_rank ? by_area / static_cast<double>(k + 1) : by_area);
-  }
-  return features;
+  return features_of(laplacian_spectrum(mesh, options.eigenvalues + 1), surface_area(mesh), options);
+}
+
+Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& options) {
+  check_options("shape_dna", table, options);
+  return features_of(source.spectrum(options.eigenvalues + 1), source.proxy().areas.sum(), options);
 }
 
 Descriptor shape_dna_descriptor() {
@@ -41,7 +60,9 @@ Descriptor shape_dna_descriptor() {
           .version = shape_dna_version,
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return shape_dna(input.shape, options_from(table, settings.values));
+                const ShapeDnaOptions options = options_from(table, settings.values);
+                if (settings.values.word("on") == "mesh") return shape_dna(input.shape, options);
+                return on_proxy(input, [&](ProxySource& source) { return shape_dna_on_proxy(source, options); });
               },
           .distance = l2_distance};
 }

@@ -25,6 +25,9 @@ struct ShapeDnaOptions {
 /// laplacian_spectrum(): for clouds and where the eigenvalues do not converge.
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options = {});
 
+/// The same on the surface proxy of any shape. Throws InputError for options out of range and as surface_proxy().
+Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& options = {});
+
 Descriptor shape_dna_descriptor();
 
 }  // namespace shapegauge

@@ -98,6 +98,20 @@ TEST(MakeField, CentricityIsThatOfTheLibrary) {
   EXPECT_EQ(values_of({{"type", "centricity"}}, shape), centricity(shape, samples));
 }
 
+TEST(MakeField, FieldsOnTheProxyAreThoseOfItsSource) {
+  const Shape shape = test::capsule(0.3, 1, 12, 6);
+  const Samples samples = take_samples(shape, {});
+  ProxySource source(shape);
+  EXPECT_EQ(values_of({{"type", "centricity"}, {"on", "proxy"}}, shape),
+            source.at_samples(samples, centricity(source.geodesics(), Centricity::mean)));
+  const Eigen::VectorXd heat = heat_kernel_signature_at(source.spectrum(20), source.proxy().areas.sum(), 0.1);
+  EXPECT_EQ(values_of({{"type", "heat_kernel"}, {"time", 0.1}, {"eigenvalues", 20}, {"on", "proxy"}}, shape),
+            source.at_samples(samples, heat));
+  const Shape cloud = test::random_points(shape, 500, 1);
+  EXPECT_TRUE(values_of({{"type", "heat_kernel"}, {"on", "proxy"}, {"at", "vertices"}}, cloud).allFinite());
+  EXPECT_THROW(make_field({{"type", "centricity"}, {"on", "proxy"}, {"method", "heat"}}), InputError);
+}
+
 TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {
   const Shape shape = test::capsule(0.3, 1, 12, 6);
   const double area = surface_area(shape);

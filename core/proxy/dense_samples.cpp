@@ -1,0 +1,217 @@
+#include "shapegauge/core/proxy/dense_samples.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/spatial/morton_order.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// A triangle with its corners in ascending order of coordinates, so that neither the order of the file nor the
+/// orientation changes a bit of what is computed from it.
+struct CanonicalTriangle {
+  std::array<Eigen::Vector3d, 3> corners;
+  Eigen::Vector3d normal;  ///< times twice the area
+  bool reversed;           ///< whether the corners are an odd permutation of the mesh's
+};
+
+auto coordinates_of(const Eigen::Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); }
+
+CanonicalTriangle canonical_triangle(const Shape& mesh, Eigen::Index triangle) {
+  CanonicalTriangle result{{}, {}, false};
+  auto& corners = result.corners;
+  for (int k = 0; k < 3; ++k) corners[k] = mesh.vertices.row(mesh.triangles(triangle, k)).transpose();
+  const auto order = [&](int a, int b) {
+    if (!(coordinates_of(corners[b]) < coordinates_of(corners[a]))) return;
+    std::swap(corners[a], corners[b]);
+    result.reversed = !result.reversed;
+  };
+  order(0, 1);
+  order(1, 2);
+  order(0, 1);
+  result.normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  return result;
+}
+
+/// Consistent orientation of triangles across edges with exactly two of them.
+struct TriangleSheets {
+  std::vector<std::int32_t> sheet;  ///< by triangle; -1: of a piece that cannot be oriented
+  std::vector<char> reversed;       ///< by triangle: whether it is turned against the sheet
+};
+
+struct AdjacentTriangle {
+  std::int32_t triangle;
+  std::int32_t to;
+  bool opposed;  ///< whether the two run along their edge in the same direction
+};
+
+CountedByKey<AdjacentTriangle> adjacent_triangles(std::span<const EdgeUse> uses, std::size_t triangles) {
+  std::vector<AdjacentTriangle> pairs;
+  pairs.reserve(uses.size());
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() != 2) return;
+    const bool opposed = edge[0].forward == edge[1].forward;
+    pairs.push_back({edge[0].triangle, edge[1].triangle, opposed});
+    pairs.push_back({edge[1].triangle, edge[0].triangle, opposed});
+  });
+  return counted_by_key(pairs, triangles, [](const AdjacentTriangle& pair) { return pair.triangle; });
+}
+
+TriangleSheets triangle_sheets(std::span<const EdgeUse> uses, std::size_t triangles) {
+  const CountedByKey<AdjacentTriangle> adjacent = adjacent_triangles(uses, triangles);
+  constexpr std::int32_t unseen = -2;
+  TriangleSheets result{std::vector<std::int32_t>(triangles, unseen), std::vector<char>(triangles, 0)};
+  std::vector<std::int32_t> piece;
+  const SparseInterruptionCheck check;
+  for (std::size_t seed = 0; seed < triangles; ++seed) {
+    if (result.sheet[seed] != unseen) continue;
+    const auto sheet = static_cast<std::int32_t>(seed);
+    bool orientable = true;
+    piece.assign(1, sheet);
+    result.sheet[seed] = sheet;
+    for (std::size_t next = 0; next < piece.size(); ++next) {
+      check();
+      const auto from = static_cast<std::size_t>(piece[next]);
+      for (std::size_t k = adjacent.first[from]; k < adjacent.first[from + 1]; ++k) {
+        const AdjacentTriangle& pair = adjacent.values[k];
+        const auto to = static_cast<std::size_t>(pair.to);
+        const char reversed = static_cast<char>((result.reversed[from] != 0) != pair.opposed);
+        if (result.sheet[to] == unseen) {
+          result.sheet[to] = sheet;
+          result.reversed[to] = reversed;
+          piece.push_back(pair.to);
+        } else if (result.reversed[to] != reversed) {
+          orientable = false;
+        }
+      }
+    }
+    if (orientable) continue;
+    for (const std::int32_t triangle : piece) result.sheet[static_cast<std::size_t>(triangle)] = -1;
+  }
+  return result;
+}
+
+/// The first of each set of triangles with the same corners at three places, along a Morton curve of their centroids.
+std::vector<std::int32_t> ordered_triangles(std::span<const EdgeUse> uses, std::vector<CanonicalTriangle>& triangles) {
+  std::vector<char> counts(triangles.size(), 0);
+  for (const EdgeUse& use : uses) counts[static_cast<std::size_t>(use.triangle)] = 1;
+  std::vector<std::int32_t> order;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const double twice_area = triangles[t].normal.norm();
+    if (counts[t] != 0 && std::isnormal(twice_area)) order.push_back(static_cast<std::int32_t>(t));
+  }
+  Points centroids(std::ssize(order), 3);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const auto& corners = triangles[static_cast<std::size_t>(order[i])].corners;
+    centroids.row(static_cast<Eigen::Index>(i)) = ((corners[0] + corners[1] + corners[2]) / 3).transpose();
+  }
+  const std::vector<std::uint64_t> codes = morton_codes(centroids);
+  std::vector<std::size_t> places(order.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  const auto corners_of = [&](std::size_t place) {
+    const auto& corners = triangles[static_cast<std::size_t>(order[place])].corners;
+    return std::tuple(coordinates_of(corners[0]), coordinates_of(corners[1]), coordinates_of(corners[2]));
+  };
+  std::sort(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return codes[a] != codes[b] ? codes[a] < codes[b] : corners_of(a) < corners_of(b);
+  });
+  std::vector<std::int32_t> sorted(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = order[places[i]];
+  return sorted;
+}
+
+/// The k-th point of an evenly spread sequence on the triangle (Roberts 2018, the R2 sequence, folded at the diagonal).
+Eigen::RowVector3d point_in(const CanonicalTriangle& triangle, Eigen::Index k) {
+  double u = std::fmod(0.7548776662466927 * static_cast<double>(k + 1), 1.0);
+  double v = std::fmod(0.5698402909980532 * static_cast<double>(k + 1), 1.0);
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  const auto& [a, b, c] = triangle.corners;
+  return (a + u * (b - a) + v * (c - a)).transpose();
+}
+
+DenseSamples dense_samples_of_mesh(const Shape& mesh, Eigen::Index count) {
+  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles, merged_by_place(mesh.vertices));
+  const TriangleSheets sheets = triangle_sheets(uses, static_cast<std::size_t>(mesh.triangles.rows()));
+  std::vector<CanonicalTriangle> triangles;
+  triangles.reserve(sheets.sheet.size());
+  for (Eigen::Index t = 0; t < mesh.triangles.rows(); ++t) triangles.push_back(canonical_triangle(mesh, t));
+  const std::vector<std::int32_t> order = ordered_triangles(uses, triangles);
+  double total = 0;
+  for (const std::int32_t t : order) total += triangles[static_cast<std::size_t>(t)].normal.norm() / 2;
+  if (!std::isnormal(total)) throw InputError("a surface proxy needs a triangle with area, and the mesh has none");
+  DenseSamples samples{Points(count, 3), Points(count, 3),
+                       Eigen::VectorXd::Constant(count, total / static_cast<double>(count)),
+                       std::vector<std::int32_t>(static_cast<std::size_t>(count))};
+  double covered = 0;
+  Eigen::Index i = 0;
+  for (std::size_t place = 0; place < order.size() && i < count; ++place) {
+    const auto t = static_cast<std::size_t>(order[place]);
+    const CanonicalTriangle& triangle = triangles[t];
+    covered += triangle.normal.norm() / 2;
+    const bool last = place + 1 == order.size();
+    const bool turned = triangle.reversed != (sheets.reversed[t] != 0);
+    const Eigen::RowVector3d normal = (turned ? -1.0 : 1.0) * triangle.normal.normalized().transpose();
+    for (; i < count && (last || (static_cast<double>(i) + 0.5) * total < covered * static_cast<double>(count)); ++i) {
+      samples.points.row(i) = point_in(triangle, i);
+      samples.normals.row(i) = normal;
+      samples.sheets[static_cast<std::size_t>(i)] = sheets.sheet[t];
+    }
+  }
+  return samples;
+}
+
+/// The distinct points of a cloud along a Morton curve, at most `count` of them.
+std::vector<std::int32_t> ordered_points(const Points& points, Eigen::Index count) {
+  const std::vector<std::uint64_t> codes = morton_codes(points);
+  const auto coordinates = [&](std::int32_t i) { return std::tuple(points(i, 0), points(i, 1), points(i, 2)); };
+  std::vector<std::int32_t> order(codes.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+    const std::uint64_t of_a = codes[static_cast<std::size_t>(a)];
+    const std::uint64_t of_b = codes[static_cast<std::size_t>(b)];
+    return of_a != of_b ? of_a < of_b : std::tuple(coordinates(a), a) < std::tuple(coordinates(b), b);
+  });
+  const auto same_place = [&](std::int32_t a, std::int32_t b) { return points.row(a) == points.row(b); };
+  order.erase(std::unique(order.begin(), order.end(), same_place), order.end());
+  const auto wanted = static_cast<std::size_t>(count);
+  if (order.size() <= wanted) return order;
+  for (std::size_t i = 0; i < wanted; ++i) order[i] = order[(2 * i + 1) * order.size() / (2 * wanted)];
+  order.resize(wanted);
+  return order;
+}
+
+DenseSamples dense_samples_of_cloud(const Shape& cloud, Eigen::Index count) {
+  const std::vector<std::int32_t> order = ordered_points(cloud.vertices, count);
+  DenseSamples samples;
+  samples.points = cloud.vertices(order, Eigen::all);
+  samples.areas = point_weights(samples.points);
+  if (!(samples.areas.sum() > 0)) throw InputError("a surface proxy needs points at two places at least");
+  samples.normals = unsigned_point_normals(samples.points);
+  samples.sheets.assign(order.size(), -1);
+  return samples;
+}
+
+}  // namespace
+
+DenseSamples dense_samples(const Shape& shape, Eigen::Index count) {
+  require_usable(shape);
+  return is_cloud(shape) ? dense_samples_of_cloud(shape, count) : dense_samples_of_mesh(shape, count);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,277 @@
+#include "shapegauge/core/proxy/surface_proxy.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/proxy/dense_samples.h"
+#include "shapegauge/core/proxy/farthest_points.h"
+#include "shapegauge/core/proxy/local_delaunay.h"
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/link_components.h"
+#include "shapegauge/core/shape/point_cloud.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// The points of a proxy, before they have neighbours.
+struct ProxyPoints {
+  Points points;
+  Points normals;
+  std::vector<std::int32_t> sheets;
+  Eigen::VectorXd areas;
+  double covering_radius;
+};
+
+/// Areas and mean normals of the samples that each chosen one stands for.
+ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& farthest) {
+  const Eigen::Index count = std::ssize(farthest.chosen);
+  ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all),
+                    Points::Zero(count, 3),
+                    {},
+                    Eigen::VectorXd::Zero(count),
+                    farthest.covering_radius};
+  for (const std::int32_t sample : farthest.chosen) {
+    proxy.sheets.push_back(samples.sheets[static_cast<std::size_t>(sample)]);
+  }
+  for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
+    const std::int32_t place = farthest.nearest[static_cast<std::size_t>(i)];
+    const Eigen::RowVector3d own = samples.normals.row(farthest.chosen[static_cast<std::size_t>(place)]);
+    const double sign = own.dot(samples.normals.row(i)) < 0 ? -1 : 1;
+    proxy.areas[place] += samples.areas[i];
+    proxy.normals.row(place) += sign * samples.areas[i] * samples.normals.row(i);
+  }
+  for (Eigen::Index i = 0; i < count; ++i) proxy.normals.row(i).normalize();
+  return proxy;
+}
+
+/// Whether two points lie on the same sheet, by the turn of their normals and by how far each lies off the other's
+/// tangent plane. On a circular arc that turns by an angle t both lie off by sin(t / 2) of their distance.
+bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance) {
+  constexpr double least_agreement = -0.3;  // sharp edges are passed, the rim of a thin wall is not
+  constexpr double tolerance = 0.2;
+  const double agreement = normal_agreement(proxy.normals, proxy.sheets, i, j);
+  const Eigen::RowVector3d direction = (proxy.points.row(j) - proxy.points.row(i)) / distance;
+  const double off_i = direction.dot(proxy.normals.row(i));
+  const double off_j = direction.dot(proxy.normals.row(j));
+  return agreement > least_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
+}
+
+/// Pairs of neighbours, each once, the lesser point first.
+std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
+  const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
+  const double reach = 2.5 * proxy.covering_radius;
+  std::vector<Segment> pairs;
+  for (std::int32_t i = 0; i < nearest.indices.rows(); ++i) {
+    for (Eigen::Index k = 0; k < nearest.indices.cols(); ++k) {
+      const std::int32_t j = nearest.indices(i, k);
+      const double distance = nearest.distances(i, k);
+      if (!(distance > 0 && distance <= reach) || !on_same_sheet(proxy, i, j, distance)) continue;
+      pairs.push_back({std::min(i, j), std::max(i, j), distance});
+    }
+  }
+  const auto ends = [](const Segment& pair) { return std::tuple(pair.a, pair.b); };
+  std::ranges::sort(pairs, {}, ends);
+  pairs.erase(std::ranges::unique(pairs, {}, ends).begin(), pairs.end());
+  return pairs;
+}
+
+/// The normals, of either sign, with a sign that does not depend on the orientation of faces.
+Points unsigned_normals(Points normals) {
+  for (Eigen::Index i = 0; i < normals.rows(); ++i) {
+    auto normal = normals.row(i);
+    const double first = normal[0] != 0 ? normal[0] : normal[1] != 0 ? normal[1] : normal[2];
+    if (first < 0) normal = -normal;
+  }
+  return normals;
+}
+
+void set_arcs(SurfaceProxy& proxy, const std::vector<Segment>& segments) {
+  const auto count = static_cast<std::size_t>(proxy.points.rows());
+  std::vector<std::pair<std::int32_t, ProxyArc>> arcs;
+  for (const Segment& segment : segments) {
+    const auto length = static_cast<float>(segment.length);
+    arcs.push_back({segment.a, {segment.b, length}});
+    arcs.push_back({segment.b, {segment.a, length}});
+  }
+  const auto sorted = counted_by_key(arcs, count, [](const auto& arc) { return arc.first; });
+  proxy.first_arc = sorted.first;
+  for (const auto& [from, arc] : sorted.values) proxy.arcs.push_back(arc);
+}
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add_weight(Triplets& weights, std::int32_t i, std::int32_t j, double weight) {
+  weights.emplace_back(i, j, weight);
+  weights.emplace_back(j, i, weight);
+}
+
+/// A point's neighbours in its tangent plane, at their distances from it.
+std::vector<Eigen::Vector2d> in_tangent_plane(const SurfaceProxy& proxy, std::size_t point) {
+  const auto row = static_cast<Eigen::Index>(point);
+  const Eigen::Vector3d normal = proxy.normals.row(row).transpose();
+  const Eigen::Vector3d x = normal.unitOrthogonal();
+  const Eigen::Vector3d y = normal.cross(x);
+  std::vector<Eigen::Vector2d> flat;
+  for (const ProxyArc& arc : proxy.arcs_of(point)) {
+    const Eigen::Vector3d offset = (proxy.points.row(arc.to) - proxy.points.row(row)).transpose();
+    const Eigen::Vector2d projected(offset.dot(x), offset.dot(y));
+    const double length = projected.norm();
+    flat.push_back(length > 0 ? Eigen::Vector2d(projected * (arc.length / length)) : Eigen::Vector2d(arc.length, 0));
+  }
+  return flat;
+}
+
+double twice_area(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+  return std::abs(u.x() * v.y() - u.y() * v.x());
+}
+
+/// Cotangent of the angle between two vectors.
+double cotangent(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
+  constexpr double bound = 1e3;
+  const double product = u.dot(v);
+  return std::abs(product) < bound * twice_area(u, v) ? product / twice_area(u, v) : std::copysign(bound, product);
+}
+
+/// The Delaunay triangles about a point in its tangent plane.
+struct Star {
+  std::vector<Eigen::Vector2d> flat;                   ///< the point's neighbours
+  std::vector<std::array<std::int32_t, 2>> triangles;  ///< the other two corners of each
+  double area = 0;                                     ///< sum of the triangles' areas
+};
+
+/// Circles much larger than the covering radius hold a wide hole or reach across the border: such triangles do not
+/// count, for the slivers along borders would.
+Star star_of(const SurfaceProxy& proxy, std::size_t point) {
+  Star star{.flat = in_tangent_plane(proxy, point), .triangles = {}};
+  for (const auto& triangle : delaunay_star(star.flat)) {
+    const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(triangle[0])];
+    const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(triangle[1])];
+    const double radius = u.norm() * v.norm() * (u - v).norm() / (2 * twice_area(u, v));
+    if (!(radius <= 2.5 * proxy.covering_radius)) continue;
+    star.triangles.push_back(triangle);
+    star.area += twice_area(u, v) / 2;
+  }
+  return star;
+}
+
+/// The share of each star that belongs to its point: the point's area over a third of the star's, over the median of
+/// all points. Where the stars of thin parts overlap, the surface would else count more than once. The median makes up
+/// for small holes, which stars span.
+std::vector<double> shares_of_stars(const SurfaceProxy& proxy, const std::vector<Star>& stars) {
+  std::vector<double> shares(stars.size(), 1);
+  std::vector<double> known;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    if (!(stars[i].area > 0)) continue;
+    shares[i] = 3 * proxy.areas[static_cast<Eigen::Index>(i)] / stars[i].area;
+    known.push_back(shares[i]);
+  }
+  if (known.empty()) return shares;
+  const auto middle = known.begin() + std::ssize(known) / 2;
+  std::nth_element(known.begin(), middle, known.end());
+  for (double& share : shares) share = std::clamp(share / *middle, 0.1, 2.0);
+  return shares;
+}
+
+/// A third of the cotangent weights of the triangles about each point.
+Triplets cotangent_weights(const SurfaceProxy& proxy) {
+  std::vector<Star> stars;
+  const SparseInterruptionCheck check;
+  for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
+    check();
+    stars.push_back(star_of(proxy, i));
+  }
+  const std::vector<double> shares = shares_of_stars(proxy, stars);
+  Triplets weights;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    const auto point = static_cast<std::int32_t>(i);
+    const std::span<const ProxyArc> arcs = proxy.arcs_of(i);
+    const double scale = shares[i] / 6;
+    for (const auto& [a, b] : stars[i].triangles) {
+      const Eigen::Vector2d& u = stars[i].flat[static_cast<std::size_t>(a)];
+      const Eigen::Vector2d& v = stars[i].flat[static_cast<std::size_t>(b)];
+      const std::int32_t j = arcs[static_cast<std::size_t>(a)].to;
+      const std::int32_t k = arcs[static_cast<std::size_t>(b)].to;
+      add_weight(weights, j, k, scale * cotangent(u, v));
+      add_weight(weights, point, k, scale * cotangent(-u, v - u));
+      add_weight(weights, point, j, scale * cotangent(-v, u - v));
+    }
+  }
+  return weights;
+}
+
+/// The graph Laplacian of the weights, summed, negative ones set to 0. Segments between what the weights leave apart,
+/// links and parts too thin for triangles, count as edges of a regular triangulation, less where a gap is wide.
+Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> segments) {
+  constexpr double least_joining = 0.01;
+  const Eigen::Index count = proxy.points.rows();
+  Triplets entries = cotangent_weights(proxy);
+  Eigen::SparseMatrix<double> weights(count, count);
+  weights.setFromTriplets(entries.begin(), entries.end());
+  entries.clear();
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(count);
+  DisjointSets pieces;
+  pieces.grow_to(static_cast<std::size_t>(count));
+  const auto add = [&](Eigen::Index i, Eigen::Index j, double weight) {
+    entries.emplace_back(i, j, -weight);
+    sums[i] += weight;
+  };
+  for (Eigen::Index column = 0; column < count; ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(weights, column); entry; ++entry) {
+      if (!(entry.value() > 0)) continue;
+      add(entry.row(), column, entry.value());
+      if (entry.value() < least_joining) continue;
+      pieces.join(static_cast<std::int32_t>(entry.row()), static_cast<std::int32_t>(column));
+    }
+  }
+  for (const Segment& segment : segments) {
+    if (pieces.find(segment.a) == pieces.find(segment.b)) continue;
+    const double weight = std::min(1.0, proxy.covering_radius / segment.length) / std::numbers::sqrt3;
+    add(segment.a, segment.b, weight);
+    add(segment.b, segment.a, weight);
+  }
+  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, sums[i]);
+  Eigen::SparseMatrix<double> stiffness(count, count);
+  stiffness.setFromTriplets(entries.begin(), entries.end());
+  return stiffness;
+}
+
+void check(const SurfaceProxyOptions& options) {
+  require_in_bounds("the number of a proxy's points", options.points, SurfaceProxyOptions::points_bounds);
+  require_in_bounds("the number of a proxy's neighbours", options.neighbours, SurfaceProxyOptions::neighbours_bounds);
+}
+
+}  // namespace
+
+SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& options) {
+  check(options);
+  require_usable(shape);
+  const UnitFrame frame = unit_frame(shape);
+  const DenseSamples samples =
+      dense_samples(in_unit_frame(shape, frame), Eigen::Index{options.points} * options.samples_per_point);
+  const ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
+  SurfaceProxy proxy;
+  proxy.points = chosen.points;
+  proxy.normals = unsigned_normals(chosen.normals);
+  proxy.areas = chosen.areas;
+  proxy.covering_radius = chosen.covering_radius;
+  std::vector<Segment> segments = neighbour_pairs(chosen, options.neighbours);
+  set_arcs(proxy, segments);
+  proxy.components = link_components(proxy.points, 8, segments);
+  proxy.stiffness = stiffness_of(proxy, segments);
+  for (Segment& segment : segments) segment.length *= frame.diagonal;
+  proxy.arcs.clear();
+  set_arcs(proxy, segments);
+  proxy.points = (proxy.points * frame.diagonal).rowwise() + frame.centre.transpose();
+  proxy.areas *= frame.diagonal * frame.diagonal;
+  proxy.covering_radius *= frame.diagonal;
+  return proxy;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,58 @@
+#include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/dominant_eigenvalues.h"
+#include "shapegauge/retrieval/distances.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array table = {
+    option_of<&GeodesicSpectrumOptions::eigenvalues>("eigenvalues", {.low = 1, .high = 100},
+                                                     "Number of eigenvalues after the largest one."),
+};
+constexpr auto parameters = parameters_of(table);
+
+/// Distances between landmarks, weighted by the square roots of their areas on both sides.
+Eigen::MatrixXd weighted_distances(const ProxyGeodesics& geodesics) {
+  const Eigen::Index count = geodesics.areas.size();
+  const Eigen::VectorXd roots = (geodesics.areas / geodesics.areas.sum()).cwiseSqrt();
+  Eigen::MatrixXd distances = geodesics.distances.topRows(count).cast<double>();
+  distances = (0.5 * (distances + distances.transpose())).eval();
+  return roots.asDiagonal() * distances * roots.asDiagonal();
+}
+
+}  // namespace
+
+Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options) {
+  check_options("geodesic_spectrum", table, options);
+  const Eigen::VectorXd sizes = dominant_eigenvalues(weighted_distances(source.geodesics()), options.eigenvalues + 1);
+  // Far below the least ratio of surfaces, which is about 1e-4 for 20 eigenvalues.
+  constexpr double least = 1e-9;
+  Eigen::VectorXf features(options.eigenvalues);
+  for (Eigen::Index k = 0; k < features.size(); ++k) {
+    const double size = sizes[std::min(k + 1, sizes.size() - 1)];
+    features[k] = static_cast<float>(std::log(std::max(size / sizes[0], least)));
+  }
+  return features;
+}
+
+Descriptor geodesic_spectrum_descriptor() {
+  return {.name = "geodesic_spectrum",
+          .description = "Eigenvalues of the geodesic distances between landmarks (after Smeets et al. 2012).",
+          .parameters = parameters,
+          .version = geodesic_spectrum_version,
+          .describe =
+              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+                const GeodesicSpectrumOptions options = options_from(table, settings.values);
+                return on_proxy(input, [&](ProxySource& source) { return geodesic_spectrum(source, options); });
+              },
+          .distance = l2_distance};
+}
+
+}  // namespace shapegauge
