@@ -94,8 +94,8 @@ struct PreparedModel {
 PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
 
 /// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. source: of
-/// the prepared shape. parallel: spread the samples over threads. Throws InputError where the shape is of no use, and what
-/// the observer throws.
+/// the prepared shape. parallel: spread the samples over threads. Throws InputError where the shape is of no use, and
+/// what the observer throws.
 void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
                      std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 

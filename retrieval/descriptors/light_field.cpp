@@ -7,17 +7,21 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
-#include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
+#include "shapegauge/retrieval/descriptors/splats.h"
+#include "shapegauge/retrieval/descriptors/surface_moments.h"
 
 namespace shapegauge {
 
@@ -128,21 +132,35 @@ Eigen::Matrix3d looking_along(const Eigen::Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// The mesh with its centroid in the origin, in the unit ball, which it touches.
-Shape in_unit_ball(const Shape& mesh) {
-  if (is_cloud(mesh)) {
-    throw InputError("the descriptor light_field needs triangles, whose silhouettes it draws; the shape is a cloud");
-  }
-  require_usable(mesh);
-  Shape unit = without_doubles(mesh);
-  const Samples faces = sample_shape(unit, SampleSite::faces);
-  const double area = faces.weights.sum();
-  if (!(area > 0)) throw InputError("the descriptor light_field needs a mesh with area");
-  unit.vertices.rowwise() -= faces.weights.transpose() * faces.points / area;
+/// A mesh as it is drawn: the vertices that triangles use, a column each.
+struct DrawnMesh {
+  Eigen::Matrix3Xf vertices;
+  Triangles triangles;
+};
+
+/// The shape as a mesh with its centroid in the origin, in the unit ball, which it touches.
+DrawnMesh in_unit_ball(const Shape& shape) {
+  Shape mesh = splatted(shape);
+  mesh = in_unit_frame(mesh, unit_frame(mesh));
+  const SurfaceMoments moments = surface_moments(mesh);
+  if (!(moments.area > 0)) throw InputError("the descriptor light_field needs a shape with area");
+  const std::vector<bool> used = used_vertices(mesh);
+  std::vector<std::int32_t> drawn(used.size(), -1);
+  DrawnMesh result{{}, std::move(mesh.triangles)};
+  Eigen::Matrix3Xd centred = mesh.vertices.transpose().colwise() - moments.centroid;
+  std::int32_t count = 0;
   double square = 0;
-  for (const std::int32_t v : unit.triangles.reshaped()) square = std::max(square, unit.vertices.row(v).squaredNorm());
-  unit.vertices /= std::sqrt(square);
-  return unit;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (!used[v]) continue;
+    centred.col(count) = centred.col(static_cast<Eigen::Index>(v)).eval();
+    square = std::max(square, centred.col(count).squaredNorm());
+    drawn[v] = count++;
+  }
+  result.vertices = (centred.leftCols(count) / std::sqrt(square)).cast<float>();
+  for (std::int32_t& vertex : std::span(result.triangles.data(), static_cast<std::size_t>(result.triangles.size()))) {
+    vertex = drawn[static_cast<std::size_t>(vertex)];
+  }
+  return result;
 }
 
 using Bytes = std::array<std::uint8_t, light_field_sets * light_field_views * view_size>;
@@ -173,18 +191,19 @@ std::uint32_t l1_of_views(const std::uint8_t* a, const std::uint8_t* b) {
 
 }  // namespace
 
-Eigen::VectorXf light_field(const Shape& mesh, const LightFieldOptions& options) {
+Eigen::VectorXf light_field(const Shape& shape, const LightFieldOptions& options) {
   check_options("light_field", table, options);
-  const Shape unit = in_unit_ball(mesh);
+  const DrawnMesh mesh = in_unit_ball(shape);
   static const std::array<Eigen::Quaterniond, light_field_sets> turns = set_turns();
   const Axes axes = dodecahedron_axes();
-  const SilhouetteFeatures features_of(options.pixels);
+  const std::shared_ptr<const SilhouetteFeatures> features_of = shared_silhouette_features(options.pixels);
   Eigen::VectorXf features(light_field_features);
   Eigen::Index next = 0;
   for (const Eigen::Quaterniond& turn : turns) {
     for (const Eigen::Vector3d& axis : axes) {
       check_interruption();
-      for (const double feature : features_of(silhouette(unit, looking_along(turn * axis), options.pixels))) {
+      const Eigen::Matrix3d rotation = looking_along(turn * axis);
+      for (const double feature : (*features_of)(silhouette(mesh.vertices, mesh.triangles, rotation, options.pixels))) {
         features[next++] = static_cast<float>(std::round(255 * std::min(feature, 1.0)));
       }
     }

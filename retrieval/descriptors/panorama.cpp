@@ -123,7 +123,7 @@ Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
 double panorama_distance(std::span<const float> a, std::span<const float> b) {
   if (a.size() != b.size() || a.size() % poses != 0) {
     throw ArgumentError("panoramas of " + std::to_string(a.size()) + " and " + std::to_string(b.size()) +
-                                " features cannot be compared");
+                        " features cannot be compared");
   }
   const std::size_t half = a.size() / poses;
   return std::min(l1_distance(a.first(half), b.first(half)), l1_distance(a.last(half), b.last(half)));

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <mutex>
 #include <numbers>
+#include <numeric>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -13,46 +17,86 @@ namespace shapegauge {
 
 namespace {
 
-/// Twice the signed area of the triangle abc.
-double orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
+/// Fractions of a pixel that corners are rounded to: coordinates are whole numbers, and the tests of edges exact.
+constexpr std::int32_t steps_per_pixel = 256;
 
-/// An image to draw in, in pixels.
+/// A place in an image, in steps.
+struct ImagePoint {
+  std::int32_t x;
+  std::int32_t y;
+};
+
+/// The first pixel whose centre lies at a coordinate or beyond it, and the last whose centre does not.
+std::int32_t first_centre_from(std::int32_t low) {
+  return (low + steps_per_pixel / 2 - 1) / steps_per_pixel;  // `low` is not negative
+}
+std::int32_t last_centre_to(std::int32_t high) { return (high + steps_per_pixel / 2) / steps_per_pixel - 1; }
+
+/// The directed line from one place to another: `value` is positive on its left, and changes by a constant per pixel.
+struct ImageEdge {
+  std::int64_t per_column;
+  std::int64_t per_row;
+  std::int64_t value;  ///< at the centre of the first pixel of a row
+
+  ImageEdge(const ImagePoint& from, const ImagePoint& to, std::int32_t column, std::int32_t row) {
+    const std::int64_t dx = to.x - from.x;
+    const std::int64_t dy = to.y - from.y;
+    const std::int64_t x = std::int64_t{column} * steps_per_pixel + steps_per_pixel / 2 - from.x;
+    const std::int64_t y = std::int64_t{row} * steps_per_pixel + steps_per_pixel / 2 - from.y;
+    value = dx * y - dy * x;
+    per_column = -dy * steps_per_pixel;
+    per_row = dx * steps_per_pixel;
+  }
+};
+
+/// An image to draw in.
 class Canvas {
  public:
   explicit Canvas(int pixels)
       : pixels_(pixels), image_(static_cast<std::size_t>(pixels) * static_cast<std::size_t>(pixels), 0) {}
 
-  void draw_point(const Eigen::Vector2d& at) {
-    set(std::clamp(static_cast<int>(at.x()), 0, pixels_ - 1), std::clamp(static_cast<int>(at.y()), 0, pixels_ - 1));
+  void draw_point(const ImagePoint& at) {
+    image_[index(std::min(at.x / steps_per_pixel, pixels_ - 1), std::min(at.y / steps_per_pixel, pixels_ - 1))] = 1;
   }
 
-  void draw_triangle(const Eigen::Vector2d& a, Eigen::Vector2d b, Eigen::Vector2d c) {
-    if (orientation(a, b, c) < 0) std::swap(b, c);
-    const auto [left, right] = centres_between(std::min({a.x(), b.x(), c.x()}), std::max({a.x(), b.x(), c.x()}));
-    const auto [top, bottom] = centres_between(std::min({a.y(), b.y(), c.y()}), std::max({a.y(), b.y(), c.y()}));
-    for (int y = top; y <= bottom; ++y) {
-      for (int x = left; x <= right; ++x) {
-        const Eigen::Vector2d centre(x + 0.5, y + 0.5);
-        if (orientation(a, b, centre) >= 0 && orientation(b, c, centre) >= 0 && orientation(c, a, centre) >= 0) {
-          set(x, y);
-        }
-      }
-    }
+  /// Most triangles of fine meshes have no pixel's centre in their box.
+  void draw_triangle(const ImagePoint& a, const ImagePoint& b, const ImagePoint& c) {
+    const std::int32_t left = first_centre_from(std::min(std::min(a.x, b.x), c.x));
+    const std::int32_t right = last_centre_to(std::max(std::max(a.x, b.x), c.x));
+    if (left > right) return;
+    const std::int32_t top = first_centre_from(std::min(std::min(a.y, b.y), c.y));
+    const std::int32_t bottom = last_centre_to(std::max(std::max(a.y, b.y), c.y));
+    if (top > bottom) return;
+    if (left == right && top == bottom && image_[index(left, top)] != 0) return;
+    fill(a, b, c, {left, top}, {right, bottom});
   }
 
   std::vector<std::uint8_t> take() { return std::move(image_); }
 
  private:
-  /// The first and the last pixel whose centre lies between two coordinates.
-  [[nodiscard]] std::pair<int, int> centres_between(double low, double high) const {
-    return {std::max(static_cast<int>(std::ceil(low - 0.5)), 0),
-            std::min(static_cast<int>(std::floor(high - 0.5)), pixels_ - 1)};
+  [[nodiscard]] std::size_t index(std::int32_t x, std::int32_t y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(x);
   }
 
-  void set(int x, int y) {
-    image_[static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(x)] = 1;
+  /// - first, last: pixels at opposite corners of what may be covered
+  void fill(const ImagePoint& a, ImagePoint b, ImagePoint c, const ImagePoint& first, const ImagePoint& last) {
+    const auto twice_area = [&] {
+      return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
+             (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+    };
+    if (twice_area() == 0) return;
+    if (twice_area() < 0) std::swap(b, c);
+    std::array<ImageEdge, 3> edges{ImageEdge(a, b, first.x, first.y), ImageEdge(b, c, first.x, first.y),
+                                   ImageEdge(c, a, first.x, first.y)};
+    for (std::int32_t y = first.y; y <= last.y; ++y) {
+      std::array<std::int64_t, 3> at = {edges[0].value, edges[1].value, edges[2].value};
+      std::uint8_t* pixel = &image_[index(first.x, y)];
+      for (std::int32_t x = first.x; x <= last.x; ++x, ++pixel) {
+        if ((at[0] | at[1] | at[2]) >= 0) *pixel = 1;  // none is negative
+        for (std::size_t k = 0; k < 3; ++k) at[k] += edges[k].per_column;
+      }
+      for (ImageEdge& edge : edges) edge.value += edge.per_row;
+    }
   }
 
   int pixels_;
@@ -113,21 +157,65 @@ struct Pixel {
   friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
+/// Filled pixels of a row that touch: columns from `first` to before `end`.
+struct Run {
+  int row;
+  int first;
+  int end;
+};
+
+/// The runs of an image, in reading order.
+std::vector<Run> runs_of(std::span<const std::uint8_t> image, int pixels) {
+  std::vector<Run> runs;
+  for (int row = 0; row < pixels; ++row) {
+    const auto line = image.subspan(static_cast<std::size_t>(row) * static_cast<std::size_t>(pixels),
+                                    static_cast<std::size_t>(pixels));
+    for (auto at = line.begin(); (at = std::find(at, line.end(), 1)) != line.end();) {
+      const auto end = std::find(at, line.end(), 0);
+      runs.push_back({row, static_cast<int>(at - line.begin()), static_cast<int>(end - line.begin())});
+      at = end;
+    }
+  }
+  return runs;
+}
+
+/// The first run, in reading order, of each connected part (8 neighbours).
+std::vector<Run> first_runs_of_parts(const std::vector<Run>& runs) {
+  std::vector<std::size_t> earlier(runs.size());  // a run of the same part, the first of it points to itself
+  std::iota(earlier.begin(), earlier.end(), std::size_t{0});
+  const auto first_of = [&](std::size_t i) {
+    while (earlier[i] != i) i = earlier[i] = earlier[earlier[i]];
+    return i;
+  };
+  std::size_t above = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    while (runs[above].row < runs[i].row - 1 || (runs[above].row < runs[i].row && runs[above].end < runs[i].first)) {
+      ++above;
+    }
+    for (std::size_t k = above; runs[k].row < runs[i].row && runs[k].first <= runs[i].end; ++k) {
+      const std::size_t one = first_of(i);
+      const std::size_t other = first_of(k);
+      earlier[std::max(one, other)] = std::min(one, other);
+    }
+  }
+  std::vector<Run> firsts;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (earlier[i] == i) firsts.push_back(runs[i]);
+  }
+  return firsts;
+}
+
 /// Follows outlines in a binary image.
 class Outliner {
  public:
-  Outliner(std::span<const std::uint8_t> image, int pixels) : image_(image), pixels_(pixels), seen_(image.size(), 0) {}
+  Outliner(std::span<const std::uint8_t> image, int pixels) : image_(image), pixels_(pixels) {}
 
-  /// The longest outline of a connected part.
-  std::vector<Pixel> longest() {
+  /// The longest outline of a connected part; the first of several.
+  [[nodiscard]] std::vector<Pixel> longest(const std::vector<Run>& runs) const {
     std::vector<Pixel> longest;
-    for (int y = 0; y < pixels_; ++y) {
-      for (int x = 0; x < pixels_; ++x) {
-        if (!filled({x, y}) || seen_[index({x, y})] != 0) continue;
-        std::vector<Pixel> outline = follow({x, y});
-        if (outline.size() > longest.size()) longest = std::move(outline);
-        mark_part({x, y});
-      }
+    for (const Run& first : first_runs_of_parts(runs)) {
+      std::vector<Pixel> outline = follow({first.first, first.row});
+      if (outline.size() > longest.size()) longest = std::move(outline);
     }
     return longest;
   }
@@ -136,11 +224,10 @@ class Outliner {
   static constexpr std::array<Pixel, 8> around = {
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
 
-  [[nodiscard]] std::size_t index(Pixel p) const {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(p.x);
-  }
   [[nodiscard]] bool filled(Pixel p) const {
-    return p.x >= 0 && p.y >= 0 && p.x < pixels_ && p.y < pixels_ && image_[index(p)] != 0;
+    return p.x >= 0 && p.y >= 0 && p.x < pixels_ && p.y < pixels_ &&
+           image_[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(p.x)] !=
+               0;
   }
 
   /// Moore's neighbour tracing, from a part's first pixel in reading order, until its first step comes again.
@@ -171,24 +258,8 @@ class Outliner {
     return outline;
   }
 
-  void mark_part(Pixel start) {
-    std::vector<Pixel> open = {start};
-    seen_[index(start)] = 1;
-    while (!open.empty()) {
-      const Pixel here = open.back();
-      open.pop_back();
-      for (const Pixel& step : around) {
-        const Pixel next{here.x + step.x, here.y + step.y};
-        if (!filled(next) || seen_[index(next)] != 0) continue;
-        seen_[index(next)] = 1;
-        open.push_back(next);
-      }
-    }
-  }
-
   std::span<const std::uint8_t> image_;
   int pixels_;
-  std::vector<char> seen_;
 };
 
 /// Distances of a closed outline from its centroid, at so many equal steps along it.
@@ -218,61 +289,65 @@ std::vector<double> distances_along(const std::vector<Pixel>& outline, std::size
 
 }  // namespace
 
-std::vector<std::uint8_t> silhouette(const Shape& mesh, const Eigen::Matrix3d& rotation, int pixels) {
+std::vector<std::uint8_t> silhouette(const Eigen::Matrix3Xf& vertices, const Triangles& triangles,
+                                     const Eigen::Matrix3d& rotation, int pixels) {
+  const float scale = static_cast<float>(pixels * steps_per_pixel) / 2;
+  const Eigen::Matrix<float, 2, 3> across = rotation.topRows<2>().cast<float>() * scale;
+  const Eigen::Matrix<std::int32_t, 2, Eigen::Dynamic> seen =
+      ((across * vertices).array() + (scale + 0.5F)).max(0.0F).min(2 * scale).cast<std::int32_t>().matrix();
+  const auto at = [&](std::int32_t vertex) { return ImagePoint{seen(0, vertex), seen(1, vertex)}; };
   Canvas canvas(pixels);
-  const Points rotated = mesh.vertices * rotation.transpose();
-  const Eigen::Matrix2Xd seen = ((rotated.leftCols<2>().transpose().array() + 1) / 2 * pixels).matrix();
-  for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
-    const Eigen::Vector2d a = seen.col(mesh.triangles(f, 0));
-    const Eigen::Vector2d b = seen.col(mesh.triangles(f, 1));
-    const Eigen::Vector2d c = seen.col(mesh.triangles(f, 2));
-    canvas.draw_triangle(a, b, c);
-    for (const Eigen::Vector2d& corner : {a, b, c}) canvas.draw_point(corner);
+  for (std::int32_t v = 0; v < seen.cols(); ++v) canvas.draw_point(at(v));
+  for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
+    canvas.draw_triangle(at(triangles(f, 0)), at(triangles(f, 1)), at(triangles(f, 2)));
   }
   return canvas.take();
 }
 
 SilhouetteFeatures::SilhouetteFeatures(int pixels) : pixels_(pixels) {
   const Eigen::Index side = pixels;
-  basis_.setZero(side * side, 2 * zernike_moments);
+  sums_.setZero(side * (side + 1), 2 * zernike_moments);
   const std::array<ZernikeIndex, zernike_moments> indices = zernike_indices();
   const std::vector<RadialPolynomial> radial(indices.begin(), indices.end());
   const double pixel_area = 4.0 / (static_cast<double>(pixels) * pixels);
   for (Eigen::Index y = 0; y < side; ++y) {
+    Eigen::Matrix<double, 1, 2 * zernike_moments> sum = Eigen::Matrix<double, 1, 2 * zernike_moments>::Zero();
     for (Eigen::Index x = 0; x < side; ++x) {
       const std::complex<double> place((2.0 * static_cast<double>(x) + 1) / pixels - 1,
                                        (2.0 * static_cast<double>(y) + 1) / pixels - 1);
       const double radius = std::abs(place);
-      if (radius > 1) continue;
       const double angle = std::arg(place);
       std::array<double, highest_order + 1> powers{};
       for (std::size_t k = 0; k < powers.size(); ++k) powers[k] = std::pow(radius, static_cast<int>(k));
-      for (std::size_t k = 0; k < zernike_moments; ++k) {
+      for (std::size_t k = 0; radius <= 1 && k < zernike_moments; ++k) {
         const double factor = (indices[k].order + 1) / std::numbers::pi * pixel_area;
         const std::complex<double> value = std::polar(factor * radial[k](powers), -indices[k].repetition * angle);
         const auto column = static_cast<Eigen::Index>(k);
-        basis_(y * side + x, column) = static_cast<float>(value.real());
-        basis_(y * side + x, static_cast<Eigen::Index>(zernike_moments) + column) = static_cast<float>(value.imag());
+        sum[column] += value.real();
+        sum[static_cast<Eigen::Index>(zernike_moments) + column] += value.imag();
       }
+      sums_.row(y * (side + 1) + x + 1) = sum.cast<float>();
     }
   }
 }
 
 std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std::span<const std::uint8_t> image) const {
-  if (std::ssize(image) != basis_.rows()) {
-    throw ArgumentError("a silhouette of " + std::to_string(image.size()) + " pixels, not " +
-                        std::to_string(basis_.rows()));
+  const std::size_t expected = static_cast<std::size_t>(pixels_) * static_cast<std::size_t>(pixels_);
+  if (image.size() != expected) {
+    throw ArgumentError("a silhouette of " + std::to_string(image.size()) + " pixels, not " + std::to_string(expected));
   }
+  const std::vector<Run> runs = runs_of(image, pixels_);
   Eigen::Matrix<float, 1, 2 * zernike_moments> moments = Eigen::Matrix<float, 1, 2 * zernike_moments>::Zero();
-  for (std::size_t i = 0; i < image.size(); ++i) {
-    if (image[i] != 0) moments += basis_.row(static_cast<Eigen::Index>(i));
+  for (const Run& run : runs) {
+    const Eigen::Index row = static_cast<Eigen::Index>(run.row) * (pixels_ + 1);
+    moments += sums_.row(row + run.end) - sums_.row(row + run.first);
   }
   std::array<double, silhouette_feature_count> features{};
   for (std::size_t k = 0; k < zernike_moments; ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     features[k] = std::hypot(moments[column], moments[static_cast<Eigen::Index>(zernike_moments) + column]);
   }
-  const std::vector<Pixel> outline = Outliner(image, pixels_).longest();
+  const std::vector<Pixel> outline = Outliner(image, pixels_).longest(runs);
   if (outline.size() < 2) return features;
   constexpr std::size_t samples = 128;
   const std::vector<double> distances = distances_along(outline, samples);
@@ -287,6 +362,17 @@ std::array<double, silhouette_feature_count> SilhouetteFeatures::operator()(std:
   for (std::size_t k = 0; k < outline_coefficients; ++k) {
     features[zernike_moments + k] = std::abs(coefficients[k + 1]) / std::abs(coefficients[0]);
   }
+  return features;
+}
+
+std::shared_ptr<const SilhouetteFeatures> shared_silhouette_features(int pixels) {
+  constexpr int kept_pixels = 256;  // 18 MB
+  if (pixels > kept_pixels) return std::make_shared<const SilhouetteFeatures>(pixels);
+  static std::mutex mutex;
+  static std::map<int, std::shared_ptr<const SilhouetteFeatures>> kept;
+  const std::lock_guard lock(mutex);
+  std::shared_ptr<const SilhouetteFeatures>& features = kept[pixels];
+  if (features == nullptr) features = std::make_shared<const SilhouetteFeatures>(pixels);
   return features;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,10 +12,12 @@
 
 namespace shapegauge {
 
-/// The silhouette of a mesh, rotated and seen along z, as pixels x pixels bytes in rows: 1 where a triangle covers a
-/// pixel's centre or a vertex lies in it, so that thin parts leave a trace; 0 elsewhere. The image is the square from
-/// -1 to 1.
-std::vector<std::uint8_t> silhouette(const Shape& mesh, const Eigen::Matrix3d& rotation, int pixels);
+/// Draws the silhouette of triangles, rotated and seen along z, as pixels x pixels bytes in rows: 1 where a triangle
+/// covers a pixel's centre or a vertex lies in it, so that thin parts leave a trace; 0 elsewhere. The image is the
+/// square from -1 to 1; vertices are rounded to 1/256 of a pixel, and those outside are moved to its border.
+/// - vertices: a column each; all of them are drawn
+std::vector<std::uint8_t> silhouette(const Eigen::Matrix3Xf& vertices, const Triangles& triangles,
+                                     const Eigen::Matrix3d& rotation, int pixels);
 
 /// Magnitudes of Zernike moments up to order 10 without the area.
 inline constexpr std::size_t zernike_moments = 35;
@@ -34,9 +37,12 @@ class SilhouetteFeatures {
 
  private:
   int pixels_;
-  /// By pixel, the real and then the imaginary parts of the conjugate basis, with the area of a pixel and the moments'
-  /// factor; nothing outside the disc.
-  Eigen::Matrix<float, Eigen::Dynamic, 2 * zernike_moments, Eigen::RowMajor> basis_;
+  /// Sums, along each row of the image, of the conjugate basis over the pixels before: real and then imaginary parts,
+  /// with the area of a pixel and the moments' factor; nothing outside the disc. A run of pixels is one difference.
+  Eigen::Matrix<float, Eigen::Dynamic, 2 * zernike_moments, Eigen::RowMajor> sums_;
 };
+
+/// Returns the features of images of one size, which take a while to prepare; those of up to 256 pixels are kept.
+std::shared_ptr<const SilhouetteFeatures> shared_silhouette_features(int pixels);
 
 }  // namespace shapegauge

@@ -2,6 +2,7 @@
 
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/light_field.h"
+#include "shapegauge/retrieval/descriptors/panorama.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
 #include "tests/support/doubled_shapes.h"
@@ -29,6 +30,7 @@ TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirst) {
   expect_same(GetParam().shape,
               [](const Shape& shape) { return spherical_harmonics(shape, {.shells = 6, .bandwidth = 5}); });
   expect_same(GetParam().shape, [](const Shape& shape) { return shape_dna(shape); });
+  expect_same(GetParam().shape, [](const Shape& shape) { return panorama(shape); });
 }
 
 TEST_P(DescriptorsOfDoubledTriangles, AreThoseOfTheFirstVoxelised) {

@@ -66,9 +66,19 @@ TEST(LightField, SoupsAndOpenMeshesAreTheirSilhouettes) {
   EXPECT_EQ(light_field(test::flipped(test::soup(bar)), coarse), light_field(bar, coarse));
 }
 
-TEST(LightField, RefusesCloudsAndOptionsOutOfRange) {
+TEST(LightField, CloudsAreFarNearerToTheirMeshesThanToOthers) {
+  const Shape bar = test::box({1, 2, 4}, 2);
+  const Eigen::VectorXf cloud = light_field(test::random_points(bar, 10'000, 1));
+  double nearest_other = 1e9;
+  for (const Shape& other : {test::box({1, 1, 1}, 2), test::sphere(1, 3), test::box({1, 4, 4}, 2)}) {
+    nearest_other = std::min(nearest_other, distance_of_light_fields(cloud, light_field(other)));
+  }
+  EXPECT_LT(distance_of_light_fields(cloud, light_field(bar)), 0.2 * nearest_other);
+}
+
+TEST(LightField, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   const Shape ball = test::sphere(1, 1);
-  EXPECT_THROW(light_field(Shape{ball.vertices, {}}), InputError);
+  EXPECT_THROW(light_field(Shape{Points::Zero(5, 3), {}}), InputError);
   EXPECT_THROW(light_field(ball, {.pixels = 8}), InputError);
   Shape line = ball;
   line.vertices.rightCols<2>().setZero();
@@ -85,7 +95,8 @@ TEST(LightField, BeginsWithTheRoundedFeaturesOfTheFirstView) {
   const Shape box = test::box(Eigen::Vector3d(1, 2, 4) * 2 / std::sqrt(21.0), 1);
   const Eigen::Matrix3d rotation =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d(1, 1, 1), Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  const auto features = SilhouetteFeatures(coarse.pixels)(silhouette(box, rotation, coarse.pixels));
+  const auto features = SilhouetteFeatures(coarse.pixels)(
+      silhouette(box.vertices.transpose().cast<float>(), box.triangles, rotation, coarse.pixels));
   const Eigen::VectorXf found = light_field(box, coarse);
   for (std::size_t k = 0; k < features.size(); ++k) {
     EXPECT_EQ(found[static_cast<Eigen::Index>(k)], std::round(255 * std::min(features[k], 1.0))) << k;

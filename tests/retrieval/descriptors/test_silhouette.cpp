@@ -1,8 +1,11 @@
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <stdexcept>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/silhouette.h"
 #include "tests/support/test_shapes.h"
 
@@ -22,6 +25,11 @@ Image image_of(Inside inside) {
   return image;
 }
 
+/// The silhouette of a mesh.
+Image silhouette_of(const Shape& mesh, const Eigen::Matrix3d& rotation) {
+  return silhouette(mesh.vertices.transpose().cast<float>(), mesh.triangles, rotation, pixels);
+}
+
 std::size_t covered(const Image& image) { return static_cast<std::size_t>(std::ranges::count(image, 1)); }
 
 std::size_t different(const Image& a, const Image& b) {
@@ -31,7 +39,7 @@ std::size_t different(const Image& a, const Image& b) {
 }
 
 TEST(Silhouette, OfABoxIsARectangle) {
-  const Image found = silhouette(test::box({1, 0.5, 1.2}, 3), Eigen::Matrix3d::Identity(), pixels);
+  const Image found = silhouette_of(test::box({1, 0.5, 1.2}, 3), Eigen::Matrix3d::Identity());
   const Image expected = image_of([](double x, double y) { return std::abs(x) <= 0.5 && std::abs(y) <= 0.25; });
   // Corners on the right and lower rim lie in the pixels beyond it.
   EXPECT_LE(different(found, expected), 8U);
@@ -39,7 +47,7 @@ TEST(Silhouette, OfABoxIsARectangle) {
 
 TEST(Silhouette, OfASphereIsADisc) {
   // The rim of 320 pixels is a third of a pixel wider, as the vertices on it fill theirs.
-  const Image found = silhouette(test::sphere(0.8, 4), test::rotation(1), pixels);
+  const Image found = silhouette_of(test::sphere(0.8, 4), test::rotation(1));
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
 }
 
@@ -49,7 +57,39 @@ TEST(Silhouette, ThinPartsLeaveATrace) {
   needle.vertices << 0.111, 0.2, 0, 0.1111, 0.2, 0, 0.111, 0.2001, 0;
   needle.triangles.resize(1, 3);
   needle.triangles << 0, 1, 2;
-  EXPECT_EQ(covered(silhouette(needle, Eigen::Matrix3d::Identity(), pixels)), 1U);
+  EXPECT_EQ(covered(silhouette_of(needle, Eigen::Matrix3d::Identity())), 1U);
+}
+
+TEST(Silhouette, OfRandomTrianglesIsWhereACentreOrACornerIs) {
+  // Against a literal test of each pixel, for corners at whole steps of a pixel.
+  RandomNumbers random(1);
+  for (int round = 0; round < 10; ++round) {
+    Eigen::Matrix<float, 3, 3> corners = Eigen::Matrix<float, 3, 3>::Zero();
+    for (float& x : corners.topRows<2>().reshaped()) {
+      x = static_cast<float>(std::round(random.uniform(0, pixels * 256 - 1)) / (pixels * 128) - 1);
+    }
+    const auto inside = [&](double x, double y) {
+      int positive = 0;
+      int negative = 0;
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector2d a = corners.col(k).head<2>().cast<double>();
+        const Eigen::Vector2d b = corners.col((k + 1) % 3).head<2>().cast<double>();
+        const double side = (b - a).x() * (y - a.y()) - (b - a).y() * (x - a.x());
+        positive += side > 0 ? 1 : 0;
+        negative += side < 0 ? 1 : 0;
+      }
+      return positive == 0 || negative == 0;
+    };
+    const auto corner = [&](double x, double y) {
+      for (int k = 0; k < 3; ++k) {
+        const auto pixel_of = [](double at) { return std::floor((at + 1) / 2 * pixels); };
+        if (pixel_of(corners(0, k)) == pixel_of(x) && pixel_of(corners(1, k)) == pixel_of(y)) return true;
+      }
+      return false;
+    };
+    const Image expected = image_of([&](double x, double y) { return inside(x, y) || corner(x, y); });
+    EXPECT_EQ(silhouette(corners, Triangles{{0, 1, 2}}, Eigen::Matrix3d::Identity(), pixels), expected) << round;
+  }
 }
 
 TEST(SilhouetteFeatures, OfTheWholeDiscAreZero) {
