@@ -143,7 +143,6 @@ double cotangent(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
 struct Star {
   std::vector<Eigen::Vector2d> flat;                   ///< the point's neighbours
   std::vector<std::array<std::int32_t, 2>> triangles;  ///< the other two corners of each
-  double area = 0;                                     ///< sum of the triangles' areas
 };
 
 /// Circles much larger than the covering radius hold a wide hole or reach across the border: such triangles do not
@@ -156,51 +155,27 @@ Star star_of(const SurfaceProxy& proxy, std::size_t point) {
     const double radius = u.norm() * v.norm() * (u - v).norm() / (2 * twice_area(u, v));
     if (!(radius <= 2.5 * proxy.covering_radius)) continue;
     star.triangles.push_back(triangle);
-    star.area += twice_area(u, v) / 2;
   }
   return star;
 }
 
-/// The share of each star that belongs to its point: the point's area over a third of the star's, over the median of
-/// all points. Where the stars of thin parts overlap, the surface would else count more than once. The median makes up
-/// for small holes, which stars span.
-std::vector<double> shares_of_stars(const SurfaceProxy& proxy, const std::vector<Star>& stars) {
-  std::vector<double> shares(stars.size(), 1);
-  std::vector<double> known;
-  for (std::size_t i = 0; i < stars.size(); ++i) {
-    if (!(stars[i].area > 0)) continue;
-    shares[i] = 3 * proxy.areas[static_cast<Eigen::Index>(i)] / stars[i].area;
-    known.push_back(shares[i]);
-  }
-  if (known.empty()) return shares;
-  const auto middle = known.begin() + std::ssize(known) / 2;
-  std::nth_element(known.begin(), middle, known.end());
-  for (double& share : shares) share = std::clamp(share / *middle, 0.1, 2.0);
-  return shares;
-}
-
 /// A third of the cotangent weights of the triangles about each point.
 Triplets cotangent_weights(const SurfaceProxy& proxy) {
-  std::vector<Star> stars;
+  Triplets weights;
   const SparseInterruptionCheck check;
   for (std::size_t i = 0; i + 1 < proxy.first_arc.size(); ++i) {
     check();
-    stars.push_back(star_of(proxy, i));
-  }
-  const std::vector<double> shares = shares_of_stars(proxy, stars);
-  Triplets weights;
-  for (std::size_t i = 0; i < stars.size(); ++i) {
     const auto point = static_cast<std::int32_t>(i);
     const std::span<const ProxyArc> arcs = proxy.arcs_of(i);
-    const double scale = shares[i] / 6;
-    for (const auto& [a, b] : stars[i].triangles) {
-      const Eigen::Vector2d& u = stars[i].flat[static_cast<std::size_t>(a)];
-      const Eigen::Vector2d& v = stars[i].flat[static_cast<std::size_t>(b)];
+    const Star star = star_of(proxy, i);
+    for (const auto& [a, b] : star.triangles) {
+      const Eigen::Vector2d& u = star.flat[static_cast<std::size_t>(a)];
+      const Eigen::Vector2d& v = star.flat[static_cast<std::size_t>(b)];
       const std::int32_t j = arcs[static_cast<std::size_t>(a)].to;
       const std::int32_t k = arcs[static_cast<std::size_t>(b)].to;
-      add_weight(weights, j, k, scale * cotangent(u, v));
-      add_weight(weights, point, k, scale * cotangent(-u, v - u));
-      add_weight(weights, point, j, scale * cotangent(-v, u - v));
+      add_weight(weights, j, k, cotangent(u, v) / 6);
+      add_weight(weights, point, k, cotangent(-u, v - u) / 6);
+      add_weight(weights, point, j, cotangent(-v, u - v) / 6);
     }
   }
   return weights;
