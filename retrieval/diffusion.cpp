@@ -266,7 +266,7 @@ struct Diffusion {
   OriginalShare original;
 
   Diffusion(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
-      : Diffusion(neighbour_counts(options.neighbours, models), models, rows, options) {}
+      : Diffusion(neighbour_counts(options.neighbours), models, rows, options) {}
 
   /// New distances, from the similarities and distances of rows from `first` on.
   [[nodiscard]] DistanceMatrix distances_of(const DistanceMatrix& similarities, const DistanceMatrix& distances,

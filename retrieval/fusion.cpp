@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/retrieval/nearest_models.h"
+#include "shapegauge/retrieval/rerank.h"
 
 namespace shapegauge {
 
@@ -134,68 +135,92 @@ void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const d
   }
 }
 
-/// By model, its five nearest.
-using NearestSets = std::vector<std::vector<std::int32_t>>;
+/// By model, itself and its k nearest, ascending.
+struct NearestSets {
+  std::size_t count = 0;  ///< k, at most the number of others
+  std::vector<std::vector<std::int32_t>> of;
+};
 
-constexpr int nearest_that_vote = 5;
-
-/// Those that are nearer than the sixth; without a sixth, all at a finite distance.
-NearestSets nearest_sets(const DistanceMatrix& matrix) {
-  const NearestModels nearest = nearest_models(matrix.rows(), nearest_that_vote + 1, rows_of(matrix));
-  NearestSets sets(static_cast<std::size_t>(matrix.rows()));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const bool has_sixth = nearest.indices.cols() > nearest_that_vote && nearest.indices(i, nearest_that_vote) >= 0;
-    const double limit = has_sixth ? nearest.distances(i, nearest_that_vote) : std::numeric_limits<double>::infinity();
-    for (Eigen::Index n = 0; n < nearest.indices.cols() && nearest.distances(i, n) < limit; ++n) {
-      sets[static_cast<std::size_t>(i)].push_back(nearest.indices(i, n));
+/// The sets of several k. The nearest are those nearer than the next one: of those that tie with it none counts.
+std::vector<NearestSets> nearest_sets(const DistanceMatrix& matrix, const std::vector<int>& counts) {
+  const NearestModels nearest = nearest_models(matrix.rows(), counts.back() + 1, rows_of(matrix));
+  std::vector<NearestSets> all;
+  for (const int count : counts) {
+    NearestSets& sets = all.emplace_back();
+    sets.count = static_cast<std::size_t>(std::min<Eigen::Index>(count, matrix.rows() - 1));
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+      const bool has_next = count < nearest.indices.cols() && nearest.indices(i, count) >= 0;
+      const double limit = has_next ? nearest.distances(i, count) : std::numeric_limits<double>::infinity();
+      std::vector<std::int32_t>& set = sets.of.emplace_back(1, static_cast<std::int32_t>(i));
+      for (Eigen::Index n = 0; n < nearest.indices.cols() && nearest.distances(i, n) < limit; ++n) {
+        set.push_back(nearest.indices(i, n));
+      }
+      std::ranges::sort(set);
     }
   }
-  return sets;
+  return all;
 }
 
-/// The number of models that are in the same model's set of both.
-double common_models(const NearestSets& a, const NearestSets& b) {
+/// The number of models in both sets.
+double common_models(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
   double common = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    for (const std::int32_t model : a[i]) common += std::ranges::find(b[i], model) != b[i].end() ? 1 : 0;
+  auto other = b.begin();
+  for (const std::int32_t model : a) {
+    other = std::find_if(other, b.end(), [&](std::int32_t candidate) { return candidate >= model; });
+    common += other != b.end() && *other == model ? 1 : 0;
   }
   return common;
 }
 
-/// The number of models that could be in the sets.
-double most_in_sets(const NearestSets& sets) {
-  const auto models = static_cast<double>(sets.size());
-  return models * std::min<double>(nearest_that_vote, models - 1);
+/// The sum of per_model(i), in the models' order.
+template <typename PerModel>
+double sum_over_models(std::size_t models, const PerModel& per_model) {
+  std::vector<double> values(models);
+  parallel_for(std::size_t{0}, models, [&](std::size_t i) { values[i] = per_model(i); });
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// The mean share of a model's nearest that are among its nearest by the other matrix.
+double agreement(const NearestSets& one, const NearestSets& other) {
+  const double common = sum_over_models(
+      one.of.size(), [&](std::size_t i) { return common_models(one.of[i], other.of[i]) - 1; });  // itself
+  return common / static_cast<double>(one.of.size() * one.count);
+}
+
+/// The mean Jaccard index of a model's set and the sets of its nearest.
+double cohesion(const NearestSets& sets) {
+  const double sum = sum_over_models(sets.of.size(), [&](std::size_t i) {
+    double alike = 0;
+    for (const std::int32_t near : sets.of[i]) {
+      const auto other = static_cast<std::size_t>(near);
+      if (other == i) continue;
+      const double common = common_models(sets.of[i], sets.of[other]);
+      alike += common / (static_cast<double>(sets.of[i].size() + sets.of[other].size()) - common);
+    }
+    return alike;
+  });
+  return sum / static_cast<double>(sets.of.size() * sets.count);
 }
 
 /// By matrix; 0 where its weight is.
-std::vector<double> agreement_factors(const std::vector<NearestSets>& nearest, std::span<const double> weights) {
+std::vector<double> agreement_factors(const std::vector<std::vector<NearestSets>>& nearest,
+                                      std::span<const double> weights) {
   std::vector<double> factors(nearest.size());
   for (std::size_t k = 0; k < nearest.size(); ++k) {
-    double common = 0;
+    double agreeing = 0;
+    double cohering = 0;
     double others = 0;
     for (std::size_t other = 0; other < nearest.size(); ++other) {
       if (other == k || weights[other] == 0 || weights[k] == 0) continue;
-      common += weights[other] * common_models(nearest[k], nearest[other]);
       others += weights[other];
-    }
-    if (common > 0) factors[k] = std::pow(common / (others * most_in_sets(nearest[k])), 2);
-  }
-  return factors;
-}
-
-/// By matrix; 0 without sets.
-std::vector<double> clustering_factors(const std::vector<NearestSets>& nearest) {
-  std::vector<double> factors(nearest.size());
-  for (std::size_t k = 0; k < nearest.size(); ++k) {
-    double mutual = 0;
-    for (std::size_t i = 0; i < nearest[k].size(); ++i) {
-      for (const std::int32_t other : nearest[k][i]) {
-        const std::vector<std::int32_t>& theirs = nearest[k][static_cast<std::size_t>(other)];
-        mutual += std::ranges::find(theirs, static_cast<std::int32_t>(i)) != theirs.end() ? 1 : 0;
+      for (std::size_t n = 0; n < nearest[k].size(); ++n) {
+        agreeing += weights[other] * agreement(nearest[k][n], nearest[other][n]);
       }
     }
-    if (mutual > 0) factors[k] = std::pow(mutual / most_in_sets(nearest[k]), 4);
+    if (!(agreeing > 0)) continue;
+    for (const NearestSets& sets : nearest[k]) cohering += cohesion(sets);
+    const auto counts = static_cast<double>(nearest[k].size());
+    factors[k] = std::pow(agreeing / (others * counts) * (cohering / counts), 3);
   }
   return factors;
 }
@@ -247,13 +272,13 @@ std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::s
   check(matrices, weights);
   std::vector<double> found(weights.begin(), weights.end());
   const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
-  if (kind == SumWeights::given || positive < 2) return found;
-  std::vector<NearestSets> nearest(matrices.size());
+  if (kind == SumWeights::given || positive < 2 || matrices.front().rows() < 2) return found;
+  const std::vector<int> counts = neighbour_counts({});
+  std::vector<std::vector<NearestSets>> nearest(matrices.size());
   for (std::size_t k = 0; k < matrices.size(); ++k) {
-    if (weights[k] > 0) nearest[k] = nearest_sets(matrices[k]);
+    if (weights[k] > 0) nearest[k] = nearest_sets(matrices[k], counts);
   }
-  const std::vector<double> factors =
-      kind == SumWeights::agreement ? agreement_factors(nearest, weights) : clustering_factors(nearest);
+  const std::vector<double> factors = agreement_factors(nearest, weights);
   if (std::ranges::all_of(factors, [](double factor) { return factor == 0; })) return found;
   for (std::size_t k = 0; k < found.size(); ++k) found[k] *= factors[k];
   return found;

@@ -28,16 +28,17 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
 
 /// What the weights of a sum follow from, besides those that are given. None of it knows classes.
 enum class SumWeights {
-  given,       ///< nothing else
-  agreement,   ///< the square of how many nearest models a matrix has in common with the others
-  clustering,  ///< the fourth power of how many nearest models are each other's
+  given,      ///< nothing else
+  agreement,  ///< the neighbours that a matrix has in common with the others, and that neighbours have in common
 };
 
-/// The weights of a sum, each a given one times what the distances themselves say of the matrix:
-/// - agreement: the mean fraction of a model's five nearest that are among its five nearest by another matrix, over the
-///   models and the other matrices, the latter by their given weights.
-/// - clustering: the mean fraction of a model's five nearest that have it among theirs.
-/// Nearest are those nearer than the sixth, so equal distances and the order of models do not matter. Where all
+/// The weights of a sum, each a given one times the cube of (agreement x cohesion) of the matrix, each the mean over
+/// the k of neighbour_counts():
+/// - agreement: the mean share of a model's k nearest that are among its k nearest by another matrix, over the models
+///   and the other matrices, the latter by their given weights.
+/// - cohesion: the mean Jaccard index of the set of a model and its k nearest and the same set of each of those.
+/// Two matrices that see the same groups agree; in one that sees groups at all, neighbours have the same neighbours.
+/// Nearest are those nearer than the next one, so equal distances and the order of models do not matter. Where all
 /// factors are 0, or only one weight is positive, the weights are as given. Throws as sum_of_distances().
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind);

@@ -152,7 +152,7 @@ Eigen::RowVectorXd mean_jaccard_distances(const std::vector<NeighbourSets>& of_c
 DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions& options) {
   check_options("k_reciprocal", reciprocal_table, options);
   const Eigen::Index models = given.rows();
-  const std::vector<int> counts = neighbour_counts(options.neighbours, models);
+  const std::vector<int> counts = neighbour_counts(options.neighbours);
   if (!options.neighbours.empty() && options.expansion_neighbours > counts.back()) {
     throw InputError("k_reciprocal: expansion_neighbours is " + std::to_string(options.expansion_neighbours) +
                      "; it must be at most neighbours, which is " + std::to_string(counts.back()));

@@ -56,7 +56,7 @@ std::vector<double> neighbour_weights(Eigen::Index neighbours, const std::vector
 
 DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionOptions& options) {
   check_options("query_expansion", expansion_table, options);
-  const std::vector<int> counts = neighbour_counts(options.neighbours, distances.rows());
+  const std::vector<int> counts = neighbour_counts(options.neighbours);
   const NearestModels nearest = nearest_models(distances.rows(), counts.back(), rows_of(distances));
   const double factor = safe_factor(nearest.largest);
   DistanceMatrix finite = distances.array().isInf().select(nearest.largest, distances) * factor;

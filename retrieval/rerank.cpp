@@ -9,13 +9,12 @@
 
 namespace shapegauge {
 
-std::vector<int> neighbour_counts(const IntegerList& neighbours, Eigen::Index models) {
+std::vector<int> neighbour_counts(const IntegerList& neighbours) {
   static constexpr IntegerList automatic{4, 5, 7, 10, 14, 20};
   std::vector<int> counts;
   for (const std::int64_t count : (neighbours.empty() ? automatic : neighbours).values()) {
     counts.push_back(static_cast<int>(count));
   }
-  (void)models;
   std::ranges::sort(counts);
   return counts;
 }

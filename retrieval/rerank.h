@@ -25,7 +25,7 @@ inline constexpr std::array<std::string_view, 1> automatic_neighbours{"auto"};
 
 /// The numbers of neighbours that a re-ranking of so many models takes the mean over, ascending. Of an empty list
 /// ("auto") they are 4, 5, 7, 10, 14 and 20, so that none need be guessed.
-std::vector<int> neighbour_counts(const IntegerList& neighbours, Eigen::Index models);
+std::vector<int> neighbour_counts(const IntegerList& neighbours);
 
 /// A way to re-rank that configurations and commands know by name. Functions throw InputError for settings out of
 /// range.

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
 constexpr std::array<std::string_view, 4> distance_scales{"median", "mean", "none", "local"};
-constexpr std::array<std::string_view, 3> weight_kinds{"given", "agreement", "clustering"};
+constexpr std::array<std::string_view, 2> weight_kinds{"given", "agreement"};
 constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
 
 DistanceScale scale_of(std::string_view word) {
@@ -27,10 +27,7 @@ DistanceScale scale_of(std::string_view word) {
   return word == "mean" ? DistanceScale::mean : DistanceScale::median;
 }
 
-SumWeights weights_of(std::string_view word) {
-  if (word == "agreement") return SumWeights::agreement;
-  return word == "clustering" ? SumWeights::clustering : SumWeights::given;
-}
+SumWeights weights_of(std::string_view word) { return word == "agreement" ? SumWeights::agreement : SumWeights::given; }
 
 DerivedDistances sum_of(const Json& signature) {
   DerivedDistances derived{.key = "sum", .settings = Json::object(), .names = {}, .compute = {}};
@@ -99,9 +96,10 @@ std::span<const Parameter> derived_parameters() {
                 .kind = ParameterKind::choice,
                 .default_value = weight_kinds[0],
                 .choices = weight_kinds,
-                .description = "With sum: what the weights of the terms are multiplied by. given: nothing; agreement: "
-                               "the square of the share of nearest models that a signature has in common with the "
-                               "others; clustering: the fourth power of the share that are each other's nearest."},
+                .description =
+                    "With sum: what the weights of the terms are multiplied by. given: nothing; agreement: what "
+                    "the nearest models say of each signature, those that it has in common with the others "
+                    "and those that neighbours have in common."},
       Parameter{.name = "score",
                 .kind = ParameterKind::choice,
                 .default_value = rank_scores[0],

@@ -248,8 +248,8 @@ def fuse(distances, weight=None, *, scale="median", weights="given", threads=0):
 
     distances: a list of n x n distances. weight: a number for each (default: 1). scale: what each is divided by first,
     "median", "mean", "none", or "local", each model's mean distance to its ten nearest. weights: what the weights are
-    multiplied by, "given" (nothing), "agreement" (of the nearest models with those of the other distances) or
-    "clustering" (how many nearest models are each other's).
+    multiplied by, "given" (nothing) or "agreement" (of the nearest models with those of the other distances, and with
+    their own nearest).
 
     >>> both = sg.fuse([first, second], scale="local", weights="agreement")
     """

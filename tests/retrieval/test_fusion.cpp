@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <rapidcheck/gtest.h>
+#include <set>
 #include <stdexcept>
 #include <tbb/task_arena.h>
 #include <vector>
@@ -240,58 +241,60 @@ DistanceMatrix noisy_classes(double noise, std::uint64_t seed) {
   return test::distances_of(points);
 }
 
-/// Whether b is among the five nearest of a.
-bool is_near(const DistanceMatrix& distances, Eigen::Index a, Eigen::Index b) {
-  return a != b && (distances.row(a).array() < distances(a, b)).count() <= 5;  // itself and four others
+/// A model and its k nearest.
+std::set<Eigen::Index> nearest_set(const DistanceMatrix& distances, Eigen::Index model, int k) {
+  std::vector<Eigen::Index> order = test::random_order(distances.rows(), 1);
+  std::ranges::sort(order, {}, [&](Eigen::Index other) { return other == model ? -1 : distances(model, other); });
+  return {order.begin(), order.begin() + k + 1};
 }
 
-TEST(SumWeights, AreWhatTheDefinitionsSay) {
+double common(const std::set<Eigen::Index>& a, const std::set<Eigen::Index>& b) {
+  return static_cast<double>(std::ranges::count_if(a, [&](Eigen::Index model) { return b.contains(model); }));
+}
+
+TEST(SumWeights, AreWhatTheDefinitionSays) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(1, 2), random_distances(30, 3)};
   const std::vector<double> given = {1, 0.5, 2};
-  const std::vector<double> agreement = sum_weights(matrices, given, SumWeights::agreement);
-  const std::vector<double> clustering = sum_weights(matrices, given, SumWeights::clustering);
-  for (std::size_t k = 0; k < 3; ++k) {
-    double common = 0;
-    double mutual = 0;
-    double others = 0;
-    for (std::size_t other = 0; other < 3; ++other) {
-      if (other == k) continue;
-      others += given[other];
+  const std::vector<double> found = sum_weights(matrices, given, SumWeights::agreement);
+  for (std::size_t m = 0; m < 3; ++m) {
+    double agreement = 0;
+    double cohesion = 0;
+    for (const int k : {4, 5, 7, 10, 14, 20}) {
       for (Eigen::Index i = 0; i < 30; ++i) {
-        for (Eigen::Index j = 0; j < 30; ++j) {
-          if (is_near(matrices[k], i, j) && is_near(matrices[other], i, j)) common += given[other];
+        const std::set<Eigen::Index> own = nearest_set(matrices[m], i, k);
+        for (std::size_t other = 0; other < 3; ++other) {
+          if (other == m) continue;
+          const double share = (common(own, nearest_set(matrices[other], i, k)) - 1) / k;
+          agreement += given[other] / (3.5 - given[m]) * share / 30 / 6;
+        }
+        for (const Eigen::Index j : own) {
+          const std::set<Eigen::Index> theirs = nearest_set(matrices[m], j, k);
+          const double both = common(own, theirs);
+          if (j != i) cohesion += both / (static_cast<double>(own.size() + theirs.size()) - both) / k / 30 / 6;
         }
       }
     }
-    for (Eigen::Index i = 0; i < 30; ++i) {
-      for (Eigen::Index j = 0; j < 30; ++j) mutual += is_near(matrices[k], i, j) && is_near(matrices[k], j, i) ? 1 : 0;
-    }
-    EXPECT_NEAR(agreement[k], given[k] * std::pow(common / others / 150, 2), 1e-12);
-    EXPECT_NEAR(clustering[k], given[k] * std::pow(mutual / 150, 4), 1e-12);
+    EXPECT_NEAR(found[m], given[m] * std::pow(agreement * cohesion, 3), 1e-12);
   }
   EXPECT_EQ(sum_weights(matrices, given, SumWeights::given), given);
 }
 
-TEST(SumWeights, AgreementIsSmallForDistancesThatSeeNothing) {
+TEST(SumWeights, AreSmallForDistancesThatSeeNothing) {
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), noisy_classes(0.3, 2), random_distances(30, 3)};
   const std::vector<double> weights = sum_weights(matrices, std::vector<double>(3, 1), SumWeights::agreement);
   EXPECT_LT(2 * weights[2], std::min(weights[0], weights[1]));
 }
-
-const SumWeights all_found[] = {SumWeights::agreement, SumWeights::clustering};
 
 TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
   DistanceMatrix whole_numbers = (10 * noisy_classes(0.5, 5)).array().round();
   const std::vector<DistanceMatrix> matrices = {noisy_classes(0.3, 1), whole_numbers};
   const std::vector<Eigen::Index> order = test::random_order(30, 8);
   const std::vector<DistanceMatrix> permuted = {matrices[0](order, order), matrices[1](order, order)};
-  for (const SumWeights kind : all_found) {
-    const std::vector<double> weights = sum_weights(matrices, equal, kind);
-    EXPECT_EQ(sum_weights(permuted, equal, kind), weights);
-    const DistanceMatrix sum = sum_of_distances(matrices, weights, DistanceScale::local);
-    const DistanceMatrix found = sum_of_distances(permuted, weights, DistanceScale::local);
-    EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
-  }
+  const std::vector<double> weights = sum_weights(matrices, equal, SumWeights::agreement);
+  EXPECT_EQ(sum_weights(permuted, equal, SumWeights::agreement), weights);
+  const DistanceMatrix sum = sum_of_distances(matrices, weights, DistanceScale::local);
+  const DistanceMatrix found = sum_of_distances(permuted, weights, DistanceScale::local);
+  EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);
 }
 
 TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
@@ -299,13 +302,12 @@ TEST(SumWeights, AreAsGivenWhereNothingIsFound) {
                                                 DistanceMatrix::Constant(20, 20, 2)};
   const std::vector<DistanceMatrix> one = {DistanceMatrix::Zero(1, 1), DistanceMatrix::Zero(1, 1)};
   const std::vector<DistanceMatrix> infinite(2, DistanceMatrix::Constant(9, 9, unreachable));
-  for (const SumWeights kind : all_found) {
-    for (const auto& matrices : {constant, one, infinite}) EXPECT_EQ(sum_weights(matrices, unequal, kind), unequal);
-    const std::vector<DistanceMatrix> both = {noisy_classes(0.3, 1), noisy_classes(0.3, 2)};
-    EXPECT_EQ(sum_weights(both, std::vector<double>{3, 0}, kind), (std::vector<double>{3, 0}));
-    const std::vector<DistanceMatrix> few = {line_distances({0, 1, 3}), line_distances({0, 5, 1})};
-    EXPECT_EQ(sum_weights(few, unequal, kind), unequal);  // all models are near each other
-  }
+  for (const auto& matrices : {constant, one, infinite})
+    EXPECT_EQ(sum_weights(matrices, unequal, SumWeights::agreement), unequal);
+  const std::vector<DistanceMatrix> both = {noisy_classes(0.3, 1), noisy_classes(0.3, 2)};
+  EXPECT_EQ(sum_weights(both, std::vector<double>{3, 0}, SumWeights::agreement), (std::vector<double>{3, 0}));
+  const std::vector<DistanceMatrix> few = {line_distances({0, 1, 3}), line_distances({0, 5, 1})};
+  EXPECT_EQ(sum_weights(few, unequal, SumWeights::agreement), unequal);  // all models are near each other
 }
 
 TEST(Fusion, SameBytesOnAnyNumberOfThreads) {

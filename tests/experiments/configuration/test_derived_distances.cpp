@@ -54,8 +54,8 @@ TEST(Derived, SumIsOfScaledAndWeightedDistances) {
 
 TEST(Derived, ScaleAndWeightsOfSumsAreThoseOfTheLibrary) {
   const std::vector<double> given{1, 0.5};
-  for (const auto& [word, kind] : {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement),
-                                   std::pair("clustering", SumWeights::clustering)}) {
+  for (const auto& [word, kind] :
+       {std::pair("given", SumWeights::given), std::pair("agreement", SumWeights::agreement)}) {
     const auto sum = derived_signature(
         {{"sum", {{{"of", "a"}}, {{"of", "b"}, {"weight", 0.5}}}}, {"scale", "local"}, {"weights", word}});
     EXPECT_EQ(sum.derived->compute(two_matrices),

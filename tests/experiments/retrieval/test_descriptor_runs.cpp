@@ -112,7 +112,6 @@ TEST_F(DescriptorRuns, ClassesPlayNoPartInDistances) {
     {"name": "k", "rerank": {"of": "sum", "method": "k_reciprocal", "neighbours": 3, "expansion_neighbours": 2}},
     {"name": "query", "rerank": {"of": "sum", "method": "query_expansion"}},
     {"name": "agreed", "sum": [{"of": "d2"}, {"of": "joint"}, {"of": "fixed"}], "scale": "local", "weights": "agreement"},
-    {"name": "clustered", "sum": [{"of": "d2"}, {"of": "joint"}], "weights": "clustering"},
     {"name": "averaged", "rerank": {"of": "agreed", "method": "diffusion", "neighbours": "auto"}}])");
   all["signatures"].insert(all["signatures"].end(), more.begin(), more.end());
   const ExperimentResults results = run(all, false);
