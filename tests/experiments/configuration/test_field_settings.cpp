@@ -109,7 +109,7 @@ TEST(MakeField, FieldsOnTheProxyAreThoseOfItsSource) {
             source.at_samples(samples, heat));
   const Shape cloud = test::random_points(shape, 500, 1);
   EXPECT_TRUE(values_of({{"type", "heat_kernel"}, {"on", "proxy"}, {"at", "vertices"}}, cloud).allFinite());
-  EXPECT_THROW(make_field({{"type", "centricity"}, {"on", "proxy"}, {"method", "heat"}}), InputError);
+  EXPECT_THROW(read_field({{"type", "centricity"}, {"on", "proxy"}, {"method", "heat"}}), InputError);
 }
 
 TEST(MakeField, HeatKernelsAreColumnsOfTheLibrarys) {

@@ -60,7 +60,7 @@ TEST(GeodesicSpectrum, RepeatsTheLastOfFewEigenvalues) {
 
 TEST(GeodesicSpectrum, IsTheSameWithASharedProxy) {
   const Shape shape = test::capsule(0.3, 2, 16, 16);
-  const Descriptor& one = descriptor("geodesic_spectrum");
+  const Descriptor& one = descriptors().at("geodesic_spectrum");
   ProxySource shared(shape);
   shared.spectrum(30);
   const DescriptorSettings settings = default_settings(one);
