@@ -137,7 +137,7 @@ void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const d
 
 /// By model, itself and its k nearest, ascending.
 struct NearestSets {
-  std::size_t count = 0;  ///< k, at most the number of others
+  std::size_t count = 0;  ///< k
   std::vector<std::vector<std::int32_t>> of;
 };
 
@@ -147,7 +147,7 @@ std::vector<NearestSets> nearest_sets(const DistanceMatrix& matrix, const std::v
   std::vector<NearestSets> all;
   for (const int count : counts) {
     NearestSets& sets = all.emplace_back();
-    sets.count = static_cast<std::size_t>(std::min<Eigen::Index>(count, matrix.rows() - 1));
+    sets.count = static_cast<std::size_t>(count);
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
       const bool has_next = count < nearest.indices.cols() && nearest.indices(i, count) >= 0;
       const double limit = has_next ? nearest.distances(i, count) : std::numeric_limits<double>::infinity();
@@ -272,8 +272,11 @@ std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::s
   check(matrices, weights);
   std::vector<double> found(weights.begin(), weights.end());
   const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
-  if (kind == SumWeights::given || positive < 2 || matrices.front().rows() < 2) return found;
-  const std::vector<int> counts = neighbour_counts({});
+  if (kind == SumWeights::given || positive < 2) return found;
+  std::vector<int> counts = neighbour_counts({});
+  const Eigen::Index models = matrices.front().rows();
+  std::erase_if(counts, [&](int count) { return count >= models - 1; });  // all others: nothing is seen
+  if (counts.empty()) return found;
   std::vector<std::vector<NearestSets>> nearest(matrices.size());
   for (std::size_t k = 0; k < matrices.size(); ++k) {
     if (weights[k] > 0) nearest[k] = nearest_sets(matrices[k], counts);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <tuple>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
@@ -49,6 +50,20 @@ ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& fart
   }
   for (Eigen::Index i = 0; i < count; ++i) proxy.normals.row(i).normalize();
   return proxy;
+}
+
+/// Half of the median distance to the sixth neighbour, which the covering radius of farthest points is not below. A cloud
+/// of hardly more points than the proxy covers itself with a radius of 0, and takes this one.
+double radius_of_spacing(const Points& points) {
+  if (points.rows() < 2) return 0;
+  const PointNeighbours nearest = nearest_neighbours(points, std::min<int>(6, static_cast<int>(points.rows()) - 1));
+  std::vector<double> distances(static_cast<std::size_t>(points.rows()));
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    distances[i] = nearest.distances(static_cast<Eigen::Index>(i), nearest.distances.cols() - 1);
+  }
+  const auto middle = distances.begin() + std::ssize(distances) / 2;
+  std::ranges::nth_element(distances, middle);
+  return *middle / 2;
 }
 
 /// Whether two points lie on the same sheet, by the turn of their normals and by how far each lies off the other's
@@ -230,7 +245,8 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   const UnitFrame frame = unit_frame(shape);
   const DenseSamples samples =
       dense_samples(in_unit_frame(shape, frame), Eigen::Index{options.points} * options.samples_per_point);
-  const ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
+  ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
+  chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.points));
   SurfaceProxy proxy;
   proxy.points = chosen.points;
   proxy.normals = unsigned_normals(chosen.normals);

@@ -291,7 +291,8 @@ TEST(SumWeights, OfPermutedModelsAreTheSameWithEqualDistancesToo) {
   const std::vector<Eigen::Index> order = test::random_order(30, 8);
   const std::vector<DistanceMatrix> permuted = {matrices[0](order, order), matrices[1](order, order)};
   const std::vector<double> weights = sum_weights(matrices, equal, SumWeights::agreement);
-  EXPECT_EQ(sum_weights(permuted, equal, SumWeights::agreement), weights);
+  const std::vector<double> of_permuted = sum_weights(permuted, equal, SumWeights::agreement);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(of_permuted[k], weights[k], 1e-13);
   const DistanceMatrix sum = sum_of_distances(matrices, weights, DistanceScale::local);
   const DistanceMatrix found = sum_of_distances(permuted, weights, DistanceScale::local);
   EXPECT_LT(test::largest_difference(found, sum(order, order)), 1e-12);

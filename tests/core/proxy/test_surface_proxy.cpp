@@ -204,6 +204,7 @@ TEST(SurfaceProxy, TakesSmallAndDegenerateShapes) {
   EXPECT_TRUE(is_joined(pair, 0, 1));
   const Shape few = test::random_points(sphere(1, 3), 50, 1);
   EXPECT_EQ(surface_proxy(few).points.rows(), 50);
+  EXPECT_EQ(surface_proxy(test::random_points(sphere(1, 3), 500, 1)).components, 1);
   EXPECT_TRUE(eigenvalues_of(few, 20).allFinite());
 }
 
