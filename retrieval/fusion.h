@@ -38,8 +38,9 @@ enum class SumWeights {
 ///   and the other matrices, the latter by their given weights.
 /// - cohesion: the mean Jaccard index of the set of a model and its k nearest and the same set of each of those.
 /// Two matrices that see the same groups agree; in one that sees groups at all, neighbours have the same neighbours.
-/// Nearest are those nearer than the next one, so equal distances do not matter, nor, up to rounding, the order of models. Where all
-/// factors are 0, or only one weight is positive, the weights are as given. Throws as sum_of_distances().
+/// Nearest are those nearer than the next one, so equal distances do not matter, nor, up to rounding, the order of
+/// models. Where all factors are 0, or only one weight is positive, the weights are as given. Throws as
+/// sum_of_distances().
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind);
 

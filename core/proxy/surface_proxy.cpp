@@ -52,8 +52,8 @@ ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& fart
   return proxy;
 }
 
-/// Half of the median distance to the sixth neighbour, which the covering radius of farthest points is not below. A cloud
-/// of hardly more points than the proxy covers itself with a radius of 0, and takes this one.
+/// Half of the median distance to the sixth neighbour, which the covering radius of farthest points is not below. A
+/// cloud of hardly more points than the proxy covers itself with a radius of 0, and takes this one.
 double radius_of_spacing(const Points& points) {
   if (points.rows() < 2) return 0;
   const PointNeighbours nearest = nearest_neighbours(points, std::min<int>(6, static_cast<int>(points.rows()) - 1));
