@@ -138,7 +138,7 @@ int run(SdfArguments& arguments) {
   }
   const FieldPicture picture = picture_of(arguments);
   const std::optional<double> given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : std::nullopt;
-  wanted_field(arguments, given_offset);  // what is wrong with it is told before anything is read
+  wanted_field(arguments, given_offset);  // reports wrong settings before any file is read
   const FieldFileWriter write = field_file_writer(output_name(arguments.files), picture);
   arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}}};
   return for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {

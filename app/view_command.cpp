@@ -73,7 +73,7 @@ WantedField wanted_field(const std::string& text) {
   if (settings.contains("at")) {
     throw InputError(fmt::format("{}: a view has values at the faces of a mesh and the points of a cloud", source));
   }
-  const Field field = read_field(settings);  // what is wrong with it is told before anything is read
+  const Field field = read_field(settings);  // reports wrong settings before any file is read
   const std::string type = settings.at("type");
   std::string name = type;
   if (type == "offset_sdf") name = "SDF of the offset surface";

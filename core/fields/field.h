@@ -87,8 +87,8 @@ enum class FieldDimension { none = 0, length = 1, area = 2 };
 /// `length` to the power of the dimension: the factor of values where lengths change by the factor `length`.
 double unit_of(FieldDimension dimension, double length);
 
-/// Versions of algorithms by name. A version is raised with every change of a value, so that caches give none of the
-/// old ones.
+/// Versions of algorithms by name. A version is raised with every change of a value: values that a cache holds of other
+/// versions are not used.
 using AlgorithmVersions = std::map<std::string, int>;
 
 /// How a field of given settings is computed.

@@ -54,7 +54,7 @@ RunOutcome run_into_folder(const Experiment& experiment, const fs::path& destina
   std::optional<StagedResults> staged;
   std::uintmax_t limit = 0;
   const std::string folder = on_first_rank(ranks, [&] {
-    limit = cache_limit();  // says now what is wrong with it
+    limit = cache_limit();  // reports a wrong setting before the run
     lock.emplace(destination);
     prepare_result_folder(destination, experiment.configuration, replace);
     staged.emplace(destination);

@@ -1,11 +1,16 @@
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 
+#include <Eigen/Eigenvalues>
+#include <Spectra/MatOp/DenseSymMatProd.h>
+#include <Spectra/SymEigsSolver.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/base/option_parameters.h"
-#include "shapegauge/core/fields/dominant_eigenvalues.h"
 #include "shapegauge/retrieval/distances.h"
 
 namespace shapegauge {
@@ -27,7 +32,32 @@ Eigen::MatrixXd weighted_distances(const ProxyGeodesics& geodesics) {
   return roots.asDiagonal() * distances * roots.asDiagonal();
 }
 
+Eigen::VectorXd descending_sizes(const Eigen::VectorXd& eigenvalues, Eigen::Index count) {
+  Eigen::VectorXd sizes = eigenvalues.cwiseAbs();
+  std::sort(sizes.begin(), sizes.end(), std::greater<>());
+  return sizes.head(std::min(count, sizes.size()));
+}
+
 }  // namespace
+
+Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index count) {
+  check_interruption();
+  const Eigen::Index basis = 3 * count;
+  if (matrix.rows() <= 2 * basis) {  // faster directly
+    return descending_sizes(
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues(), count);
+  }
+  Spectra::DenseSymMatProd<double> product(matrix);
+  Spectra::SymEigsSolver<Spectra::DenseSymMatProd<double>> solver(product, count, basis);
+  solver.init();
+  constexpr Eigen::Index most_iterations = 300;
+  constexpr double tolerance = 1e-8;
+  solver.compute(Spectra::SortRule::LargestMagn, most_iterations, tolerance);
+  if (solver.info() != Spectra::CompInfo::Successful) {
+    throw InputError("the largest eigenvalues of a matrix of distances did not converge");
+  }
+  return descending_sizes(solver.eigenvalues(), count);
+}
 
 Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options) {
   check_options("geodesic_spectrum", table, options);
@@ -46,7 +76,7 @@ Descriptor geodesic_spectrum_descriptor() {
   return {.name = "geodesic_spectrum",
           .description = "Eigenvalues of the geodesic distances between landmarks (after Smeets et al. 2012).",
           .parameters = parameters,
-          .version = geodesic_spectrum_version,
+          .version = version_on_proxy(geodesic_spectrum_version),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const GeodesicSpectrumOptions options = options_from(table, settings.values);

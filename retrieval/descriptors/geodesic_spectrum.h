@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// Cache version; increment when features change. Proxy changes count too.
+/// Cache version; increment when features change. The version of the proxy is added (version_on_proxy()).
 inline constexpr int geodesic_spectrum_version = 1;
 
 /// Settings of geodesic_spectrum().
@@ -22,6 +22,11 @@ struct GeodesicSpectrumOptions {
 ///
 /// Throws InputError for options out of range and as surface_proxy().
 Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options = {});
+
+/// The absolute values of the `count` eigenvalues of a symmetric matrix that are largest in absolute value, in
+/// descending order, by Lanczos iteration (Spectra); fewer where the matrix has fewer rows. Throws InputError where the
+/// iteration does not converge.
+Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
 Descriptor geodesic_spectrum_descriptor();
 

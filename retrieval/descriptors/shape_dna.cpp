@@ -57,7 +57,7 @@ Descriptor shape_dna_descriptor() {
   return {.name = "shape_dna",
           .description = "The first eigenvalues of the surface's Laplacian (Reuter, Wolter, Peinecke 2006).",
           .parameters = parameters,
-          .version = shape_dna_version,
+          .version = version_on_proxy(shape_dna_version),
           .describe =
               [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
                 const ShapeDnaOptions options = options_from(table, settings.values);

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/fields/dominant_eigenvalues.h"
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "tests/support/test_shapes.h"
