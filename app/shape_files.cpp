@@ -79,14 +79,14 @@ std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
 }
 
 Shape read_input(const fs::path& input, const std::string& format) {
-  const bool stream = is_standard_stream(input);
-  const std::string bytes = stream ? read_standard_input() : read_file_bytes(input);
-  const std::string name = stream ? "standard input" : input.string();
-  if (!format.empty()) return read_shape(bytes, name + "." + format);
-  if (is_recognised_shape(bytes, name)) return read_shape(bytes, name);
+  const ShapeSource source = is_standard_stream(input)
+                                 ? ShapeSource{.bytes = read_standard_input(), .name = "standard input"}
+                                 : read_shape_source(input);
+  if (!format.empty()) return read_shape(source, "." + format);
+  if (is_recognised_shape(source)) return read_shape(source);
   throw InputError(
-      fmt::format("{}: unknown format: neither the name nor the content identifies it; use --input-format ({})", name,
-                  fmt::join(input_formats(), ", ")));
+      fmt::format("{}: unknown format: neither the name nor the content identifies it; use --input-format ({})",
+                  source.name, fmt::join(input_formats(), ", ")));
 }
 
 /// Does one job; what goes to standard output is written to a file first, as the writers need a name.

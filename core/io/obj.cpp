@@ -174,7 +174,7 @@ ShapeFormat obj_format() {
           .extensions = extensions,
           .begins_like = begins_like_obj,
           .check_header = check_obj_header,
-          .read = read_obj,
+          .read = read_alone<read_obj>,
           .write = write_obj};
 }
 

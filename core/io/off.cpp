@@ -387,7 +387,7 @@ ShapeFormat off_format() {
           .extensions = extensions,
           .begins_like = begins_like_off,
           .check_header = check_off_header,
-          .read = read_off,
+          .read = read_alone<read_off>,
           .write = write_off};
 }
 

@@ -483,7 +483,7 @@ ShapeFormat ply_format() {
           .extensions = extensions,
           .begins_like = [](std::string_view bytes) { return bytes.starts_with("ply"); },
           .check_header = check_ply_header,
-          .read = read_ply,
+          .read = read_alone<read_ply>,
           .write = write_ply};
 }
 

@@ -45,16 +45,22 @@ const ShapeFormat* format_by_content(std::string_view bytes) {
       [&](const ShapeFormat& format) { return format.begins_like != nullptr && format.begins_like(bytes); });
 }
 
-/// The format by extension and, failing that, by content; null for an unknown one.
-const ShapeFormat* find_format(const fs::path& path, std::string_view bytes) {
-  const ShapeFormat* const by_extension = format_by_extension(lower_case(path.extension().string()));
+std::string extension_of(const fs::path& path) { return path.extension().string(); }
+
+/// The format by extension (in any case) and, failing that, by content; null for an unknown one.
+const ShapeFormat* find_format(std::string extension, std::string_view bytes) {
+  const ShapeFormat* const by_extension = format_by_extension(lower_case(std::move(extension)));
   return by_extension != nullptr ? by_extension : format_by_content(bytes);
 }
 
-const ShapeFormat& format_of(const fs::path& path, std::string_view bytes) {
-  if (const ShapeFormat* const format = find_format(path, bytes)) return *format;
-  throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", path.string(),
-                               path.extension().string(), fmt::join(shape_extensions(), ", ")));
+const ShapeFormat& format_of(std::string_view name, const std::string& extension, std::string_view bytes) {
+  if (const ShapeFormat* const format = find_format(extension, bytes)) return *format;
+  throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", name, extension,
+                               fmt::join(shape_extensions(), ", ")));
+}
+
+const ShapeFormat& format_of(const ShapeSource& source) {
+  return format_of(source.name, extension_of(source.name), source.bytes);
 }
 
 void check_format(const ShapeFormat& format) {
@@ -67,21 +73,31 @@ void check_format(const ShapeFormat& format) {
 
 }  // namespace
 
-Shape read_shape(const fs::path& path) { return read_shape(read_file_bytes(path), path); }
+Shape read_shape(const fs::path& path) { return read_shape(read_shape_source(path)); }
 
-Shape read_shape(const std::string& bytes, const fs::path& path) {
-  Shape shape = format_of(path, bytes).read(bytes, path.string());
-  if (shape.vertices.rows() == 0) throw InputError(fmt::format("{}: it holds no vertex", path.string()));
+Shape read_shape(const ShapeSource& source, std::string_view extension) {
+  const ShapeFormat& format =
+      extension.empty() ? format_of(source) : format_of(source.name, std::string(extension), source.bytes);
+  Shape shape = format.read(source);
+  if (shape.vertices.rows() == 0) throw InputError(fmt::format("{}: it holds no vertex", source.name));
   return shape;
 }
 
-bool is_recognised_shape(const std::string& bytes, const fs::path& path) { return find_format(path, bytes) != nullptr; }
+bool is_recognised_shape(const ShapeSource& source) {
+  return find_format(extension_of(source.name), source.bytes) != nullptr;
+}
+
+std::vector<std::string> shape_neighbours(const ShapeSource& source) {
+  const ShapeFormat& format = format_of(source);
+  return format.neighbours != nullptr ? format.neighbours(source) : std::vector<std::string>();
+}
 
 void check_shape_header(const fs::path& path) {
   constexpr std::size_t usual_size_of_header = std::size_t{1} << 16U;
   std::string bytes = read_file_bytes(path, usual_size_of_header);
-  if (!is_recognised_shape(bytes, path) && bytes.size() == usual_size_of_header) bytes = read_file_bytes(path);
-  const ShapeFormat& format = format_of(path, bytes);
+  const bool is_recognised = find_format(extension_of(path), bytes) != nullptr;
+  if (!is_recognised && bytes.size() == usual_size_of_header) bytes = read_file_bytes(path);
+  const ShapeFormat& format = format_of(path.string(), extension_of(path), bytes);
   try {
     format.check_header(bytes, path.string());
   } catch (const InputError&) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/registry.h"
+#include "shapegauge/core/io/shape_source.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -23,11 +24,16 @@ inline constexpr int shape_reading_version = 2;
 /// out of range, coordinate that is not finite, polygon of more than 100000 corners.
 Shape read_shape(const std::filesystem::path& path);
 
-/// The same for the bytes of a file that were read already; `path` tells the format and is what messages call it.
-Shape read_shape(const std::string& bytes, const std::filesystem::path& path);
+/// The same of a file that was read already. `extension`: that of the format, with its dot; empty: by the source's name
+/// and its first bytes.
+Shape read_shape(const ShapeSource& source, std::string_view extension = {});
 
 /// Whether the format can be determined from the extension or from the bytes.
-bool is_recognised_shape(const std::string& bytes, const std::filesystem::path& path);
+bool is_recognised_shape(const ShapeSource& source);
+
+/// The names of the files beside it that the shape depends on, as ShapeSource::neighbour() takes them; none for most
+/// formats. Throws InputError where the source names them in a way that cannot be read.
+std::vector<std::string> shape_neighbours(const ShapeSource& source);
 
 /// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format in
 /// shape_formats(). Cheap enough to do for a whole data set before a long run.
@@ -54,8 +60,10 @@ struct ShapeFormat {
   /// Throws InputError where the bytes, the beginning of a file or all of it, do not begin like this format. `name`
   /// stands in front of messages.
   void (*check_header)(const std::string& bytes, const std::string& name);
-  /// The shape in the bytes of a file. Throws InputError.
-  Shape (*read)(const std::string& bytes, const std::string& name);
+  /// The shape in a file. Throws InputError. What it takes from files beside it goes through the source.
+  Shape (*read)(const ShapeSource& source);
+  /// Names the files beside it that read() depends on: cached results depend on them, too. Null: none.
+  std::vector<std::string> (*neighbours)(const ShapeSource& source) = nullptr;
   ShapeWriter write = nullptr;  ///< null: not written
 };
 

@@ -218,7 +218,7 @@ ShapeFormat stl_format() {
           .extensions = extensions,
           .begins_like = [](std::string_view bytes) { return bytes.starts_with("solid") || has_size_of_binary(bytes); },
           .check_header = check_stl_header,
-          .read = read_stl,
+          .read = read_alone<read_stl>,
           .write = write_stl};
 }
 

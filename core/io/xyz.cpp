@@ -194,7 +194,7 @@ ShapeFormat xyz_format() {
           .ambiguous_extensions = ambiguous_extensions,
           .begins_like = begins_like_xyz,
           .check_header = check_xyz_header,
-          .read = read_xyz};
+          .read = read_alone<read_xyz>};
 }
 
 }  // namespace shapegauge

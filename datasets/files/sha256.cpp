@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/shape_file.h"
 
 namespace shapegauge {
 
@@ -64,6 +65,18 @@ std::string sha256_of_file(const std::filesystem::path& path) {
   }
   if (!file.eof()) throw InputError(fmt::format("cannot read {}", path.string()));
   return digest.text();
+}
+
+std::string sha256_of_shape(const ShapeSource& source) {
+  const std::string hash = sha256(source.bytes);
+  std::string all = hash;
+  try {
+    for (const std::string& file : shape_neighbours(source)) {
+      all += fmt::format("\n{} {}", sha256_of_file(source.neighbour(file)), file);
+    }
+  } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): whoever reads the shape reports it
+  }
+  return all == hash ? hash : sha256(all);
 }
 
 }  // namespace shapegauge

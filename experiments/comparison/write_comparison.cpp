@@ -176,7 +176,8 @@ OrderedJson read_files(const ComparisonResults& results) {
   OrderedJson shapes = OrderedJson::object();
   for (const ShapeMeasurement& measured : results.shapes) {
     for (const ComparedShape& shape : results.comparison.shapes) {
-      if (shape.name == measured.name && !shape.generated) shapes[shape.name] = sha256_of_file(shape.file);
+      if (shape.name == measured.name && !shape.generated)
+        shapes[shape.name] = sha256_of_shape(read_shape_source(shape.file));
     }
   }
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};

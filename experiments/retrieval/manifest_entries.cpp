@@ -14,10 +14,10 @@ using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-/// SHA-256 of a file; nothing where it cannot be read.
+/// SHA-256 of a shape's file; nothing where it cannot be read.
 std::string readable_hash(const std::filesystem::path& file) {
   try {
-    return sha256_of_file(file);
+    return sha256_of_shape(read_shape_source(file));
   } catch (const InputError&) {
     return {};
   }

@@ -74,8 +74,10 @@ class ShapeJob {
  public:
   /// - `index`: the model's in the data set, which perturbations may depend on.
   ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index, Cache& cache)
-      : experiment_(experiment), model_(model), index_(index), cache_(cache), mesh_(read_shape(model.mesh)) {
-    result.mesh_sha256 = sha256_of_file(model.mesh);
+      : experiment_(experiment), model_(model), index_(index), cache_(cache) {
+    const ShapeSource source = read_shape_source(model.mesh);
+    mesh_ = read_shape(source);
+    result.mesh_sha256 = sha256_of_shape(source);
     result.has_polygons = has_polygons(mesh_);
     for (const std::filesystem::path& file : model.people) {
       people_.push_back(read_seg(file, mesh_));

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
@@ -291,16 +290,15 @@ class DescribedModel {
 ModelDescription describe_through_cache(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                         std::span<const PlannedField> plan, bool parallel, Cache& cache) {
   const Model& source = dataset.models[model];
-  const std::string bytes = read_file_bytes(source.file);
-  const std::string hash = sha256(bytes);
+  const ShapeSource file = read_shape_source(source.file);
+  const std::string hash = sha256_of_shape(file);
   const ModelSource depends_on{.sha256 = hash, .file = source.file, .id = source.id, .index = model};
   const bool viewed = configuration.report.views && dataset.models.size() <= most_models_with_views;
   DescribedModel described(configuration, plan, shape_key(depends_on, configuration),
                            viewed ? faces_of_views(dataset.models.size()) : 0, cache);
   described.lookup();
   const auto perturbed = [&] {
-    return perturb_model(read_shape(bytes, source.file), configuration.perturbations, configuration.seed, source.id,
-                         model);
+    return perturb_model(read_shape(file), configuration.perturbations, configuration.seed, source.id, model);
   };
   if (!described.is_complete()) {
     PreparedModel prepared = prepare_model(perturbed(), configuration.preparation);

@@ -204,10 +204,10 @@ TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
                                  if (bytes.size() != 3) throw InputError(name + ": not three bytes");
                                },
                            .read =
-                               [](const std::string& bytes, const std::string& /*name*/) {
+                               [](const ShapeSource& source) {
                                  Shape shape;
                                  shape.vertices.resize(1, 3);
-                                 shape.vertices << bytes[0] - '0', bytes[1] - '0', bytes[2] - '0';
+                                 for (int i = 0; i < 3; ++i) shape.vertices(0, i) = source.bytes.at(i) - '0';
                                  return shape;
                                }};
   shape_formats().add(format);

@@ -1,6 +1,12 @@
+#include <array>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/sha256.h"
 #include "tests/support/test_files.h"
 
@@ -18,6 +24,39 @@ TEST(Sha256, OfAFile) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(sha256_of_file(folder.file("x", "abc")), sha256("abc"));
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
+}
+
+/// A format of which each line names a file with a vertex.
+ShapeFormat format_of_parts() {
+  static constexpr std::array<std::string_view, 1> extensions{".parts"};
+  constexpr auto neighbours = [](const ShapeSource& source) {
+    std::vector<std::string> names;
+    for (const std::string_view line : split_lines(source.bytes)) names.emplace_back(line);
+    return names;
+  };
+  return {.name = "parts",
+          .description = "Names of files",
+          .extensions = extensions,
+          .check_header = [](const std::string& /*bytes*/, const std::string& /*name*/) {},
+          .read = [](const ShapeSource& /*source*/) { return Shape{}; },
+          .neighbours = neighbours};
+}
+
+TEST(Sha256, OfAShape) {
+  const test::TemporaryFolder folder;
+  EXPECT_EQ(sha256_of_shape(read_shape_source(folder.file("x.off", "abc"))), sha256("abc"));
+
+  shape_formats().add(format_of_parts());
+  test::write_text(folder.path() / "a", "1");
+  test::write_text(folder.path() / "b", "2");
+  const ShapeSource shape = read_shape_source(folder.file("x.parts", "a\nb\n"));
+  const std::string hash = sha256_of_shape(shape);
+  EXPECT_NE(hash, sha256(shape.bytes));
+  EXPECT_EQ(hash, sha256_of_shape(shape));
+  test::write_text(folder.path() / "b", "3");
+  EXPECT_NE(hash, sha256_of_shape(shape));
+  EXPECT_NE(hash, sha256_of_shape(read_shape_source(folder.file("x.parts", "b\na\n"))));
+  EXPECT_NO_THROW(sha256_of_shape(read_shape_source(folder.file("x.parts", "a\n../b\nabsent\n"))));
 }
 
 }  // namespace

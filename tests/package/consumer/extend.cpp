@@ -101,9 +101,9 @@ void add_file_format() {
                                    .extensions = extensions,
                                    .check_header = [](const std::string& /*bytes*/, const std::string& /*name*/) {},
                                    .read =
-                                       [](const std::string& bytes, const std::string& /*name*/) {
+                                       [](const shapegauge::ShapeSource& source) {
                                          shapegauge::Shape cloud;
-                                         std::istringstream text(bytes);
+                                         std::istringstream text(source.bytes);
                                          for (double x = 0, y = 0, z = 0; text >> x >> y >> z;) {
                                            cloud.vertices.conservativeResize(cloud.vertices.rows() + 1,
                                                                              Eigen::NoChange);

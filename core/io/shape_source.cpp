@@ -1,0 +1,51 @@
+#include "shapegauge/core/io/shape_source.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+
+namespace shapegauge {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What keeps the name of a neighbour from being one; empty for a name that is in order.
+std::string_view objection_to(std::string_view file) {
+  if (file.empty()) return "the name is empty";
+  if (file.find('\0') != std::string_view::npos) return "the name has a zero byte";
+  if (file.find("://") != std::string_view::npos) return "files elsewhere are not fetched; put the file beside it";
+  const fs::path path(file);
+  if (path.is_absolute()) return "the path is absolute; put the file beside it and give its name only";
+  if (std::ranges::count(path, fs::path("..")) > 0) return "the path leads out of the folder; put the file beside it";
+  return {};
+}
+
+}  // namespace
+
+fs::path ShapeSource::neighbour(std::string_view file) const {
+  const auto fail = [&](std::string_view why) {
+    throw InputError(fmt::format("{}: cannot open {}, which it refers to: {}", name, quoted_word(file), why));
+  };
+  if (const std::string_view objection = objection_to(file); !objection.empty()) fail(objection);
+  if (!folder) fail("there are no files beside what is not a file itself; give the path of the shape's file");
+  return *folder / file;
+}
+
+std::string ShapeSource::read_neighbour(std::string_view file, std::size_t limit) const {
+  const fs::path path = neighbour(file);
+  try {
+    return read_file_bytes(path, limit);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+}
+
+ShapeSource read_shape_source(const fs::path& path) {
+  return {.bytes = read_file_bytes(path), .name = path.string(), .folder = path.parent_path()};
+}
+
+}  // namespace shapegauge

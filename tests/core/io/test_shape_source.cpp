@@ -1,0 +1,81 @@
+#include <gmock/gmock.h>
+#include <string>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_source.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+class ReadNeighbour : public testing::Test {
+ protected:
+  ReadNeighbour() {
+    test::write_text(folder_.path() / "set/shape.x", "shape");
+    test::write_text(folder_.path() / "set/parts/one.bin", "one of the parts");
+    test::write_text(folder_.path() / "outside.bin", "not to be read");
+  }
+
+  [[nodiscard]] ShapeSource source() const { return read_shape_source(folder_.path() / "set/shape.x"); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ReadNeighbour, FindsFilesInTheFolderAndBelow) {
+  EXPECT_EQ(source().bytes, "shape");
+  EXPECT_EQ(source().read_neighbour("parts/one.bin"), "one of the parts");
+  EXPECT_EQ(source().read_neighbour("./parts//one.bin"), "one of the parts");
+  EXPECT_EQ(source().read_neighbour("parts/one.bin", 3), "one");
+  EXPECT_EQ(source().read_neighbour("shape.x"), "shape");
+}
+
+TEST_F(ReadNeighbour, FollowsLinks) {
+  std::filesystem::create_symlink("../../outside.bin", folder_.path() / "set/parts/link.bin");
+  EXPECT_EQ(source().read_neighbour("parts/link.bin"), "not to be read");
+}
+
+TEST_F(ReadNeighbour, FilesOfTheWorkingFolder) {
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path() / "set");
+  EXPECT_EQ(read_shape_source("shape.x").read_neighbour("parts/one.bin"), "one of the parts");
+  std::filesystem::current_path(before);
+}
+
+TEST_F(ReadNeighbour, NothingOutsideOfTheFolder) {
+  const std::string absolute = (folder_.path() / "outside.bin").string();
+  for (const std::string& file :
+       {std::string("../outside.bin"), std::string("parts/../../outside.bin"), std::string("parts/.."), absolute,
+        "file://" + absolute, std::string("https://x/y.bin"), std::string(""),
+        std::string("parts/one.bin\0.jpg", 18)}) {
+    EXPECT_THROW(source().neighbour(file), InputError) << file;
+    EXPECT_THROW(source().read_neighbour(file), InputError) << file;
+  }
+}
+
+TEST_F(ReadNeighbour, MessagesNameBothFiles) {
+  const auto names_both = AllOf(StartsWith(source().name + ": "), HasSubstr("two.bin"));
+  EXPECT_THAT([&] { return source().read_neighbour("two.bin"); }, ThrowsMessage<InputError>(names_both));
+  EXPECT_THAT([&] { return source().read_neighbour("../two.bin"); }, ThrowsMessage<InputError>(names_both));
+}
+
+TEST_F(ReadNeighbour, NoneWhereTheBytesAreNoFile) {
+  const ShapeSource stream{.bytes = "shape", .name = "standard input"};
+  EXPECT_THROW(stream.read_neighbour("CMakeCache.txt"), InputError);
+  EXPECT_THROW(stream.neighbour("parts/one.bin"), InputError);
+}
+
+TEST_F(ReadNeighbour, RefusesFoldersAndEmptyFiles) {
+  test::write_text(folder_.path() / "set/empty.bin", "");
+  EXPECT_THROW(source().read_neighbour("parts"), InputError);
+  EXPECT_THROW(source().read_neighbour("empty.bin"), InputError);
+}
+
+}  // namespace
+
+}  // namespace shapegauge
