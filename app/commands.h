@@ -44,6 +44,7 @@ void add_describe_command(CLI::App& app, int& status);                 ///< the 
 void add_rerank_command(CLI::App& app, int& status);                   ///< distances, re-ranked
 void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix
 void add_compare_command(CLI::App& app, int& status);                  ///< methods on the same queries
+void add_leaderboard_command(CLI::App& app, int& status);              ///< submissions, checked and ranked
 void add_segmentation_evaluation_command(CLI::App& app, int& status);  ///< segmentations against people's
 void add_measures_command(CLI::App& app, int& status);                 ///< the definitions of the measures
 void add_dataset_command(CLI::App& app, int& status);                  ///< data sets: look at, check, generate

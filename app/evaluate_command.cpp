@@ -18,8 +18,8 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/results/evaluation_report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
-#include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 
@@ -101,29 +101,9 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
   return text + text_of(summary_table(one, style, intervals));
 }
 
-void write_report(const NamedEvaluation& named, const EvaluationData& data, const fs::path& path) {
-  const DistanceOverview distances = overview_of(whole_matrix(data.distances), data.task.retrieval.query_classes);
-  Report report;
-  report.title = named.method;
-  report.classes = data.task.class_names;
-  report.ids = data.task.query_ids;
-  report.labels = data.task.retrieval.query_classes;
-  report.methods.push_back({.name = named.method,
-                            .description = {},
-                            .distances = &distances,
-                            .evaluations = {named.evaluation, 1},
-                            .histograms = {}});
-  write_file_atomically(path, report_page(report));
-}
-
 /// A report shows models that are all queries to all others.
 void check_fit_for_report(const EvaluationTask& task) {
-  const RetrievalTask& retrieval = task.retrieval;
-  const bool all_classified = std::ranges::find(retrieval.query_classes, no_class) == retrieval.query_classes.end() &&
-                              retrieval.query_classes == retrieval.target_classes;
-  if (task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !retrieval.lists_may_end_early) {
-    return;
-  }
+  if (is_fit_for_report(task)) return;
   throw InputError(
       "--report takes a square matrix of models that are all queries and targets, each with a class; leave it out for "
       "separate queries and targets, judgements and ranked lists");
@@ -212,7 +192,9 @@ int run(const EvaluateArguments& arguments) {
   const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
-  if (!arguments.report.empty()) write_report(named, evaluated.data, arguments.report);
+  if (!arguments.report.empty()) {
+    write_file_atomically(arguments.report, evaluation_report_page(named, evaluated.data));
+  }
   print_output("{}", formatted_evaluation(named, task, arguments));
   print_warnings(warnings);
   return exit_success;

@@ -98,12 +98,17 @@ EvaluationOptions evaluation_options(const EvaluationArguments& arguments) {
   return options;
 }
 
-EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {
+EvaluationFiles files_as_given(const EvaluationArguments& arguments) {
   EvaluationFiles files = arguments.files;
-  files.matrix = path;
   if (arguments.order == "natural") files.order = RowOrder::natural;
   if (arguments.order == "file" || arguments.order == "classification") files.order = RowOrder::file;
   if (arguments.missing_queries == "zero") files.unanswered = Unanswered::count;
+  return files;
+}
+
+EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments) {
+  EvaluationFiles files = files_as_given(arguments);
+  files.matrix = path;
   ProgressLine line;
   return evaluate_files(files, evaluation_options(arguments), [&](Eigen::Index done, Eigen::Index rows) {
     line.show(path.filename().string(), static_cast<std::size_t>(done), static_cast<std::size_t>(rows));

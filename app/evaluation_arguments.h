@@ -48,6 +48,9 @@ Protocol chosen_protocol(const EvaluationArguments& arguments);
 /// The settings of the evaluation that the arguments ask for. Throws InputError for a measure that is not known.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
+/// The files, and how they are to be taken, but for the matrix.
+EvaluationFiles files_as_given(const EvaluationArguments& arguments);
+
 /// Evaluates the matrix, or the ranked lists, at the path; a line on the terminal says how far it is.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
 

@@ -42,6 +42,10 @@ std::string_view report_page();
 std::string_view report_style();
 std::string_view report_script();  ///< needs the chart library, and the shape library where the report has views
 
+std::string_view leaderboard_page();
+std::string_view leaderboard_style();   ///< after report_style()
+std::string_view leaderboard_script();  ///< needs the chart library
+
 std::string_view segmentation_page();
 std::string_view segmentation_style();
 

@@ -26,13 +26,15 @@ enum class EntryKind {
   features,      ///< of a descriptor, of one shape
   learnt,        ///< what a descriptor has learnt from a data set
   segmentation,  ///< the parts of a shape
+  evaluation,    ///< of a submission to a leaderboard
 };
 
-inline constexpr std::size_t number_of_entry_kinds = 10;
+inline constexpr std::size_t number_of_entry_kinds = 11;
 
 /// The kinds' names, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
-    "shape", "samples", "field", "histogram", "distances", "picture", "view", "features", "learnt", "segmentation"};
+    "shape", "samples",  "field",  "histogram",    "distances", "picture",
+    "view",  "features", "learnt", "segmentation", "evaluation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 

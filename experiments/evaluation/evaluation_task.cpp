@@ -348,4 +348,11 @@ RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judge
   return ranked;
 }
 
+bool is_fit_for_report(const EvaluationTask& task) {
+  const RetrievalTask& retrieval = task.retrieval;
+  const bool all_classified = std::ranges::find(retrieval.query_classes, no_class) == retrieval.query_classes.end() &&
+                              retrieval.query_classes == retrieval.target_classes;
+  return task.same_rows_and_columns && all_classified && retrieval.judged.empty() && !retrieval.lists_may_end_early;
+}
+
 }  // namespace shapegauge

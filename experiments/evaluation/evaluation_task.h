@@ -78,4 +78,8 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
 /// models. Queries without judgements are left out; they and judged queries without an answer are told in a warning.
 RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered);
 
+/// Whether a report (pages/report.h) can show the task: its models are all queries to all others, each has a class, and
+/// answers do not end early.
+bool is_fit_for_report(const EvaluationTask& task);
+
 }  // namespace shapegauge

@@ -14,8 +14,9 @@ import { saveButton } from './svg_file.mjs';
 const orders = ['as in the data set', 'lowest first', 'highest first'];
 const left = 170; // for the names of the classes
 
-// Returns what draws the section again.
-export function showClasses(state) {
+// choosesMeasure: the section has the choice of the measure, which is nowhere else on the page. Returns what draws the
+// section again.
+export function showClasses(state, { choosesMeasure = true } = {}) {
   let order = 0;
   const draw = () => drawClasses(state, order);
   const { measures } = state.evaluation;
@@ -23,9 +24,9 @@ export function showClasses(state) {
     order = index;
     draw();
   };
-  byId('classes-tools').append(
-    choice('Measure', measures, state.chosen.measure, (index) => state.change({ measure: index })),
-    choice('Order', orders, order, chooseOrder));
+  const chooseMeasure = (index) => state.change({ measure: index });
+  if (choosesMeasure) byId('classes-tools').append(choice('Measure', measures, state.chosen.measure, chooseMeasure));
+  byId('classes-tools').append(choice('Order', orders, order, chooseOrder));
   state.show(['protocol', 'hidden', 'measure', 'method'], draw);
   return draw;
 }

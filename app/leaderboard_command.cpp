@@ -1,0 +1,193 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/evaluation_arguments.h"
+#include "app/options.h"
+#include "app/output_files.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/engine/run_control.h"
+#include "shapegauge/experiments/leaderboard/judge_submissions.h"
+#include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
+#include "shapegauge/experiments/leaderboard/submissions.h"
+#include "shapegauge/experiments/leaderboard/write_leaderboard.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LeaderboardArguments {
+  std::vector<fs::path> submissions;
+  EvaluationArguments evaluation;
+  ResamplingArguments resampling{.blocks = "classes", .confidence = 0.95, .resampling = {}};
+  CacheOption cache;
+  fs::path output;
+  std::string title = "Leaderboard";
+  std::string rank_by;
+  std::string format = "table";
+  std::string unit = "percent";
+  int digits = 2;
+  bool replace = false;
+};
+
+bool is_page(const fs::path& output) {
+  const std::string extension = lower_case(output.extension().string());
+  return extension == ".html" || extension == ".htm";
+}
+
+// Throws InputError for unusable output files, before any work.
+void check_leaderboard_output(const LeaderboardArguments& arguments) {
+  if (arguments.output.empty()) return;
+  const EvaluationFiles& files = arguments.evaluation.files;
+  std::vector<fs::path> inputs{files.labels, files.targets, files.qrels, files.ids};
+  inputs.insert(inputs.end(), arguments.submissions.begin(), arguments.submissions.end());
+  if (is_page(arguments.output)) {
+    const std::vector<OutputFile> outputs{{.path = arguments.output, .what = "--output", .extensions = {}}};
+    check_output_files(inputs, outputs, arguments.replace);
+    return;
+  }
+  check_site_folder(arguments.output);
+  for (const fs::path& submission : arguments.submissions) {
+    std::error_code unknown;
+    if (fs::equivalent(submission, arguments.output, unknown)) {
+      throw InputError(fmt::format("--output: the site cannot be in the folder of submissions, {}; name another folder",
+                                   submission.string()));
+    }
+  }
+}
+
+JudgingOptions judging_options(const LeaderboardArguments& arguments) {
+  JudgingOptions options;
+  options.files = files_as_given(arguments.evaluation);
+  options.evaluation = evaluation_options(arguments.evaluation);
+  options.standings = {.blocks = blocks_of(arguments.resampling.blocks).value(),
+                       .average = Average::micro,
+                       .confidence = arguments.resampling.confidence,
+                       .resampling = arguments.resampling.resampling};
+  options.rank_by = arguments.rank_by;
+  return options;
+}
+
+std::string formatted_leaderboard(const Leaderboard& board, const JudgingOptions& options,
+                                  const LeaderboardArguments& arguments) {
+  const ScoreStyle style{.percent = arguments.unit == "percent", .decimals = arguments.digits};
+  if (arguments.format == "json") return leaderboard_json(board, options).dump(2) + "\n";
+  if (arguments.format == "csv") return to_csv(leaderboard_csv_table(board, style));
+  const Table table = leaderboard_table(board, style);
+  if (arguments.format == "latex") return to_latex(table);
+  return arguments.format == "markdown" ? to_markdown(table) : to_plain_text(table);
+}
+
+void write_outputs(const Leaderboard& board, const JudgingOptions& options, const LeaderboardArguments& arguments) {
+  if (arguments.output.empty()) return;
+  if (is_page(arguments.output)) {
+    write_file_atomically(arguments.output, leaderboard_html(arguments.title, board, options));
+    return;
+  }
+  const BusyLine line("writing the site");
+  const SiteUpdate update = write_site(arguments.output, arguments.title, board, options);
+  note(fmt::format("site {}: {} pages of methods written, {} unchanged, {} removed", arguments.output.string(),
+                   update.written, update.unchanged, update.removed));
+}
+
+// Each warning once, with the submissions that it is about.
+void print_remarks(const Leaderboard& board) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> remarks;
+  for (const JudgedSubmission& judged : board.submissions) {
+    for (const std::string& warning : judged.warnings) {
+      auto known = std::ranges::find(remarks, warning, &std::pair<std::string, std::vector<std::string>>::first);
+      if (known == remarks.end()) known = remarks.insert(remarks.end(), {warning, {}});
+      known->second.push_back(judged.submission.file.string());
+    }
+  }
+  for (const auto& [warning, files] : remarks) {
+    warn(files.size() == 1 ? fmt::format("{}: {}", files[0], warning)
+                           : fmt::format("{} submissions (first: {}): {}", files.size(), files[0], warning));
+  }
+}
+
+// Says what is wrong with which submission; the exit status.
+int report_submissions(const Leaderboard& board, const FoundSubmissions& found) {
+  print_remarks(board);
+  if (!found.skipped.empty()) {
+    note(fmt::format("{} other files in the folders are no submissions (first: {})", found.skipped.size(),
+                     found.skipped.front().string()));
+  }
+  for (const RefusedSubmission& refused : board.refused) {
+    warn(fmt::format("refused {}: {}", refused.file.string(), refused.reason));
+  }
+  return board.refused.empty() ? exit_success : exit_with_failures;
+}
+
+int run_leaderboard(const LeaderboardArguments& arguments) {
+  check_leaderboard_output(arguments);
+  const JudgingOptions options = judging_options(arguments);
+  const EvaluationFiles& files = options.files;
+  const std::vector<fs::path> others{files.labels, files.targets, files.qrels, files.ids};
+  const FoundSubmissions found = find_submissions(arguments.submissions, others);
+  Cache cache(chosen_cache(arguments.cache));
+  Leaderboard board;
+  {
+    ProgressLine line;
+    board = judge_submissions(found, options, cache, [&](const std::string& name, std::size_t done, std::size_t all) {
+      line.show(name, done, all);
+    });
+  }
+  write_outputs(board, options, arguments);
+  print_output("{}", formatted_leaderboard(board, options, arguments));
+  for (const std::string& warning : cache.warnings()) warn(warning);
+  return report_submissions(board, found);
+}
+
+void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments) {
+  command.add_option("-o,--output", arguments.output,
+                     "Page to write (.html), or folder of a site with a page for each method");
+  command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
+  command.add_option("--rank-by", arguments.rank_by, "Measure that ranks (default: mAP, or the first measure)");
+  command.add_option("--format", arguments.format, "Format of the printed table")
+      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
+      ->capture_default_str();
+  command.add_option("--unit", arguments.unit, "Unit of the figures in tables; JSON is always in fractions")
+      ->check(CLI::IsMember({"percent", "fraction"}))
+      ->capture_default_str();
+  command.add_option("--digits", arguments.digits, "Number of decimal places in tables")
+      ->check(CLI::Range(0, 15))
+      ->capture_default_str();
+  add_cache_option(command, arguments.cache);
+  add_replace_option(command, arguments.replace);
+}
+
+}  // namespace
+
+void add_leaderboard_command(CLI::App& app, int& status) {
+  CLI::App* command =
+      app.add_subcommand("leaderboard", "Check and rank submissions: matrices and ranked lists of any methods");
+  command->footer(
+      "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
+      "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
+      "A submission is any file that 'evaluate' reads. foo.json beside foo.npy may have name, authors, paper, url,\n"
+      "similarity, distance and ids. What cannot be judged is refused with the reason; exit status 1 says so.");
+  const auto arguments = std::make_shared<LeaderboardArguments>();
+  command->add_option("submissions", arguments->submissions, "Files, or folders of files")->required();
+  add_evaluation_options(*command, arguments->evaluation);
+  add_resampling_options(*command, arguments->resampling);
+  add_leaderboard_options(*command, *arguments);
+  command->callback([arguments, &status] {
+    with_threads(arguments->evaluation.threads, [&] { status = run_leaderboard(*arguments); });
+  });
+}
+
+}  // namespace shapegauge

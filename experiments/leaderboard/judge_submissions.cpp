@@ -1,0 +1,319 @@
+#include "shapegauge/experiments/leaderboard/judge_submissions.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/datasets/layouts/labels.h"
+#include "shapegauge/experiments/engine/manifest.h"
+#include "shapegauge/experiments/leaderboard/evaluation_record.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// Cache version; increment when the entries change.
+constexpr int judged_version = 1;
+
+// What was found of one submission, but for what its JSON says.
+struct JudgedFile {
+  std::string name;  ///< see method_name()
+  Evaluation evaluation;
+  std::vector<std::string> query_ids;
+  std::vector<std::string> class_names;
+  std::vector<int> labels;
+  bool fit_for_report = false;
+  std::string wrong_kind;  ///< why it looks like similarities given as distances, or the other way round; or empty
+  std::vector<std::string> warnings;
+};
+
+Json to_record(const JudgedFile& judged) {
+  return {{"name", judged.name},
+          {"evaluation", to_record(judged.evaluation)},
+          {"query_ids", judged.query_ids},
+          {"class_names", judged.class_names},
+          {"labels", judged.labels},
+          {"fit_for_report", judged.fit_for_report},
+          {"wrong_kind", judged.wrong_kind},
+          {"warnings", judged.warnings}};
+}
+
+JudgedFile judged_from_record(const Json& record) {
+  return {.name = record.at("name").get<std::string>(),
+          .evaluation = evaluation_from_record(record.at("evaluation")),
+          .query_ids = record.at("query_ids").get<std::vector<std::string>>(),
+          .class_names = record.at("class_names").get<std::vector<std::string>>(),
+          .labels = record.at("labels").get<std::vector<int>>(),
+          .fit_for_report = record.at("fit_for_report").get<bool>(),
+          .wrong_kind = record.at("wrong_kind").get<std::string>(),
+          .warnings = record.at("warnings").get<std::vector<std::string>>()};
+}
+
+Json labels_json(const ModelLabels& labels) {
+  Json classes = Json::array();
+  for (const ModelClass& one : labels.classification.classes) classes.push_back({one.name, one.models});
+  return {{"classes", std::move(classes)},
+          {"queries", labels.queries},
+          {"targets", labels.targets},
+          {"models", labels.models},
+          {"flags", {labels.separate_sets, labels.listed, labels.without_ids}}};
+}
+
+// What the evaluations of all submissions depend on, but for the submissions.
+Json common_key(const JudgingOptions& options) {
+  const EvaluationFiles& files = options.files;
+  Json key{{"version", judged_version},
+           {"program", program_json()},
+           {"level", files.level},
+           {"order", static_cast<int>(files.order)},
+           {"protocol", name_of(options.evaluation.protocol)},
+           {"ties", name_of(options.evaluation.ties)},
+           {"curve", options.evaluation.curve ? name_of(*options.evaluation.curve) : ""},
+           {"minimum_class_size", options.evaluation.minimum_class_size}};
+  for (const Measure& measure : options.evaluation.measures) key["measures"].push_back(measure.name);
+  if (!files.labels.empty()) {
+    key["labels"] =
+        labels_json(files.targets.empty() ? read_labels(files.labels, files.level)
+                                          : read_query_and_target_labels(files.labels, files.targets, files.level));
+  }
+  if (!files.qrels.empty()) key["qrels"] = sha256_of_file(files.qrels);
+  return key;
+}
+
+std::string key_of(Json common, const EvaluationFiles& files, const std::string& sha256_of_submission) {
+  common["file"] = sha256_of_submission;
+  common["name"] = files.matrix.filename().string();  // its extension is the format
+  if (!files.ids.empty()) common["ids"] = sha256_of_file(files.ids);
+  common["similarity"] = files.similarity;
+  common["distance"] = files.distance;
+  return sha256(common.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+// The files of a submission.
+EvaluationFiles files_of(const Submission& submission, const EvaluationFiles& common) {
+  EvaluationFiles files = common;
+  files.matrix = submission.file;
+  files.unanswered = Unanswered::count;
+  if (!submission.distance.empty()) files.distance = submission.distance;
+  if (!submission.ids.empty()) files.ids = submission.ids;
+  if (submission.similarity) files.similarity = *submission.similarity;
+  if (!files.distance.empty()) files.similarity = false;
+  return files;
+}
+
+std::string wrong_kind_of(const EvaluatedFiles& evaluated, bool similarity) {
+  const Eigen::Index rows = evaluated.data.distances.rows;
+  const Eigen::Index odd = evaluated.findings.rows_nearest_to_others;
+  if (2 * odd <= rows) return "";
+  return fmt::format("in {} of {} rows the query is {} model: these look like {} given as {}", odd, rows,
+                     similarity ? "the least similar" : "the farthest", similarity ? "distances" : "similarities",
+                     similarity ? "similarities" : "distances");
+}
+
+// A remark on ranked lists that end before all models are in them.
+std::optional<std::string> depth_remark(const EvaluationTask& task) {
+  if (!task.coverage) return std::nullopt;
+  const auto targets = std::ssize(task.retrieval.target_classes);
+  if (task.coverage->shortest + 1 >= targets) return std::nullopt;
+  const auto [shortest, longest] = std::pair(task.coverage->shortest, task.coverage->longest);
+  return fmt::format("the lists have {} of {} models; what a list does not have counts as not found",
+                     shortest == longest ? fmt::format("{}", longest) : fmt::format("{} to {}", shortest, longest),
+                     targets);
+}
+
+JudgedFile judge_file(const EvaluationFiles& files, const EvaluationOptions& options) {
+  EvaluatedFiles evaluated = evaluate_files(files, options);
+  const EvaluationTask& task = evaluated.data.task;
+  JudgedFile judged{.name = method_name(files.matrix, evaluated.data),
+                    .evaluation = std::move(evaluated.evaluation),
+                    .query_ids = task.query_ids,
+                    .class_names = task.class_names,
+                    .labels = task.retrieval.target_classes,
+                    .fit_for_report = is_fit_for_report(task),
+                    .wrong_kind = wrong_kind_of(evaluated, files.similarity),
+                    .warnings = evaluated.warnings};
+  if (const auto tied = ties_warning(judged.evaluation, evaluated.findings)) judged.warnings.push_back(*tied);
+  if (const auto depth = depth_remark(task)) judged.warnings.push_back(*depth);
+  return judged;
+}
+
+// The message without the file's name, with which most begin.
+std::string reason_of(const InputError& error, const std::filesystem::path& file) {
+  const std::string message = error.what();
+  const std::string prefix = file.string() + ": ";
+  return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
+}
+
+// Submissions judged one after the other.
+class Judging {
+ public:
+  Judging(const JudgingOptions& options, Cache& cache, Leaderboard& board)
+      : options_(&options), cache_(&cache), board_(&board), common_(common_key(options)) {}
+
+  // Adds the submission to the judged or to the refused ones.
+  void judge(const Submission& submission) {
+    try {
+      add(submission);
+    } catch (const InputError& error) {
+      board_->refused.push_back({.file = submission.file, .reason = reason_of(error, submission.file)});
+    }
+  }
+
+  [[nodiscard]] const std::vector<MethodScores>& scores() const { return scores_; }
+
+ private:
+  void add(const Submission& submission) {
+    const EvaluationFiles files = files_of(submission, options_->files);
+    const std::string bytes = sha256_of_file(files.matrix);
+    JudgedFile judged = through_cache(files, bytes);
+    if (!judged.wrong_kind.empty() && !submission.similarity) {
+      throw InputError(fmt::format("{}: {}; say \"similarity\": true or false in {}", submission.file.string(),
+                                   judged.wrong_kind, description_of(submission.file).filename().string()));
+    }
+    warn_of_repetition(bytes, judged.warnings);
+    MethodScores scores = scores_of(submission, judged);
+    if (!scores_.empty()) align_methods(std::vector{scores_.front(), scores}, {});
+    scores_.push_back(std::move(scores));
+    if (board_->submissions.empty()) {
+      board_->class_names = judged.class_names;
+      board_->labels = judged.labels;
+    }
+    board_->submissions.push_back({.submission = submission,
+                                   .files = files,
+                                   .sha256 = bytes,
+                                   .evaluation = std::move(judged.evaluation),
+                                   .query_ids = std::move(judged.query_ids),
+                                   .fit_for_report = judged.fit_for_report,
+                                   .warnings = std::move(judged.warnings)});
+  }
+
+  JudgedFile through_cache(const EvaluationFiles& files, const std::string& bytes) {
+    const std::string key = cache_->folder().empty() ? "" : key_of(common_, files, bytes);
+    if (!key.empty()) {
+      if (auto judged = cache_->lookup(EntryKind::evaluation, key, judged_from_record)) {
+        cache_->count(EntryKind::evaluation, true);
+        return std::move(*judged);
+      }
+    }
+    JudgedFile judged = judge_file(files, options_->evaluation);
+    cache_->count(EntryKind::evaluation, false);
+    if (!key.empty()) cache_->store(EntryKind::evaluation, key, to_record(judged));
+    return judged;
+  }
+
+  static MethodScores scores_of(const Submission& submission, const JudgedFile& judged) {
+    EvaluationTask named;
+    named.query_ids = judged.query_ids;
+    named.class_names = judged.class_names;
+    return method_scores(submission.name.empty() ? judged.name : submission.name, submission.file.string(), named,
+                         judged.evaluation);
+  }
+
+  void warn_of_repetition(const std::string& bytes, std::vector<std::string>& warnings) const {
+    const auto same = std::ranges::find(board_->submissions, bytes, &JudgedSubmission::sha256);
+    if (same == board_->submissions.end()) return;
+    warnings.push_back(fmt::format("the file has the same bytes as {}", same->submission.file.string()));
+  }
+
+  const JudgingOptions* options_;
+  Cache* cache_;
+  Leaderboard* board_;
+  Json common_;
+  std::vector<MethodScores> scores_;
+};
+
+std::size_t index_of_measure(const std::string& wanted, const std::vector<std::string>& measures) {
+  const auto found = std::ranges::find(measures, wanted.empty() ? "mAP" : wanted);
+  if (found != measures.end()) return static_cast<std::size_t>(found - measures.begin());
+  if (wanted.empty()) return 0;
+  throw InputError(fmt::format("--rank-by: {} is not among the measures ({})", wanted, fmt::join(measures, ", ")));
+}
+
+std::vector<std::string> measure_names(const EvaluationOptions& options) {
+  std::vector<std::string> names;
+  for (const Measure& measure : options.measures.empty() ? default_measures(options.protocol) : options.measures) {
+    names.push_back(measure.name);
+  }
+  return names;
+}
+
+// The values of all submissions on the same queries; of one alone as they are.
+AlignedMethods aligned(const std::vector<MethodScores>& scores) {
+  if (scores.size() > 1) return align_methods(scores, {});
+  AlignedMethods one{.methods = {scores[0].method},
+                     .protocol = scores[0].protocol,
+                     .measures = scores[0].measures,
+                     .classes = {},
+                     .values = {}};
+  for (Eigen::Index measure = 0; measure < scores[0].values.cols(); ++measure) {
+    one.values.emplace_back(scores[0].values.col(measure));
+  }
+  return one;
+}
+
+void add_standings(const AlignedMethods& methods, StandingOptions options, Leaderboard& board) {
+  const std::vector<int>& classes =
+      methods.classes.empty() ? board.submissions.front().evaluation.query_classes : methods.classes;
+  for (const Eigen::MatrixXd& values : methods.values) {
+    options.average = Average::micro;
+    board.micro.push_back(standings_of(values, classes, options));
+    options.average = Average::macro;
+    board.macro.push_back(standings_of(values, classes, options));
+  }
+}
+
+// Brings the submissions, and their standings, into the order of their ranks.
+void order_by_rank(Leaderboard& board) {
+  const std::vector<MethodStanding>& by = board.micro[board.rank_by];
+  std::vector<std::size_t> order(board.submissions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return by[i].rank; });
+  const auto ordered = [&](auto& items) {
+    auto before = std::move(items);
+    items.clear();
+    for (const std::size_t i : order) items.push_back(std::move(before[i]));
+  };
+  ordered(board.submissions);
+  for (auto* standings : {&board.macro, &board.micro}) std::ranges::for_each(*standings, ordered);
+}
+
+std::string all_refused(const std::vector<RefusedSubmission>& refused) {
+  std::string message = fmt::format("none of {} submissions can be judged", refused.size());
+  for (const RefusedSubmission& one : refused) message += fmt::format("; {}: {}", one.file.string(), one.reason);
+  return message;
+}
+
+}  // namespace
+
+Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOptions& options, Cache& cache,
+                              const JudgingProgress& progress) {
+  Leaderboard board;
+  board.refused = found.refused;
+  board.measures = measure_names(options.evaluation);
+  board.rank_by = index_of_measure(options.rank_by, board.measures);
+  Judging judging(options, cache, board);
+  for (std::size_t i = 0; i < found.submissions.size(); ++i) {
+    const Submission& submission = found.submissions[i];
+    if (progress) progress(submission.file.filename().string(), i, found.submissions.size());
+    judging.judge(submission);
+  }
+  if (board.submissions.empty()) throw InputError(all_refused(board.refused));
+  const AlignedMethods methods = aligned(judging.scores());
+  for (std::size_t i = 0; i < methods.methods.size(); ++i) {
+    board.submissions[i].submission.name = methods.methods[i];
+  }
+  add_standings(methods, options.standings, board);
+  order_by_rank(board);
+  return board;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,115 @@
+#include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
+
+#include <fmt/format.h>
+
+#include "shapegauge/core/version.h"
+
+namespace shapegauge {
+
+namespace {
+
+using BoardJson = nlohmann::ordered_json;
+
+std::vector<std::string> interval_cells(const MethodStanding& standing, const ScoreStyle& style) {
+  if (!standing.interval) return {"", ""};
+  return {score_text(standing.interval->low, style), score_text(standing.interval->high, style)};
+}
+
+std::string interval_beside(const MethodStanding& standing, const ScoreStyle& style) {
+  if (!standing.interval) return "";
+  return fmt::format(" [{}, {}]", score_text(standing.interval->low, style),
+                     score_text(standing.interval->high, style));
+}
+
+BoardJson standing_json(const MethodStanding& standing) {
+  BoardJson json{{"average", standing.average},
+                 {"rank", standing.rank},
+                 {"possible_ranks", {standing.best_rank, standing.worst_rank}},
+                 {"group", standing.letters}};
+  if (standing.interval) json["interval"] = {standing.interval->low, standing.interval->high};
+  return json;
+}
+
+BoardJson submission_json(const Leaderboard& board, std::size_t index) {
+  const JudgedSubmission& judged = board.submissions[index];
+  BoardJson json{{"name", judged.submission.name},
+                 {"file", judged.submission.file.filename().string()},
+                 {"sha256", judged.sha256}};
+  if (!judged.submission.authors.empty()) json["authors"] = judged.submission.authors;
+  if (!judged.submission.paper.empty()) json["paper"] = judged.submission.paper;
+  if (!judged.submission.url.empty()) json["url"] = judged.submission.url;
+  if (judged.files.similarity) json["similarity"] = true;
+  if (!judged.files.distance.empty()) json["distance"] = judged.files.distance;
+  for (std::size_t k = 0; k < board.measures.size(); ++k) {
+    json["micro"][board.measures[k]] = standing_json(board.micro[k][index]);
+    json["macro"][board.measures[k]] = standing_json(board.macro[k][index]);
+  }
+  json["warnings"] = judged.warnings;
+  return json;
+}
+
+}  // namespace
+
+Table leaderboard_table(const Leaderboard& board, const ScoreStyle& style, bool intervals) {
+  Table table{.header = {"rank", "method"}, .rows = {}, .text_columns = 2};
+  table.header.insert(table.header.end(), board.measures.begin(), board.measures.end());
+  for (std::size_t i = 0; i < board.submissions.size(); ++i) {
+    std::vector<std::string> row{fmt::format("{}", board.micro[board.rank_by][i].rank),
+                                 board.submissions[i].submission.name};
+    for (std::size_t k = 0; k < board.measures.size(); ++k) {
+      const MethodStanding& standing = board.micro[k][i];
+      row.push_back(score_text(standing.average, style) + (intervals ? interval_beside(standing, style) : ""));
+      table.emphases.push_back({.row = i, .column = 2 + k, .bold = false, .mark = standing.letters});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  embolden_best(table, table.text_columns);
+  return table;
+}
+
+Table leaderboard_csv_table(const Leaderboard& board, const ScoreStyle& style) {
+  Table table{.header = {"rank", "method", "authors", "paper", "file", "average"}, .rows = {}, .text_columns = 6};
+  for (const std::string& measure : board.measures) {
+    for (const char* end : {"", "_low", "_high", "_group"}) table.header.push_back(measure + end);
+  }
+  for (std::size_t i = 0; i < board.submissions.size(); ++i) {
+    const Submission& submission = board.submissions[i].submission;
+    for (const auto& [average, standings] : {std::pair{"micro", &board.micro}, std::pair{"macro", &board.macro}}) {
+      std::vector<std::string> row{fmt::format("{}", (*standings)[board.rank_by][i].rank),
+                                   submission.name,
+                                   submission.authors,
+                                   submission.paper,
+                                   submission.file.filename().string(),
+                                   average};
+      for (const std::vector<MethodStanding>& by_submission : *standings) {
+        const std::vector<std::string> ends = interval_cells(by_submission[i], style);
+        row.insert(row.end(),
+                   {score_text(by_submission[i].average, style), ends[0], ends[1], by_submission[i].letters});
+      }
+      table.rows.push_back(std::move(row));
+    }
+  }
+  return table;
+}
+
+BoardJson leaderboard_json(const Leaderboard& board, const JudgingOptions& options) {
+  const Evaluation& evaluation = board.submissions.front().evaluation;
+  BoardJson json{{"version", version()},
+                 {"protocol", name_of(evaluation.protocol)},
+                 {"ties", name_of(evaluation.ties)},
+                 {"queries", evaluation.queries.size()},
+                 {"rank_by", board.measures[board.rank_by]},
+                 {"confidence", options.standings.confidence},
+                 {"blocks", name_of(options.standings.blocks)},
+                 {"resamples", options.standings.resampling.resamples},
+                 {"seed", options.standings.resampling.seed},
+                 {"submissions", BoardJson::array()},
+                 {"refused", BoardJson::array()}};
+  for (std::size_t i = 0; i < board.submissions.size(); ++i) json["submissions"].push_back(submission_json(board, i));
+  for (const RefusedSubmission& refused : board.refused) {
+    json["refused"].push_back({{"file", refused.file.filename().string()}, {"reason", refused.reason}});
+  }
+  return json;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,65 @@
+#include "shapegauge/metrics/method_standings.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/homogeneous_groups.h"
+#include "shapegauge/metrics/significance_tests.h"
+
+namespace shapegauge {
+
+namespace {
+
+// Methods by average, the largest first; equal ones in their own order.
+std::vector<std::size_t> order_of(const Eigen::VectorXd& averages) {
+  std::vector<std::size_t> order(static_cast<std::size_t>(averages.size()));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    return averages[static_cast<Eigen::Index>(a)] > averages[static_cast<Eigen::Index>(b)];
+  });
+  return order;
+}
+
+Eigen::MatrixXd p_values_of(const Units& units, const StandingOptions& options) {
+  if (units.values.rows() < 2) return Eigen::MatrixXd::Ones(units.values.cols(), units.values.cols());
+  return tukey_hsd_p_values(units, options.resampling);
+}
+
+}  // namespace
+
+std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::span<const int> classes,
+                                         const StandingOptions& options) {
+  if (per_query.cols() == 0) throw ArgumentError("no methods to rank");
+  if (!per_query.allFinite()) throw ArgumentError("a value to rank by is not a finite number");
+  const Units units = units_of(per_query, classes, options.blocks, options.average);
+  const Eigen::VectorXd averages = averages_of(units);
+  const Eigen::MatrixXd p_values = p_values_of(units, options);
+  const std::vector<std::size_t> order = order_of(averages);
+  const std::size_t methods = order.size();
+  const double alpha = 1 - options.confidence;
+  const auto differ = [&](std::size_t i, std::size_t j) {
+    return p_values(static_cast<Eigen::Index>(order[i]), static_cast<Eigen::Index>(order[j])) <= alpha;
+  };
+  const std::vector<HomogeneousGroup> groups = homogeneous_groups(methods, differ);
+  const std::vector<std::string> letters = compact_letters(methods, groups);
+
+  std::vector<MethodStanding> standings(methods);
+  for (std::size_t i = 0; i < methods; ++i) {
+    MethodStanding& standing = standings[order[i]];
+    standing.average = averages[static_cast<Eigen::Index>(order[i])];
+    const bool tied = i > 0 && standings[order[i - 1]].average == standing.average;
+    standing.rank = tied ? standings[order[i - 1]].rank : i + 1;
+    // Those that do not differ are neighbours in the order.
+    const auto holds = [&](const HomogeneousGroup& group) { return group.first <= i && i <= group.last; };
+    standing.best_rank = std::ranges::find_if(groups, holds)->first + 1;
+    standing.worst_rank = std::find_if(groups.rbegin(), groups.rend(), holds)->last + 1;
+    standing.letters = letters[i];
+  }
+  if (units.values.rows() < 2) return standings;
+  const std::vector<ConfidenceInterval> intervals = bootstrap_intervals(units, options.confidence, options.resampling);
+  for (std::size_t i = 0; i < methods; ++i) standings[i].interval = intervals[i];
+  return standings;
+}
+
+}  // namespace shapegauge

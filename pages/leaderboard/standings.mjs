@@ -1,0 +1,64 @@
+// The table of a leaderboard.
+
+import { byId, make } from '../common/elements.mjs';
+import { counted, percent } from '../common/words.mjs';
+import { swatch } from '../report/method_look.mjs';
+import { stamp } from '../report/section.mjs';
+import { sortableTable } from '../report/sortable_table.mjs';
+
+const intervalText = ({ interval }) => (interval ? interval.map(percent).join(' \u2013 ') : '');
+const ranksText = ({ ranks: [best, worst] }) => (best === worst ? String(best) : `${best} \u2013 ${worst}`);
+
+const unbroken = (text) => make('span', { class: 'unbroken' }, text);
+const lettersCell = ({ letters }) => make('span', { class: 'letters' }, letters);
+
+export function showStandings(state) {
+  let sort = { column: 0, ascending: true }; // as the reader chose
+  state.show(['measure', 'average'], () => {
+    const { measure, protocolWords, averageWords, standings, report, evaluation } = state;
+    stamp('standings', [`by ${measure}`, counted(evaluation.queries, 'query'), protocolWords, averageWords,
+      'in percent'], 'The best of each column is bold', report.significance.replace(/\.$/, ''));
+    const rank = (index) => standings[index].rank;
+    const columns = [
+      { title: 'Rank', numeric: true, value: rank, text: (index) => String(rank(index)) },
+      { title: 'Method', text: (index) => report.methods[index].name, cell: (index) => methodCell(index, report) },
+      ...measureColumns(state),
+      { title: 'Interval', numeric: true, value: (index) => standings[index].average,
+        text: (index) => intervalText(standings[index]), cell: (index) => unbroken(intervalText(standings[index])) },
+      { title: 'Ranks possible', text: (index) => ranksText(standings[index]), value: rank, numeric: true },
+      { title: 'Group', text: (index) => standings[index].letters, cell: (index) => lettersCell(standings[index]),
+        value: rank },
+    ];
+    sortableTable(byId('standings-table'), {
+      caption: `Methods by ${measure}, ${protocolWords}, ${averageWords}, percent`, columns, rows: state.methodIndices,
+      sort, sorted: (chosen) => { sort = chosen; },
+    });
+  });
+}
+
+function measureColumns(state) {
+  return state.evaluation.measures.map((measure, position) => {
+    const value = (index) => state.standingsOf(position)[index].average;
+    return { title: measure, numeric: true, best: true, value, text: (index) => percent(value(index)) };
+  });
+}
+
+// The name, which leads to the method's own page, with its authors and the paper below.
+function methodCell(index, report) {
+  const { name, authors, paper, url, page } = report.methods[index];
+  const title = page ? make('a', { href: page }, name) : name;
+  const source = url ? make('a', { href: url, rel: 'noopener' }, paper || url) : paper;
+  const parts = [authors, source].filter((part) => part);
+  const about = parts.length ? make('span', { class: 'about' }, parts[0], ...(parts[1] ? ['. ', parts[1]] : [])) : null;
+  return make('div', {}, swatch(index), title, about);
+}
+
+export function showDownloads({ downloads }, name) {
+  const button = (text, extension, type, content) => make('button', { type: 'button', click: () => {
+    const address = URL.createObjectURL(new Blob([content], { type }));
+    make('a', { href: address, download: `${name}.${extension}` }).click();
+    setTimeout(() => URL.revokeObjectURL(address), 10000);
+  } }, text);
+  byId('downloads').append(button('Download CSV', 'csv', 'text/csv', downloads.csv),
+    button('Download LaTeX', 'tex', 'application/x-tex', downloads.latex));
+}

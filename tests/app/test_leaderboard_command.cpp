@@ -1,0 +1,86 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/app/program.h"
+#include "tests/experiments/leaderboard/small_board.h"
+
+namespace shapegauge::test_command_line {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string shell_word(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+std::string leaderboard(const test_board::SmallBoard& small, const std::string& more = "") {
+  return "leaderboard " + shell_word(small.submissions()) + " --labels " + shell_word(small.labels()) + " " + more;
+}
+
+TEST(LeaderboardCommand, PrintsTheTableAndWritesThePage) {
+  const test_board::SmallBoard small;
+  const auto page = small.folder.path() / "page.html";
+  const Outcome outcome = run_executable(leaderboard(small, "-o " + shell_word(page) + " --title Contest"));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_LT(outcome.output.find("good"), outcome.output.find("poor"));
+  EXPECT_THAT(test::text_of(page), HasSubstr("<title>Contest"));
+  EXPECT_EQ(run_executable(leaderboard(small, "-o " + shell_word(page))).status, 2) << "the page exists";
+  EXPECT_EQ(run_executable(leaderboard(small, "-o " + shell_word(page) + " --replace")).status, 0);
+}
+
+TEST(LeaderboardCommand, JudgesTheGoodOnesAndSaysThatOthersWereRefused) {
+  const test_board::SmallBoard small;
+  small.add("bad.csv", "0,1\n1,0\n");
+  small.add("odd.npy", "no numbers");
+  const Outcome outcome = run_executable(leaderboard(small));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("good"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("bad")));
+  EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("bad.csv"), HasSubstr("odd.npy")));
+}
+
+TEST(LeaderboardCommand, SaysAWarningOfManySubmissionsOnce) {
+  const test_board::SmallBoard small;
+  test::write_text(small.labels(),
+                   "id,class\nm1,b\nm0,a\nm2,c\nm3,a\nm4,b\nm5,c\nm6,a\nm7,b\nm8,c\nm9,a\nm10,b\nm11,c\n");
+  const Outcome outcome = run_executable(leaderboard(small));
+  EXPECT_THAT(outcome.errors, HasSubstr("2 submissions"));
+  EXPECT_EQ(outcome.errors.find("--order"), outcome.errors.rfind("--order"));
+}
+
+TEST(LeaderboardCommand, UpdatesASite) {
+  const test_board::SmallBoard small;
+  const std::string arguments = leaderboard(small, "-o " + shell_word(small.folder.path() / "site"));
+  EXPECT_EQ(run_executable(arguments).status, 0);
+  small.add("third.csv", test_board::small_matrix(1));
+  const Outcome outcome = run_executable(arguments);
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("1 pages"), HasSubstr("2 unchanged")));
+}
+
+TEST(LeaderboardCommand, PrintsEachFormat) {
+  const test_board::SmallBoard small;
+  EXPECT_THAT(run_executable(leaderboard(small, "--format csv")).output, HasSubstr("NN_low"));
+  EXPECT_THAT(run_executable(leaderboard(small, "--format latex")).output, HasSubstr("\\begin{tabular}"));
+  EXPECT_THAT(run_executable(leaderboard(small, "--format json --rank-by NN")).output,
+              HasSubstr("\"rank_by\": \"NN\""));
+  EXPECT_THAT(run_executable(leaderboard(small, "--format markdown --digits 1")).output, HasSubstr("| **100.0**"));
+}
+
+TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
+  const test_board::SmallBoard small;
+  const std::string folder = shell_word(small.submissions());
+  const std::string labels = " --labels " + shell_word(small.labels());
+  expect_error_lines({
+      {"leaderboard " + folder, "--labels"},
+      {"leaderboard " + folder + labels + " --rank-by BEP", "BEP"},
+      {"leaderboard " + folder + labels + " -o " + folder, "submissions"},
+      {"leaderboard " + folder + labels + " -o " + shell_word(small.folder.path()), "no site"},
+      {"leaderboard '" + small.folder.path().string() + "/absent'" + labels, "absent"},
+  });
+}
+
+}  // namespace
+
+}  // namespace shapegauge::test_command_line

@@ -1,0 +1,222 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tuple>
+
+#include "shapegauge/experiments/leaderboard/judge_submissions.h"
+#include "tests/experiments/leaderboard/small_board.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_board::small_matrix;
+using test_board::SmallBoard;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> names_of(const Leaderboard& board) {
+  std::vector<std::string> names;
+  for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
+  return names;
+}
+
+/// The reason for which the only refused submission was.
+std::string refusal_of(const SmallBoard& small) {
+  const Leaderboard board = small.judged();
+  EXPECT_EQ(board.submissions.size(), 2U) << "the good ones are judged all the same";
+  return board.refused.size() == 1 ? board.refused[0].reason : "not one refusal";
+}
+
+TEST(JudgeSubmissions, RanksAsTheEvaluationOfEachFileDoes) {
+  const SmallBoard small;
+  const Leaderboard board = small.judged();
+  EXPECT_THAT(names_of(board), ElementsAre("good", "poor"));
+  EvaluationFiles files = small.options().files;
+  files.matrix = small.submissions() / "poor.csv";
+  const Evaluation alone = evaluate_files(files, {}).evaluation;
+  EXPECT_EQ(board.submissions[1].evaluation.micro, alone.micro);
+  EXPECT_EQ(board.measures, alone.measures);
+  EXPECT_EQ(board.micro[board.rank_by][0].average, 1);
+  EXPECT_EQ(board.macro[0][1].average, alone.macro[0]);
+  EXPECT_EQ(board.labels.size(), 12U);
+  EXPECT_TRUE(board.refused.empty());
+}
+
+TEST(JudgeSubmissions, TakesSimilaritiesWhereTheDescriptionSaysSo) {
+  const SmallBoard small;
+  small.add("alike.csv", small_matrix(0, -1));
+  small.add("alike.json", R"({"name": "Alike", "similarity": true})");
+  const Leaderboard board = small.judged();
+  EXPECT_TRUE(board.refused.empty());
+  EXPECT_THAT(names_of(board), ElementsAre("Alike", "good", "poor"));
+  EXPECT_EQ(board.micro[0][0].average, 1);
+}
+
+TEST(JudgeSubmissions, RefusesWhatLooksLikeTheOtherKindUnlessTheDescriptionInsists) {
+  const SmallBoard small;
+  small.add("alike.csv", small_matrix(0, -1));
+  EXPECT_THAT(refusal_of(small), HasSubstr("similarities given as distances"));
+  small.add("alike.json", R"({"similarity": false})");
+  const Leaderboard board = small.judged();
+  ASSERT_EQ(board.submissions.size(), 3U);
+  EXPECT_THAT(board.submissions[2].warnings, testing::Not(testing::IsEmpty()));
+}
+
+TEST(JudgeSubmissions, RefusesNaNWithItsPlace) {
+  const SmallBoard small;
+  std::string matrix = small_matrix(0);
+  matrix.replace(matrix.find(",2,"), 3, ",nan,");
+  small.add("nan.csv", matrix);
+  EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr("row 0"), HasSubstr("column 1")));
+}
+
+TEST(JudgeSubmissions, RefusesAnotherShape) {
+  const SmallBoard small;
+  small.add("three.csv", "0,1,2\n1,0,2\n2,2,0\n");
+  EXPECT_THAT(refusal_of(small), testing::AllOf(HasSubstr("3"), HasSubstr("12")));
+}
+
+TEST(JudgeSubmissions, RefusesUnknownIds) {
+  const SmallBoard small;
+  small.add("ids.lists", "m0 m3 m6\nm1 stranger\n");
+  EXPECT_THAT(refusal_of(small), HasSubstr("stranger"));
+}
+
+TEST(JudgeSubmissions, RefusesWhatIsNoMatrix) {
+  const SmallBoard small;
+  small.add("broken.npy", "no numbers");
+  const std::string reason = refusal_of(small);
+  EXPECT_THAT(reason, Not(HasSubstr(small.submissions().string()))) << "the file is named beside the reason";
+}
+
+TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
+  const SmallBoard small;
+  std::string lists;  // of three queries, each with the three others of its class
+  for (const int query : {0, 1, 2}) {
+    lists += fmt::format("m{}", query);
+    for (int i = query + 3; i < 12; i += 3) lists += fmt::format(" m{}", i);
+    lists += "\n";
+  }
+  small.add("few.lists", lists);
+  const Leaderboard board = small.judged();
+  ASSERT_EQ(board.submissions.size(), 3U);
+  const std::vector<std::string> names = names_of(board);
+  const auto few = static_cast<std::size_t>(std::ranges::find(names, "few") - names.begin());
+  ASSERT_LT(few, names.size());
+  EXPECT_DOUBLE_EQ(board.micro[0][few].average, 3.0 / 12);
+  EXPECT_THAT(board.submissions[few].warnings, testing::Contains(HasSubstr("3 of 12 models")));
+}
+
+TEST(JudgeSubmissions, MatchesIdsAndNotPlaces) {
+  const SmallBoard small;
+  std::string matrix = "id";  // the models backwards
+  for (int i = 11; i >= 0; --i) matrix += fmt::format(",m{}", i);
+  matrix += "\n";
+  for (int i = 11; i >= 0; --i) {
+    matrix += fmt::format("m{}", i);
+    for (int j = 11; j >= 0; --j) matrix += fmt::format(",{}", i == j ? 0 : i % 3 == j % 3 ? 1 : 2);
+    matrix += "\n";
+  }
+  small.add("backwards.csv", matrix);
+  const Leaderboard board = small.judged();
+  ASSERT_EQ(board.submissions.size(), 3U);
+  EXPECT_EQ(board.submissions[0].submission.name, "backwards");
+  EXPECT_EQ(board.micro[0][0].average, 1);
+}
+
+TEST(JudgeSubmissions, TellsSubmissionsOfOneNameApartAndNamesRepetitions) {
+  const SmallBoard small;
+  small.add("again.csv", small_matrix(0));
+  small.add("again.json", R"({"name": "good"})");
+  const Leaderboard board = small.judged();
+  ASSERT_EQ(board.submissions.size(), 3U);
+  EXPECT_NE(board.submissions[0].submission.name, board.submissions[1].submission.name);
+  EXPECT_THAT(board.submissions[1].warnings, testing::Contains(HasSubstr("same bytes")));
+}
+
+TEST(JudgeSubmissions, RanksOneSubmissionAlone) {
+  const SmallBoard small;
+  std::filesystem::remove(small.submissions() / "poor.csv");
+  const Leaderboard board = small.judged();
+  ASSERT_EQ(board.submissions.size(), 1U);
+  EXPECT_EQ(board.micro[0][0].rank, 1U);
+  EXPECT_TRUE(board.micro[0][0].interval);
+}
+
+TEST(JudgeSubmissions, NothingToJudgeIsAnErrorThatSaysWhy) {
+  const SmallBoard small;
+  small.add("good.csv", "0,1\n1,0\n");
+  small.add("poor.csv", "0,1\n1,0\n");
+  EXPECT_THAT(test::input_error_of([&] { std::ignore = small.judged(); }),
+              testing::AllOf(HasSubstr("good.csv"), HasSubstr("poor.csv"), HasSubstr("12")));
+}
+
+TEST(JudgeSubmissions, RefusesToRankByAnotherMeasureBeforeAnyWork) {
+  const SmallBoard small;
+  JudgingOptions options = small.options();
+  options.rank_by = "P@10";
+  Cache none;
+  EXPECT_THAT(test::input_error_of([&] { judge_submissions(small.found(), options, none); }), HasSubstr("P@10"));
+  options.evaluation.measures = {measure_of("P@10"), measure_of("NN")};
+  options.rank_by = "NN";
+  EXPECT_EQ(judge_submissions(small.found(), options, none).rank_by, 1U);
+}
+
+TEST(JudgeSubmissions, JudgesOnlyWhatChangedAgain) {
+  const SmallBoard small;
+  const test::TemporaryFolder folder;
+  const auto used = [&](const JudgingOptions& options) {
+    Cache cache(folder.path() / "cache");
+    const Leaderboard board = judge_submissions(small.found(), options, cache);
+    const CacheUse use = cache.report().uses[static_cast<std::size_t>(EntryKind::evaluation)];
+    return std::pair(use.hits, use.computed);
+  };
+  EXPECT_EQ(used(small.options()), std::pair(std::size_t{0}, std::size_t{2}));
+  EXPECT_EQ(used(small.options()), std::pair(std::size_t{2}, std::size_t{0}));
+  small.add("third.csv", small_matrix(1));
+  EXPECT_EQ(used(small.options()), std::pair(std::size_t{2}, std::size_t{1}));
+  small.add("third.csv", small_matrix(0.5));
+  EXPECT_EQ(used(small.options()), std::pair(std::size_t{2}, std::size_t{1}));
+  small.add("third.json", R"({"name": "another name"})");
+  EXPECT_EQ(used(small.options()), std::pair(std::size_t{3}, std::size_t{0})) << "a description changes no score";
+  JudgingOptions paper = small.options();
+  paper.evaluation.protocol = Protocol::paper;
+  EXPECT_EQ(used(paper), std::pair(std::size_t{0}, std::size_t{3}));
+  test::write_text(small.labels(), test_board::small_labels() + "m12,a\n");
+  EXPECT_EQ(test::input_error_of([&] { used(small.options()); }).substr(0, 4), "none") << "other labels, other answers";
+}
+
+TEST(JudgeSubmissions, TheCacheChangesNothing) {
+  const SmallBoard small;
+  const test::TemporaryFolder folder;
+  Cache first(folder.path() / "cache");
+  Cache second(folder.path() / "cache");
+  const Leaderboard computed = small.judged(first);
+  const Leaderboard found = small.judged(second);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Evaluation& a = computed.submissions[i].evaluation;
+    const Evaluation& b = found.submissions[i].evaluation;
+    EXPECT_EQ(a.per_query, b.per_query);
+    EXPECT_EQ(a.per_class, b.per_class);
+    EXPECT_EQ(a.micro, b.micro);
+    EXPECT_EQ(a.macro, b.macro);
+    EXPECT_EQ(a.queries, b.queries);
+    EXPECT_EQ(a.query_classes, b.query_classes);
+    EXPECT_EQ(a.classes, b.classes);
+    EXPECT_EQ(a.measures, b.measures);
+    EXPECT_EQ(a.micro_curve.precision, b.micro_curve.precision);
+    EXPECT_EQ(a.macro_curve.recall, b.macro_curve.recall);
+    EXPECT_EQ(a.class_curves.size(), b.class_curves.size());
+    EXPECT_EQ(a.queries_with_ties, b.queries_with_ties);
+    EXPECT_EQ(a.first_tier_bounds.pessimistic, b.first_tier_bounds.pessimistic);
+    EXPECT_EQ(a.first_tier_bounds.optimistic, b.first_tier_bounds.optimistic);
+    EXPECT_EQ(computed.submissions[i].warnings, found.submissions[i].warnings);
+    EXPECT_EQ(computed.submissions[i].fit_for_report, found.submissions[i].fit_for_report);
+  }
+  EXPECT_EQ(computed.class_names, found.class_names);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,56 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "shapegauge/experiments/leaderboard/leaderboard_tables.h"
+#include "tests/experiments/leaderboard/small_board.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(LeaderboardTables, HaveARowASubmissionTheBestFirst) {
+  const test_board::SmallBoard small;
+  const Leaderboard board = small.judged();
+  const Table table = leaderboard_table(board, {});
+  EXPECT_THAT(table.header, ElementsAre("rank", "method", "NN", "FT", "ST", "E", "DCG", "mAP"));
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.rows[0][0], "1");
+  EXPECT_EQ(table.rows[0][1], "good");
+  EXPECT_EQ(table.rows[0][7], "100.00");
+  EXPECT_EQ(table.rows[1][0], "2");
+  EXPECT_THAT(to_latex(table), HasSubstr("\\textbf{100.00}\\textsuperscript{a}"));
+}
+
+TEST(LeaderboardTables, OfFilesHaveBothAveragesWithIntervalsAndGroups) {
+  const test_board::SmallBoard small;
+  const Leaderboard board = small.judged();
+  const Table table = leaderboard_csv_table(board);
+  ASSERT_EQ(table.rows.size(), 4U);
+  EXPECT_EQ(table.header.size(), 6U + 4 * 6);
+  EXPECT_EQ(table.rows[0][5], "micro");
+  EXPECT_EQ(table.rows[1][5], "macro");
+  EXPECT_EQ(table.rows[3][6], score_text(board.macro[0][1].average, csv_style));
+  EXPECT_EQ(table.rows[2][7], score_text(board.micro[0][1].interval->low, csv_style));
+  EXPECT_EQ(table.rows[2][9], board.micro[0][1].letters);
+}
+
+TEST(LeaderboardTables, AsJsonHaveFractionsSettingsAndRefusals) {
+  const test_board::SmallBoard small;
+  small.add("bad.csv", "0,1\n1,0\n");
+  small.add("good.json", R"({"authors": "A"})");
+  const JudgingOptions options = small.options();
+  const auto json = leaderboard_json(small.judged(), options);
+  EXPECT_EQ(json["submissions"][0]["micro"]["mAP"]["average"], 1.0);
+  EXPECT_EQ(json["submissions"][0]["authors"], "A");
+  EXPECT_EQ(json["submissions"][1]["macro"]["NN"]["rank"], 2);
+  EXPECT_EQ(json["refused"][0]["file"], "bad.csv");
+  EXPECT_EQ(json["resamples"], 200);
+  EXPECT_EQ(json["rank_by"], "mAP");
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,106 @@
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/leaderboard/write_leaderboard.h"
+#include "tests/experiments/leaderboard/small_board.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+/// The site of the board, and what changed in it.
+SiteUpdate update(const test_board::SmallBoard& small, const fs::path& site) {
+  return write_site(site, "Title", small.judged(), small.options());
+}
+
+TEST(WriteSite, HasThePageTheTablesAndAPageOfEachMethod) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  const SiteUpdate first = update(small, site);
+  EXPECT_EQ(first.written, 2U);
+  for (const char* name : {"index.html", "leaderboard.csv", "leaderboard.tex", "leaderboard.json", "methods/good.html",
+                           "methods/poor.html"}) {
+    EXPECT_TRUE(fs::exists(site / name)) << name;
+  }
+  EXPECT_THAT(test::text_of(site / "index.html"), HasSubstr("methods/good.html"));
+  EXPECT_THAT(test::text_of(site / "methods/good.html"), HasSubstr("report-data"));
+}
+
+TEST(WriteSite, WritesOnlyPagesOfSubmissionsThatChanged) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  update(small, site);
+  test::write_text(site / "methods/good.html", "as it was");
+  small.add("third.csv", test_board::small_matrix(1));
+  const SiteUpdate second = update(small, site);
+  EXPECT_EQ(second.written, 1U);
+  EXPECT_EQ(second.unchanged, 2U);
+  EXPECT_EQ(test::text_of(site / "methods/good.html"), "as it was");
+
+  fs::remove(small.submissions() / "poor.csv");
+  small.add("good.csv", test_board::small_matrix(0.1));
+  const SiteUpdate third = update(small, site);
+  EXPECT_EQ(third.written, 1U);
+  EXPECT_EQ(third.removed, 1U);
+  EXPECT_FALSE(fs::exists(site / "methods/poor.html"));
+  EXPECT_NE(test::text_of(site / "methods/good.html"), "as it was");
+}
+
+TEST(WriteSite, GivesTheSameBytesWhereverItComesFrom) {
+  const test_board::SmallBoard small;
+  update(small, small.folder.path() / "grown");
+  small.add("third.csv", test_board::small_matrix(1));
+  update(small, small.folder.path() / "grown");
+  update(small, small.folder.path() / "fresh");
+  for (const char* name : {"index.html", "leaderboard.json", "methods/third.html", "methods/good.html"}) {
+    EXPECT_EQ(test::text_of(small.folder.path() / "grown" / name), test::text_of(small.folder.path() / "fresh" / name))
+        << name;
+  }
+}
+
+TEST(WriteSite, RanksWithoutAPageWhatNoReportCanShow) {
+  const test_board::SmallBoard small;
+  small.add("lists.lists", "m0 m3 m6\nm1 m4\n");
+  const fs::path site = small.folder.path() / "site";
+  const SiteUpdate written = update(small, site);
+  EXPECT_EQ(written.written, 2U);
+  EXPECT_THAT(test::text_of(site / "leaderboard.csv"), HasSubstr("lists.lists"));
+  EXPECT_FALSE(fs::exists(site / "methods/lists.html"));
+}
+
+TEST(WriteSite, RefusesAFolderOfOtherThings) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  test::write_text(site / "thesis.txt", "mine");
+  EXPECT_THAT(test::input_error_of([&] { update(small, site); }), HasSubstr(site.string()));
+  test::write_text(site / "leaderboard.json", "{}");
+  EXPECT_THAT(test::input_error_of([&] { update(small, site); }), HasSubstr(site.string()));
+  EXPECT_FALSE(fs::exists(site / "index.html"));
+  EXPECT_THAT(test::input_error_of([&] { update(small, small.labels()); }), HasSubstr("file"));
+}
+
+TEST(WriteSite, RemovesNothingOutsideItsFolder) {
+  const test_board::SmallBoard small;
+  const fs::path site = small.folder.path() / "site";
+  update(small, site);
+  auto json = nlohmann::ordered_json::parse(test::text_of(site / "leaderboard.json"));
+  test::write_text(small.folder.path() / "victim.html", "stays");
+  test::write_text(site / "other.html", "stays");
+  json["pages"]["methods/../../victim.html"] = "x";
+  json["pages"]["../victim.html"] = "x";
+  json["pages"]["other.html"] = "x";
+  test::write_text(site / "leaderboard.json", json.dump());
+  EXPECT_EQ(update(small, site).removed, 0U);
+  EXPECT_TRUE(fs::exists(small.folder.path() / "victim.html"));
+  EXPECT_TRUE(fs::exists(site / "other.html"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,45 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import { remarksOf } from '../../pages/leaderboard/checks.mjs';
+import { groupsOf, LeaderboardState, letterOf } from '../../pages/leaderboard/leaderboard_state.mjs';
+
+const standing = (average, rank) => ({ average, rank, ranks: [rank, rank], letters: 'a' });
+
+function sampleBoard(count) {
+  const evaluation = { protocol: 'psb', measures: ['FT', 'mAP'] };
+  return {
+    methods: Array.from({ length: count }, (_, i) => ({ name: `m${i}`, evaluations: [evaluation] })), rank_by: 1,
+    micro: [[standing(0.2, 2), standing(0.4, 1)], [standing(0.3, 1), standing(0.3, 1)]],
+    macro: [[standing(0.9, 1), standing(0.1, 2)], [standing(0.9, 1), standing(0.1, 2)]],
+  };
+}
+
+test('groups begin where the worst possible rank grows', () => {
+  // Nine, eight, seven and three, of which neighbours within 1.5 do not differ.
+  assert.deepEqual(groupsOf([2, 3, 3, 4]), [{ first: 0, last: 1 }, { first: 1, last: 2 }, { first: 3, last: 3 }]);
+  assert.deepEqual(groupsOf([3, 3, 3]), [{ first: 0, last: 2 }]);
+});
+
+test('letters go on after z', () => {
+  assert.deepEqual([0, 25, 26, 53, 701, 702].map(letterOf), ['a', 'z', 'aa', 'bb', 'zz', 'aaa']);
+});
+
+test('the ranking is that of the chosen measure and average, ties in the order of the methods', () => {
+  const state = new LeaderboardState(sampleBoard(2));
+  assert.equal(state.measure, 'mAP');
+  assert.deepEqual(state.ranking, [0, 1]);
+  state.change({ measure: 0 });
+  assert.deepEqual(state.ranking, [1, 0]);
+  state.change({ average: 'macro' });
+  assert.deepEqual(state.ranking, [0, 1]);
+});
+
+test('as many methods are shown to begin with as there are colours', () => {
+  assert.deepEqual(new LeaderboardState(sampleBoard(9)).visibleMethods, [0, 1, 2, 3, 4, 5, 6]);
+});
+
+test('a warning stands once, with all methods that it is about', () => {
+  const methods = [{ name: 'a', warnings: ['x', 'y'] }, { name: 'b', warnings: ['x'] }];
+  assert.deepEqual(remarksOf(methods), [{ warning: 'x', names: ['a', 'b'] }, { warning: 'y', names: ['a'] }]);
+});
