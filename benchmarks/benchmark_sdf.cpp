@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
 #include "shapegauge/core/perturbation/sample_surface.h"
@@ -62,6 +63,10 @@ void measure_offsets(const Input& input, const std::vector<double>& offsets, boo
   }
 }
 
+void measure_inscribed_ball(const Input& input) {
+  benchmark::DoNotOptimize(inscribed_ball(input.shape, input.samples, {.parallel = false}));
+}
+
 void add(const std::string& name, const std::function<void()>& work) {
   benchmark::RegisterBenchmark(name.c_str(),
                                [work](benchmark::State& state) {
@@ -87,6 +92,7 @@ void add(const std::filesystem::path& path) {
   add(mesh + "/one ray", [input] { cast_one_ray_each(*input); });
   add(mesh + "/cone embree", [input] { measure_cone(*input, ConeSdfEngine::embree); });
   add(mesh + "/cone cgal", [input] { measure_cone(*input, ConeSdfEngine::cgal); });
+  add(mesh + "/inscribed ball", [input] { measure_inscribed_ball(*input); });
   add(mesh + "/offset 1 %", [input] { measure_offsets(*input, {0.01}); });
   add(mesh + "/offset 3 %", [input] { measure_offsets(*input, {0.03}); });
   add(mesh + "/offset 5 %", [input] { measure_offsets(*input, {0.05}); });

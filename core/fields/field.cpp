@@ -12,6 +12,7 @@
 #include "shapegauge/core/fields/bilateral.h"
 #include "shapegauge/core/fields/centricity.h"
 #include "shapegauge/core/fields/heat_kernel.h"
+#include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
@@ -113,6 +114,24 @@ std::vector<Parameter> cone_sdf_parameters() {
            .kind = ParameterKind::boolean,
            .default_value = usual.postprocess,
            .description = "CGAL's post-processing: smoothed and scaled to [0, 1] shape by shape; engine cgal only."}};
+}
+
+/// The largest ball inside (inscribed_ball.h).
+FieldComputation inscribed_ball_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  const double angle = values.number("separation_angle_degrees");
+  return {.versions = {{"inscribed_ball", inscribed_ball_version}},
+          .compute = [angle](const FieldSource& source, const Samples& samples, bool parallel) {
+            const InscribedBallOptions options{.separation_angle_degrees = angle, .parallel = parallel};
+            return FieldValues{.values = inscribed_ball(source.shape(), samples, options)};
+          }};
+}
+
+std::vector<Parameter> inscribed_ball_parameters() {
+  return {
+      {.name = "separation_angle_degrees",
+       .default_value = InscribedBallOptions{}.separation_angle_degrees,
+       .bounds = InscribedBallOptions::separation_angle_degrees_bounds,
+       .description = "Least angle, at the ball's centre, between the sample and the contact that stops the ball."}};
 }
 
 constexpr std::array<std::string_view, 2> surfaces{"mesh", "proxy"};
@@ -313,6 +332,8 @@ std::vector<FieldType> own_fields() {
       {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field},
       {"cone_sdf", "Conventional shape diameter function: a cone of rays about the inward normal.",
        cone_sdf_parameters(), cone_sdf_field},
+      {"inscribed_ball", "Diameter of the largest ball inside the shape that touches its surface at the sample.",
+       inscribed_ball_parameters(), inscribed_ball_field},
       {"centricity", "Geodesic distance from a place to all others: small in a shape's middle, large at its ends.",
        centricity_parameters(), centricity_field},
       {"heat_kernel", "Heat kernel signature at one time: the heat left at a place, over its share when it is even.",

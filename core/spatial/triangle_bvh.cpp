@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "shapegauge/core/spatial/triangle_bvh_layout.h"
 
@@ -18,6 +20,56 @@ float widened_square(double distance) {
   return square < std::numeric_limits<float>::max() ? static_cast<float>(square)
                                                     : std::numeric_limits<float>::infinity();
 }
+
+/// Squared distance from x to the box of a node's child.
+float squared_distance_to_box(const TriangleBvhNode& node, std::size_t child, const Eigen::Vector3f& x) {
+  float sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float coordinate = x[static_cast<Eigen::Index>(k)];
+    const float outside = std::max({node.low[k][child] - coordinate, coordinate - node.high[k][child], 0.0F});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+/// Shrinks a ball by the triangles below a node.
+class BallShrinking {
+ public:
+  BallShrinking(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
+                const std::function<void(std::int32_t, Ball&)>& shrink, Ball& ball)
+      : nodes_(nodes), leaves_(leaves), shrink_(shrink), ball_(ball) {}
+
+  void visit(const TriangleBvhNode& node) {
+    std::array<std::pair<float, std::size_t>, children_per_node> met;  // squared distances, and which children
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < children_per_node; ++i) {
+      const float square = squared_distance_to_box(node, i, ball_.centre.cast<float>());
+      if (square > widened_square_of_radius()) continue;
+      std::size_t place = count++;
+      for (; place > 0 && met[place - 1].first > square; --place) met[place] = met[place - 1];
+      met[place] = {square, i};
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t child = met[i].second;
+      const float square = squared_distance_to_box(node, child, ball_.centre.cast<float>());  // it may have shrunk
+      if (square <= widened_square_of_radius()) visit_child(node.child[child]);
+    }
+  }
+
+ private:
+  void visit_child(std::int32_t child) {
+    if (child >= 0) return visit(nodes_[static_cast<std::size_t>(child)]);
+    for (const std::int32_t triangle : leaves_[static_cast<std::size_t>(~child)].triangle) shrink_(triangle, ball_);
+  }
+
+  /// With what single precision may lose of coordinates of the order of 1.
+  [[nodiscard]] float widened_square_of_radius() const { return widened_square(ball_.radius + 1e-6); }
+
+  const std::vector<TriangleBvhNode>& nodes_;
+  const std::vector<TriangleBvhLeaf>& leaves_;
+  const std::function<void(std::int32_t, Ball&)>& shrink_;
+  Ball& ball_;
+};
 
 }  // namespace
 
@@ -51,6 +103,12 @@ std::optional<ClosestHit> TriangleBVH::closest(const Eigen::Vector3d& x, double 
   const double distance = (point - x).norm();
   if (!(distance < max_distance)) return std::nullopt;
   return ClosestHit{found, distance, point};
+}
+
+Ball TriangleBVH::shrunk_ball(Ball ball, const std::function<void(std::int32_t, Ball&)>& shrink) const {
+  if (layout_->nodes.empty()) return ball;
+  BallShrinking(layout_->nodes, layout_->leaves, shrink, ball).visit(layout_->nodes.front());
+  return ball;
 }
 
 const Triangle& TriangleBVH::triangle(std::int32_t index) const {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,6 +17,12 @@ struct ClosestHit {
   std::int32_t triangle = -1;
   double distance = std::numeric_limits<double>::infinity();
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
+};
+
+/// A ball.
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius;
 };
 
 /// Bounding volume hierarchy over the triangles of a shape for proximity queries: eight children a node, sixteen
@@ -41,6 +48,11 @@ class TriangleBVH {
   [[nodiscard]] std::optional<ClosestHit> closest(const Eigen::Vector3d& x,
                                                   double max_distance = std::numeric_limits<double>::infinity(),
                                                   std::int32_t hint = -1) const;
+
+  /// Calls `shrink(triangle, ball)` for all triangles that meet the ball, and for some that do not, roughly from near
+  /// to far. `shrink` may replace the ball by one that lies inside of it: triangles that meet only the larger one are
+  /// then left out. Returns the last ball. Radii are finite.
+  [[nodiscard]] Ball shrunk_ball(Ball ball, const std::function<void(std::int32_t, Ball&)>& shrink) const;
 
   /// The corners of a triangle, in the shape's numbering.
   [[nodiscard]] const Triangle& triangle(std::int32_t index) const;

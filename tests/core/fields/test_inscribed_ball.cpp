@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <optional>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/fields/field.h"
+#include "shapegauge/core/fields/inscribed_ball.h"
+#include "shapegauge/core/spatial/closest_point.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+namespace {
+
+Eigen::VectorXd at_faces(const Shape& shape, double separation_angle_degrees = 60) {
+  return inscribed_ball(shape, sample_shape(shape, SampleSite::faces),
+                        {.separation_angle_degrees = separation_angle_degrees});
+}
+
+/// The definition taken literally: candidate points, evenly spread over the triangle.
+double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
+  constexpr int steps = 120;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; j <= steps - i; ++j) {
+      const double b = static_cast<double>(i) / steps;
+      const double c = static_cast<double>(j) / steps;
+      const Eigen::Vector3d q = (1 - b - c) * triangle.a + b * triangle.b + c * triangle.c;
+      const double height = q.dot(normal);
+      if (height > 0) least = std::min(least, q.squaredNorm() / (2 * height));
+    }
+  }
+  return least;
+}
+
+TEST(TouchingBall, AgreesWithCandidatePoints) {
+  RandomNumbers random(7);
+  const auto vector = [&] {
+    return Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  };
+  int stopped = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Triangle triangle{vector(), vector(), vector()};
+    const Eigen::Vector3d normal = vector().normalized();
+    const double sampled = sampled_radius(triangle, normal);
+    const std::optional<double> radius = touching_ball_radius(triangle, normal);
+    if (std::isinf(sampled)) continue;  // the grid may miss a corner above the plane
+    ++stopped;
+    ASSERT_TRUE(radius);
+    EXPECT_LE(*radius, sampled * (1 + 1e-9));
+    if (sampled < 3) {
+      EXPECT_NEAR(*radius, sampled, 0.1 * sampled) << i;
+    }
+  }
+  EXPECT_GT(stopped, 30);
+}
+
+TEST(TouchingBall, PlaneSideAndCorner) {
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const Triangle lid{{-5, -5, 2}, {5, -5, 2}, {0, 5, 2}};
+  EXPECT_DOUBLE_EQ(*touching_ball_radius(lid, up), 1);
+  EXPECT_FALSE(touching_ball_radius(lid, -up));
+  const Triangle wall{{1, -5, -5}, {1, 5, -5}, {1, 0, 9}};  // touched at the height of its distance
+  EXPECT_DOUBLE_EQ(*touching_ball_radius(wall, up), 1);
+  const Triangle high_wall{{1, -5, 3}, {1, 5, 3}, {1, 0, 9}};  // touched at its lower side
+  EXPECT_DOUBLE_EQ(*touching_ball_radius(high_wall, up), 10.0 / 6);
+  const Triangle tip{{0, 0, 3}, {1, 0, 9}, {0, 1, 9}};
+  EXPECT_DOUBLE_EQ(*touching_ball_radius(tip, up), 1.5);
+  const Triangle segment{{2, -1, 2}, {2, 1, 2}, {2, 0, 2}};
+  EXPECT_DOUBLE_EQ(*touching_ball_radius(segment, up), 2);
+  EXPECT_FALSE(touching_ball_radius({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}}, up));
+}
+
+TEST(InscribedBall, OfASphereIsItsDiameter) {
+  const Shape shape = test::sphere(2, 4);
+  const Eigen::VectorXd diameters = at_faces(shape);
+  EXPECT_NEAR(diameters.minCoeff(), 4, 0.06);
+  EXPECT_LE(diameters.maxCoeff(), 4);
+}
+
+TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
+  const Shape shape = test::box({4, 3, 1}, 12);
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {});
+  const Eigen::Array3d half(2, 1.5, 0.5);
+  for (Eigen::Index i = 0; i < diameters.size(); ++i) {
+    Eigen::Array3d to_side = half - samples.points.row(i).transpose().array().abs();
+    Eigen::Index own = 0;
+    to_side.minCoeff(&own);
+    double expected = 2 * half[own];
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      if (k != own) expected = std::min(expected, 2 * to_side[k]);
+    }
+    EXPECT_NEAR(diameters[i], expected, 1e-9) << i;
+  }
+  // Sides at right angles are no contacts beyond a right angle.
+  const Eigen::VectorXd walls = at_faces(shape, 120);
+  for (Eigen::Index i = 0; i < walls.size(); ++i) {
+    if (std::abs(samples.points(i, 2)) > 0.49) {
+      EXPECT_NEAR(walls[i], 1, 1e-9);
+    }
+  }
+}
+
+TEST(InscribedBall, OfACapsuleIsItsDiameter) {
+  const Eigen::VectorXd diameters = at_faces(test::capsule(1, 4, 64, 16));
+  EXPECT_NEAR(diameters.minCoeff(), 2, 0.09);  // a centroid is off the middle of its strip
+  EXPECT_LE(diameters.maxCoeff(), 2 + 1e-9);
+}
+
+TEST(InscribedBall, OfAHollowBoxIsTheWall) {
+  const Shape inner = test::box({3, 3, 3}, 10);
+  const Shape shape = test::joined({test::box({4, 4, 4}, 10), test::flipped(inner)});
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 120});
+  for (Eigen::Index i = 0; i < diameters.size(); ++i) {
+    const Eigen::Array3d place = samples.points.row(i).transpose().array().abs();
+    const bool over_the_cavity = (place < 1.4).count() == 2;
+    if (over_the_cavity) {
+      EXPECT_NEAR(diameters[i], 0.5, 1e-9) << i;
+    }
+  }
+}
+
+/// Whether no triangle reaches into the ball of each sample, and one touches it.
+TEST(InscribedBall, IsEmptyAndCannotGrow) {
+  const Shape shape = test::torus(2, 0.7, 40, 24);
+  const Samples samples = sample_shape(shape, SampleSite::faces);
+  const Eigen::VectorXd diameters = inscribed_ball(shape, samples, {.separation_angle_degrees = 0});
+  for (Eigen::Index i = 0; i < diameters.size(); i += 7) {
+    const double radius = diameters[i] / 2;
+    const Eigen::Vector3d centre = (samples.points.row(i) - radius * samples.normals.row(i)).transpose();
+    double nearest = 10;
+    for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+      if (f == i) continue;
+      const auto corner = [&](int k) -> Eigen::Vector3d { return shape.vertices.row(shape.triangles(f, k)); };
+      const Triangle triangle{corner(0), corner(1), corner(2)};
+      nearest = std::min(nearest, (closest_point(triangle, centre) - centre).norm());
+    }
+    EXPECT_NEAR(nearest, radius, 1e-6 * radius) << i;
+  }
+}
+
+TEST(InscribedBall, MovesAndScalesWithTheShape) {
+  const Shape shape = test::torus(2, 0.7, 30, 18);
+  const Shape moved = test::transformed(shape, 50, test::rotation(3), {100, -40, 7});
+  EXPECT_TRUE(at_faces(moved).isApprox(50 * at_faces(shape), 1e-7));
+}
+
+TEST(InscribedBall, MissesWhereNothingStopsTheBall) {
+  Shape sheet;
+  sheet.vertices.resize(3, 3);
+  sheet.vertices << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  sheet.triangles.resize(1, 3);
+  sheet.triangles << 0, 1, 2;
+  EXPECT_TRUE(std::isnan(at_faces(sheet)[0]));
+}
+
+TEST(InscribedBall, OfPointsWithNormals) {
+  Shape cloud = test::random_points(test::sphere(1, 4), 4000, 5);
+  EXPECT_THROW(inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices)), InputError);
+  cloud.normals = cloud.vertices.rowwise().normalized();
+  const Eigen::VectorXd diameters = inscribed_ball(cloud, sample_shape(cloud, SampleSite::vertices));
+  EXPECT_NEAR(diameters.mean(), 2, 0.05);
+}
+
+TEST(InscribedBall, IsTheSameOnOneThread) {
+  const Shape shape = test::torus(2, 0.7, 30, 18);
+  const Samples samples = sample_shape(shape, SampleSite::vertices);
+  EXPECT_EQ(inscribed_ball(shape, samples), inscribed_ball(shape, samples, {.parallel = false}));
+}
+
+TEST(InscribedBall, IsAField) {
+  const Shape shape = test::sphere(2, 3);
+  FieldSettings settings = field_settings("inscribed_ball");
+  settings.values.set("separation_angle_degrees", 30.0);
+  const Field field = make_field(settings);
+  FieldSource source(shape);
+  const Samples samples = take_samples(shape, settings.samples);
+  EXPECT_EQ(field.compute(source, samples, true).values, at_faces(shape, 30));
+  EXPECT_EQ(field.dimension, FieldDimension::length);
+  EXPECT_THROW(inscribed_ball(shape, samples, {.separation_angle_degrees = 180}), InputError);
+}
+
+}  // namespace
+}  // namespace shapegauge
