@@ -1,6 +1,7 @@
 #include "shapegauge/pages/page_constants.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <limits>
 
 #include "shapegauge/core/render/image.h"
@@ -41,6 +42,8 @@ std::string page_constants_script() {
   script +=
       fmt::format("export const topLevel = {};\nexport const directionLevels = {};\n", top_level, direction_levels);
   add("Number of the colours of methods.", "methodColours", fmt::format("{}", method_colours));
+  add("Strokes and gaps of the lines of methods.", "methodDashes",
+      fmt::format("['{}']", fmt::join(method_dashes, "', '")));
   add("Triangles of a point of a cloud.", "trianglesPerSplat", fmt::format("{}", triangles_per_splat));
   add("Edges up to this angle are shaded smoothly.", "smoothEdgeDegrees", fmt::format("{}", smooth_edge_degrees));
   add("Light of pictures: its direction (right, up, towards the viewer), and how much a surface has of it.", "shading",

@@ -1,7 +1,10 @@
 #include "shapegauge/pages/palette.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
 #include <fmt/format.h>
+#include <stdexcept>
 #include <string_view>
 
 namespace shapegauge {
@@ -47,7 +50,24 @@ std::string theme_rule(std::string_view selector, std::string_view theme, std::s
   return rule + "}\n";
 }
 
+/// Of "#rrggbb".
+Colour colour_of_css(std::string_view text) {
+  Colour colour = {};
+  for (std::size_t k = 0; k < colour.size(); ++k) {
+    std::from_chars(text.data() + 1 + 2 * k, text.data() + 3 + 2 * k, colour[k], 16);
+  }
+  return colour;
+}
+
 }  // namespace
+
+Colour method_colour(std::size_t index) { return colour_of_css(colours_of_methods[index % method_colours].light); }
+
+Colour page_colour(std::string_view name) {
+  const auto* const found = std::ranges::find(page_colours, name, &PageColour::name);
+  if (found == page_colours.end()) throw std::out_of_range(fmt::format("no colour of pages is called {}", name));
+  return colour_of_css(found->light);
+}
 
 std::string palette_style() {
   return theme_rule(":root", "light", &PageColour::light) +

@@ -6,6 +6,8 @@ export const topLevel = 65534;
 export const directionLevels = 127;
 // Number of the colours of methods.
 export const methodColours = 7;
+// Strokes and gaps of the lines of methods.
+export const methodDashes = ['none', '7 3', '2 3', '9 3 2 3', '12 4', '5 2 1 2 1 2', '3 2'];
 // Triangles of a point of a cloud.
 export const trianglesPerSplat = 4;
 // Edges up to this angle are shaded smoothly.

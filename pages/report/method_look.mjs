@@ -1,15 +1,14 @@
 // A method's colour, dashes and sign: alike in all charts. Methods of one colour differ in both others.
 
-import { methodColours } from '../common/constants.mjs';
+import { methodColours, methodDashes } from '../common/constants.mjs';
 
-const dashes = ['none', '7 3', '2 3', '9 3 2 3', '12 4', '5 2 1 2 1 2', '3 2'];
 const signs = ['Circle', 'Square', 'Triangle', 'Diamond', 'Cross', 'Star', 'Wye'];
 
 // The position in lists of `count`: one further with each round of the colours.
 export const shifted = (index, count) => (index + Math.floor(index / methodColours)) % count;
 
 export const colourOf = (index) => `var(--method-${index % methodColours})`;
-export const dashesOf = (index) => dashes[shifted(index, dashes.length)];
+export const dashesOf = (index) => methodDashes[shifted(index, methodDashes.length)];
 export const signOf = (index) => d3.symbol().type(d3[`symbol${signs[shifted(index, signs.length)]}`]).size(34)();
 
 export function swatch(index) {
