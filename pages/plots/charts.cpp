@@ -311,7 +311,7 @@ Drawing draw_chart(const HistogramChart& chart) {
   for (const ChartHistogram& one : chart.histograms) {
     for (const double share : one.shares) largest = std::max(largest, 100 * share);
   }
-  ChartAxis y{.label = chart.y_label, .low = 0, .high = largest > 0 ? largest : 1};
+  ChartAxis y{.label = chart.y_label, .low = 0, .high = largest > 0 ? (chart.mark ? 1.12 : 1) * largest : 1};
   y.high = std::ceil(y.high / nice_step(y.high, 6) - 1e-9) * nice_step(y.high, 6);
   Drawing drawing{.width = chart.size.width, .height = chart.size.height, .elements = {}};
   const Legend legend(names_of(chart.histograms), drawing.width - 20);
