@@ -145,8 +145,7 @@ Eigen::RowVector3d point_in(const CanonicalTriangle& triangle, Eigen::Index k) {
   return (a + u * (b - a) + v * (c - a)).transpose();
 }
 
-DenseSamples dense_samples_of_mesh(const Shape& mesh, Eigen::Index count) {
-  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles, merged_by_place(mesh.vertices));
+DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const EdgeUse> uses, Eigen::Index count) {
   const TriangleSheets sheets = triangle_sheets(uses, static_cast<std::size_t>(mesh.triangles.rows()));
   std::vector<CanonicalTriangle> triangles;
   triangles.reserve(sheets.sheet.size());
@@ -157,6 +156,7 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, Eigen::Index count) {
   if (!std::isnormal(total)) throw InputError("a surface proxy needs a triangle with area, and the mesh has none");
   DenseSamples samples{Points(count, 3), Points(count, 3),
                        Eigen::VectorXd::Constant(count, total / static_cast<double>(count)),
+                       std::vector<std::int32_t>(static_cast<std::size_t>(count)),
                        std::vector<std::int32_t>(static_cast<std::size_t>(count))};
   double covered = 0;
   Eigen::Index i = 0;
@@ -171,6 +171,7 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, Eigen::Index count) {
       samples.points.row(i) = point_in(triangle, i);
       samples.normals.row(i) = normal;
       samples.sheets[static_cast<std::size_t>(i)] = sheets.sheet[t];
+      samples.triangles[static_cast<std::size_t>(i)] = order[place];
     }
   }
   return samples;
@@ -209,9 +210,8 @@ DenseSamples dense_samples_of_cloud(const Shape& cloud, Eigen::Index count) {
 
 }  // namespace
 
-DenseSamples dense_samples(const Shape& shape, Eigen::Index count) {
-  require_usable(shape);
-  return is_cloud(shape) ? dense_samples_of_cloud(shape, count) : dense_samples_of_mesh(shape, count);
+DenseSamples dense_samples(const Shape& shape, std::span<const EdgeUse> uses, Eigen::Index count) {
+  return is_cloud(shape) ? dense_samples_of_cloud(shape, count) : dense_samples_of_mesh(shape, uses, count);
 }
 
 }  // namespace shapegauge

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -16,6 +18,7 @@ struct DenseSamples {
   Eigen::VectorXd areas;             ///< the area that each sample stands for, positive
   std::vector<std::int32_t> sheets;  ///< within a sheet normals are consistently oriented; across sheets the sign means
                                      ///< nothing. -1: in no sheet
+  std::vector<std::int32_t> triangles;  ///< of the mesh, on which each lies; empty for a cloud
 };
 
 /// Cosine of the angle between the normals of two samples; its absolute value where their orientations are unrelated.
@@ -33,7 +36,7 @@ inline double normal_agreement(const Points& normals, const std::vector<std::int
 /// Takes the distinct points of a cloud, weighted by point_weights(), with unsigned_point_normals(); of more than
 /// `count` points every so many-th along a Morton curve. All are in no sheet.
 ///
-/// Throws InputError for an unusable shape (require_usable()), and where the shape has no area.
-DenseSamples dense_samples(const Shape& shape, Eigen::Index count);
+/// `uses` are the mesh's edge_uses(). Throws InputError where the shape has no area.
+DenseSamples dense_samples(const Shape& shape, std::span<const EdgeUse> uses, Eigen::Index count);
 
 }  // namespace shapegauge

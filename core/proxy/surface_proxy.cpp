@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/proxy/dense_samples.h"
 #include "shapegauge/core/proxy/farthest_points.h"
+#include "shapegauge/core/proxy/local_connectivity.h"
 #include "shapegauge/core/proxy/local_delaunay.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/link_components.h"
@@ -26,6 +27,7 @@ struct ProxyPoints {
   Points points;
   Points normals;
   std::vector<std::int32_t> sheets;
+  std::vector<std::int32_t> triangles;  ///< of the mesh, on which each lies; empty for a cloud
   Eigen::VectorXd areas;
   double covering_radius;
 };
@@ -36,10 +38,12 @@ ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& fart
   ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all),
                     Points::Zero(count, 3),
                     {},
+                    {},
                     Eigen::VectorXd::Zero(count),
                     farthest.covering_radius};
   for (const std::int32_t sample : farthest.chosen) {
     proxy.sheets.push_back(samples.sheets[static_cast<std::size_t>(sample)]);
+    if (!samples.triangles.empty()) proxy.triangles.push_back(samples.triangles[static_cast<std::size_t>(sample)]);
   }
   for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
     const std::int32_t place = farthest.nearest[static_cast<std::size_t>(i)];
@@ -78,8 +82,21 @@ bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, dou
   return agreement > least_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
 }
 
+/// Whether no path on the mesh joins two points inside the ball about their midpoint: parts that touch are near each
+/// other in space and far along the surface. An arc that turns by less than half a circle lies inside this ball. Points
+/// of different components are not held to it.
+bool far_along_surface(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance,
+                       LocalConnectivity& connectivity) {
+  const std::int32_t from = proxy.triangles[static_cast<std::size_t>(i)];
+  const std::int32_t to = proxy.triangles[static_cast<std::size_t>(j)];
+  if (from == to || !connectivity.of_one_component(from, to)) return false;
+  const Eigen::Vector3d midpoint = (proxy.points.row(i) + proxy.points.row(j)).transpose() / 2;
+  if (connectivity.connected_in_ball(from, to, midpoint, distance / 2)) return false;
+  return !connectivity.met_border() || !connectivity.connected_in_ball(from, to, midpoint, distance, Joint::vertex);
+}
+
 /// Pairs of neighbours, each once, the lesser point first.
-std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
+std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, LocalConnectivity connectivity, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;
   std::vector<Segment> pairs;
@@ -88,6 +105,7 @@ std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, int neighbours) {
       const std::int32_t j = nearest.indices(i, k);
       const double distance = nearest.distances(i, k);
       if (!(distance > 0 && distance <= reach) || !on_same_sheet(proxy, i, j, distance)) continue;
+      if (!proxy.triangles.empty() && far_along_surface(proxy, i, j, distance, connectivity)) continue;
       pairs.push_back({std::min(i, j), std::max(i, j), distance});
     }
   }
@@ -243,8 +261,10 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   check(options);
   require_usable(shape);
   const UnitFrame frame = unit_frame(shape);
-  const DenseSamples samples =
-      dense_samples(in_unit_frame(shape, frame), Eigen::Index{options.points} * options.samples_per_point);
+  const Shape framed = in_unit_frame(shape, frame);
+  const std::vector<std::int32_t> merged = merged_by_place(framed.vertices);
+  const std::vector<EdgeUse> uses = edge_uses(framed.triangles, merged);
+  const DenseSamples samples = dense_samples(framed, uses, Eigen::Index{options.points} * options.samples_per_point);
   ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
   chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.points));
   SurfaceProxy proxy;
@@ -252,7 +272,7 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   proxy.normals = unsigned_normals(chosen.normals);
   proxy.areas = chosen.areas;
   proxy.covering_radius = chosen.covering_radius;
-  std::vector<Segment> segments = neighbour_pairs(chosen, options.neighbours);
+  std::vector<Segment> segments = neighbour_pairs(chosen, LocalConnectivity(framed, merged, uses), options.neighbours);
   set_arcs(proxy, segments);
   proxy.components = link_components(proxy.points, 8, segments);
   proxy.stiffness = stiffness_of(proxy, segments);

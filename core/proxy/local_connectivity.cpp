@@ -1,0 +1,102 @@
+#include "shapegauge/core/proxy/local_connectivity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace shapegauge {
+
+LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged,
+                                     std::span<const EdgeUse> uses)
+    : spheres_(4, shape.triangles.rows()),
+      on_border_(static_cast<std::size_t>(shape.triangles.rows()), 0),
+      visited_by_(on_border_.size(), 0) {
+  for (Eigen::Index t = 0; t < spheres_.cols(); ++t) {
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) corners.col(k) = shape.vertices.row(shape.triangles(t, k)).transpose();
+    // The centre of the box, so that the order of the corners changes no bit.
+    const Eigen::Vector3d centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
+    spheres_.col(t) << centre, std::sqrt((corners.colwise() - centre).colwise().squaredNorm().maxCoeff());
+  }
+  DisjointSets pieces;
+  pieces.grow_to(on_border_.size());
+  std::vector<Neighbour> pairs;
+  pairs.reserve(uses.size());
+  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) on_border_[at(edge.front().triangle)] = 1;
+    for (std::size_t k = 1; k < edge.size(); ++k) {
+      const std::int32_t a = edge[k - 1].triangle;
+      const std::int32_t b = edge[k].triangle;
+      pairs.push_back({a, b});
+      pairs.push_back({b, a});
+      pieces.join(a, b);
+    }
+  });
+  across_edges_ = counted_by_key(pairs, on_border_.size(), [](const Neighbour& pair) { return pair.of; });
+  for (std::size_t t = 0; t < on_border_.size(); ++t) component_.push_back(pieces.find(static_cast<std::int32_t>(t)));
+  if (std::ranges::count(on_border_, 1) > 0) across_vertices_ = across_vertices(shape, merged);
+}
+
+LocalConnectivity::Neighbours LocalConnectivity::across_vertices(const Shape& shape,
+                                                                 std::span<const std::int32_t> merged) {
+  std::vector<Neighbour> corners;  // of a vertex, a triangle
+  for (Eigen::Index t = 0; t < shape.triangles.rows(); ++t) {
+    for (int k = 0; k < 3; ++k) corners.push_back({merged[at(shape.triangles(t, k))], static_cast<std::int32_t>(t)});
+  }
+  const Neighbours around = counted_by_key(corners, merged.size(), [](const Neighbour& corner) { return corner.of; });
+  std::vector<Neighbour> pairs;
+  for (const Neighbour& corner : corners) {
+    for (std::size_t k = around.first[at(corner.of)]; k < around.first[at(corner.of) + 1]; ++k) {
+      const std::int32_t other = around.values[k].triangle;
+      if (other != corner.triangle) pairs.push_back({corner.triangle, other});
+    }
+  }
+  return counted_by_key(pairs, static_cast<std::size_t>(shape.triangles.rows()),
+                        [](const Neighbour& pair) { return pair.of; });
+}
+
+void LocalConnectivity::visit(std::int32_t triangle) {
+  visited_by_[at(triangle)] = search_;
+  met_border_ = met_border_ || on_border_[at(triangle)] != 0;
+  queue_.push_back(triangle);
+}
+
+/// Walks to the neighbour in the ball that is nearest to the target, as long as one is nearer than the last.
+void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius,
+                                     const Neighbours& neighbours) {
+  const Eigen::Vector3d target = spheres_.col(to).head<3>();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::int32_t here = queue_.back(); here != to;) {
+    std::int32_t best = -1;
+    for (std::size_t k = neighbours.first[at(here)]; k < neighbours.first[at(here) + 1]; ++k) {
+      const std::int32_t neighbour = neighbours.values[k].triangle;
+      const double distance = (spheres_.col(neighbour).head<3>() - target).squaredNorm();
+      if (!(distance < nearest) || !meets(neighbour, centre, radius)) continue;
+      nearest = distance;
+      best = neighbour;
+    }
+    if (best < 0) return;
+    visit(best);
+    here = best;
+  }
+}
+
+bool LocalConnectivity::connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre,
+                                          double radius, Joint joint) {
+  const Neighbours& neighbours = joint == Joint::edge ? across_edges_ : across_vertices_;
+  ++search_;
+  met_border_ = false;
+  queue_.clear();
+  visit(from);
+  walk_towards(to, centre, radius, neighbours);
+  for (std::size_t next = 0; next < queue_.size() && !visited(to); ++next) {
+    const std::size_t triangle = at(queue_[next]);
+    for (std::size_t k = neighbours.first[triangle]; k < neighbours.first[triangle + 1]; ++k) {
+      const std::int32_t neighbour = neighbours.values[k].triangle;
+      if (!visited(neighbour) && meets(neighbour, centre, radius)) visit(neighbour);
+    }
+  }
+  return visited(to);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/shape.h"
+
+namespace shapegauge {
+
+/// What joins two neighbouring triangles.
+enum class Joint { edge, vertex };
+
+/// Which triangles of a mesh are connected near a place. A cloud has no triangles.
+class LocalConnectivity {
+ public:
+  /// `merged` and `uses` are merged_by_place() and edge_uses() of the shape.
+  LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged, std::span<const EdgeUse> uses);
+
+  /// Whether two triangles are connected by any path across edges.
+  [[nodiscard]] bool of_one_component(std::int32_t a, std::int32_t b) const {
+    return component_[at(a)] == component_[at(b)];
+  }
+
+  /// Whether a path leads from one triangle to another through triangles whose bounding spheres meet a ball.
+  bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double radius,
+                         Joint joint = Joint::edge);
+
+  /// Whether the search of the last connected_in_ball() met a triangle with an edge that no other triangle has.
+  [[nodiscard]] bool met_border() const { return met_border_; }
+
+ private:
+  struct Neighbour {
+    std::int32_t of;
+    std::int32_t triangle;
+  };
+
+  using Neighbours = CountedByKey<Neighbour>;
+
+  static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+  static Neighbours across_vertices(const Shape& shape, std::span<const std::int32_t> merged);
+  [[nodiscard]] bool visited(std::int32_t triangle) const { return visited_by_[at(triangle)] == search_; }
+  [[nodiscard]] bool meets(std::int32_t triangle, const Eigen::Vector3d& centre, double radius) const {
+    const double reach = radius + spheres_(3, triangle);
+    return (spheres_.col(triangle).head<3>() - centre).squaredNorm() <= reach * reach;
+  }
+  void visit(std::int32_t triangle);
+  void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, const Neighbours& neighbours);
+
+  Neighbours across_edges_;      ///< by triangle
+  Neighbours across_vertices_;   ///< by triangle; empty where no edge is a border
+  Eigen::Matrix4Xd spheres_;     ///< by triangle: centre and radius
+  std::vector<char> on_border_;  ///< by triangle
+  std::vector<std::int32_t> component_;
+  std::vector<std::int32_t> visited_by_;  ///< by triangle: the number of the last search that met it
+  std::vector<std::int32_t> queue_;       ///< triangles met, in this order
+  std::int32_t search_ = 0;
+  bool met_border_ = false;
+};
+
+}  // namespace shapegauge
