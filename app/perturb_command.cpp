@@ -1,52 +1,102 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
+#include <deque>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/configuration/perturbations.h"
 
 namespace shapegauge {
 
 namespace {
 
+/// The options of a kind of perturbation. That of its first parameter asks for it; of a kind without parameters a flag.
+struct StepOptions {
+  std::string_view type;
+  std::vector<std::string_view> names;  ///< of the parameters; absent: made from the type's and the parameter's name
+};
+
+/// The order of the changes, and of the options in the help. Types that are not here follow.
+const std::vector<StepOptions> first_steps{{"decimate", {"--decimate"}},
+                                           {"vertex_noise", {"--noise", "--noise-distribution"}},
+                                           {"remove_faces", {"--remove-faces"}},
+                                           {"holes", {"--holes", "--hole-radius"}},
+                                           {"sample_points", {"--points", "--with-normals"}},
+                                           {"vertex_cloud", {}},
+                                           {"flip_orientation", {"--flip"}},
+                                           {"motion", {"--motion"}}};
+
+std::vector<StepOptions> all_steps() {
+  std::vector<StepOptions> steps = first_steps;
+  for (const std::string_view type : shape_perturbations().names()) {
+    if (std::ranges::find(steps, type, &StepOptions::type) == steps.end()) steps.push_back({.type = type, .names = {}});
+  }
+  return steps;
+}
+
+/// What is asked of one kind of perturbation.
+struct AskedStep {
+  const ShapePerturbation* kind;
+  bool wanted = false;
+  ParameterTexts settings = {};
+};
+
 struct PerturbArguments {
   ShapeFiles files{.output_format = "off"};
   std::uint64_t seed = 1;
-  std::optional<int> faces;
-  std::optional<double> noise;
-  std::optional<double> removed;
-  std::optional<int> holes;
-  double hole_radius = 0.05;
-  std::optional<int> points;
-  bool with_normals = false;
-  std::optional<double> flipped;
-  std::optional<double> scale;
+  std::deque<AskedStep> steps = {};  ///< where the options write to
 };
 
-/// The steps, in the order that the help gives.
+/// Adds the options of one kind of perturbation.
+void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& step) {
+  const std::string type_option = setting_name(Audience::command_line, options.type);
+  const auto parameters = step.kind->parameters;
+  if (parameters.empty()) {
+    command.add_flag(type_option, step.wanted, without_full_stop(step.kind->description));
+    return;
+  }
+  CLI::Option* first = nullptr;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    const std::string made =
+        i == 0 ? type_option : setting_name(Audience::command_line, fmt::format("{}_{}", options.type, parameter.name));
+    const std::string name = i < options.names.size() ? std::string(options.names[i]) : made;
+    const std::string meaning =
+        i == 0 ? fmt::format("{} {}", step.kind->description, meaning_of(parameter, false)) : "";
+    CLI::Option* const option =
+        add_parameter_option(command, parameter, step.settings[std::string(parameter.name)], name, meaning);
+    if (first == nullptr)
+      first = option->each([&step](const std::string& /*text*/) { step.wanted = true; });
+    else
+      option->needs(first);
+  }
+}
+
+/// The steps that were asked for.
 nlohmann::json steps_of(const PerturbArguments& arguments) {
   nlohmann::json steps = nlohmann::json::array();
-  if (arguments.faces) steps.push_back({{"type", "decimate"}, {"faces", *arguments.faces}});
-  if (arguments.noise) steps.push_back({{"type", "vertex_noise"}, {"amplitude", *arguments.noise}});
-  if (arguments.removed) steps.push_back({{"type", "remove_faces"}, {"fraction", *arguments.removed}});
-  if (arguments.holes) {
-    steps.push_back({{"type", "holes"}, {"number", *arguments.holes}, {"radius", arguments.hole_radius}});
+  for (const AskedStep& step : arguments.steps) {
+    if (!step.wanted) continue;
+    nlohmann::json settings = to_json(parameter_values(step.kind->parameters, step.settings, step.kind->name));
+    settings["type"] = step.kind->name;
+    steps.push_back(std::move(settings));
   }
-  if (arguments.points) {
-    steps.push_back(
-        {{"type", "sample_points"}, {"points", *arguments.points}, {"with_normals", arguments.with_normals}});
-  }
-  if (arguments.flipped) steps.push_back({{"type", "flip_orientation"}, {"fraction", *arguments.flipped}});
-  if (arguments.scale) steps.push_back({{"type", "motion"}, {"scale", *arguments.scale}});
   return steps;
 }
 
@@ -69,19 +119,10 @@ void add_perturb_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
   add_seed_option(*command, arguments->seed);
-  command->add_option("--decimate", arguments->faces, "Simplify the mesh to so many faces");
-  command->add_option("--noise", arguments->noise,
-                      "Move every vertex, at random in a ball of this radius, a fraction of the diagonal");
-  command->add_option("--remove-faces", arguments->removed, "Remove this fraction of the faces (of a cloud: points)");
-  CLI::Option* holes = command->add_option("--holes", arguments->holes, "Punch so many holes");
-  command->add_option("--hole-radius", arguments->hole_radius, "Their radius, as a fraction of the diagonal")
-      ->needs(holes)
-      ->capture_default_str();
-  CLI::Option* points = command->add_option("--points", arguments->points, "Sample so many points: a point cloud");
-  command->add_flag("--with-normals", arguments->with_normals, "Give the points normals")->needs(points);
-  command->add_option("--flip", arguments->flipped, "Turn this fraction of the faces over (of a cloud: normals)");
-  command->add_option("--motion", arguments->scale,
-                      "Rotate and shift, and scale by a factor from 1/MOTION to MOTION (1: no scaling)");
+  for (const StepOptions& options : all_steps()) {
+    AskedStep& step = arguments->steps.emplace_back(AskedStep{.kind = &shape_perturbations().at(options.type)});
+    add_step_options(*command, options, step);
+  }
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -4,20 +4,20 @@
 #include <fstream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/parameter_options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/datasets/files/table.h"
-#include "shapegauge/experiments/configuration/parameter_json.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/retrieval/diffusion.h"
@@ -33,45 +33,11 @@ struct RerankArguments {
   fs::path distances;
   fs::path output;
   std::string method = "diffusion";
-  std::map<std::string, std::string> settings;  ///< by parameter; empty: not given
+  ParameterTexts settings;
   bool sparse = false;
   bool replace = false;
   int threads = 0;
 };
-
-std::string option_name(std::string_view parameter) {
-  std::string name = "--" + std::string(parameter);
-  std::ranges::replace(name, '_', '-');
-  return name;
-}
-
-/// A number, a word, or numbers between commas, as a configuration has them.
-nlohmann::json setting_value(const Parameter& parameter, const std::string& text) {
-  if (std::ranges::find(parameter.choices, text) != parameter.choices.end()) return text;
-  nlohmann::json list = nlohmann::json::parse(fmt::format("[{}]", text), nullptr, false);
-  const bool numbers = list.is_array() && !list.empty() &&
-                       std::ranges::all_of(list, [](const nlohmann::json& value) { return value.is_number(); });
-  const bool takes_lists = parameter.kind == ParameterKind::integers;
-  if (!numbers || (list.size() > 1 && !takes_lists)) {
-    throw InputError(fmt::format("{} is \"{}\"; it must be {}", option_name(parameter.name), text,
-                                 takes_lists ? "a number, numbers between commas, or auto" : "a number"));
-  }
-  return list.size() == 1 ? list.front() : list;
-}
-
-/// The settings of the method. Throws InputError for one that is another method's.
-ParameterValues values_of(const RerankArguments& arguments, const RerankMethod& method) {
-  nlohmann::json given = nlohmann::json::object();
-  for (const auto& [name, text] : arguments.settings) {
-    if (text.empty()) continue;
-    const auto parameter = std::ranges::find(method.parameters, name, &Parameter::name);
-    if (parameter == method.parameters.end()) {
-      throw InputError(fmt::format("{} does not go with --method {}", option_name(name), method.name));
-    }
-    given[name] = setting_value(*parameter, text);
-  }
-  return read_parameters(method.parameters, given);
-}
 
 /// Above so many models the whole matrix need not be in memory.
 constexpr Eigen::Index most_dense = 5000;
@@ -142,7 +108,8 @@ int run(const RerankArguments& arguments) {
   const OutputFile output{.path = arguments.output, .what = "--output"};
   check_output_files({&arguments.distances, 1}, {&output, 1}, arguments.replace);
   const RerankMethod& method = rerank_methods().at(arguments.method);
-  const ParameterValues values = values_of(arguments, method);
+  const ParameterValues values =
+      parameter_values(method.parameters, arguments.settings, fmt::format("--method {}", method.name));
   const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
   const bool by_rows = arguments.sparse || (matrix.rows > most_dense && method.name == "diffusion" && format == ".npy");
   if (arguments.sparse && (method.name != "diffusion" || format != ".npy")) {
@@ -163,18 +130,16 @@ int run(const RerankArguments& arguments) {
 
 /// Adds an option for each parameter of any method.
 void add_settings(CLI::App& command, RerankArguments& arguments) {
-  std::map<std::string, std::string> meanings;
+  std::map<std::string_view, std::pair<const Parameter*, std::string>> options;
   for (const RerankMethod& method : rerank_methods().entries()) {
-    const nlohmann::json defaults = to_json(ParameterValues(method.parameters));
     for (const Parameter& parameter : method.parameters) {
-      const std::string name(parameter.name);
-      std::string& meaning = meanings[name];
-      meaning += fmt::format("{}{} ({}; usually {})", meaning.empty() ? "" : " ", parameter.description, method.name,
-                             defaults.at(name).dump());
+      auto& [any, meanings] = options[parameter.name];
+      any = &parameter;
+      meanings += fmt::format("{}{}: {}", meanings.empty() ? "" : "; ", method.name, meaning_of(parameter));
     }
   }
-  for (const auto& [name, meaning] : meanings) {
-    command.add_option(option_name(name), arguments.settings[name], meaning);
+  for (const auto& [name, option] : options) {
+    add_parameter_option(command, *option.first, arguments.settings[std::string(name)], "", option.second);
   }
 }
 

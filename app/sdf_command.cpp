@@ -10,12 +10,12 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
-#include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 
@@ -25,15 +25,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array<std::string_view, 2> methods{"offset_sdf", "cone_sdf"};
+
 struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string method;
   std::string site = "faces";
   std::string offset = "0.05";
-  std::string accuracy = "standard";
-  std::string engine = "embree";
-  double opening_angle_degrees = ConeSdfOptions{}.opening_angle_degrees;
-  int rays = ConeSdfOptions{}.rays;
+  ParameterTexts settings;  ///< of the method, but for the offset
   bool denoise = false;
   fs::path timings;
   std::string picture_size = "640x480";
@@ -83,14 +82,9 @@ bool is_offset_sdf(const SdfArguments& arguments) { return arguments.method == "
 Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) {
   FieldSettings settings = field_settings(arguments.method);
   settings.samples.site = arguments.site == "vertices" ? SampleSite::vertices : SampleSite::faces;
-  if (is_offset_sdf(arguments)) {
+  settings.values = parameter_values(settings.values.parameters(), arguments.settings, "--method " + arguments.method);
+  if (is_offset_sdf(arguments))
     settings.values.set("offset", offset ? ParameterValue(*offset) : ParameterValue("auto"));
-    settings.values.set("accuracy", arguments.accuracy);
-  } else {
-    settings.values.set("engine", arguments.engine);
-    settings.values.set("opening_angle_degrees", arguments.opening_angle_degrees);
-    settings.values.set("rays", std::int64_t{arguments.rays});
-  }
   return make_field(std::move(settings));
 }
 
@@ -132,6 +126,19 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
+/// Adds an option for each parameter of the two methods.
+void add_settings(CLI::App& command, SdfArguments& arguments) {
+  for (const std::string_view method : methods) {
+    for (const Parameter& parameter : field_types().at(method).parameters) {
+      if (parameter.name == "offset") continue;
+      const bool angle = parameter.name == "opening_angle_degrees";
+      add_parameter_option(command, parameter, arguments.settings[std::string(parameter.name)],
+                           angle ? "--opening-angle-degrees,--opening-angle" : "",
+                           fmt::format("{}: {}", method, meaning_of(parameter)));
+    }
+  }
+}
+
 int run(SdfArguments& arguments) {
   if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
     throw InputError("--timings goes with one shape; leave it out for several");
@@ -171,18 +178,8 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
-  std::vector<CLI::Option*> of_offset{
-      add_offset_option(*command, arguments->offset),
-      command->add_option("--accuracy", arguments->accuracy, "offset: how fine its grid is")
-          ->check(CLI::IsMember({"fast", "standard", "fine"}))
-          ->capture_default_str()};
-  std::vector<CLI::Option*> of_cone{
-      command->add_option("--engine", arguments->engine, "cone: who casts the rays")
-          ->check(CLI::IsMember({"embree", "cgal"})),
-      command->add_option("--opening-angle-degrees,--opening-angle", arguments->opening_angle_degrees,
-                          "cone: opening angle in degrees"),
-      command->add_option("--rays", arguments->rays, "cone: rays for each sample")};
-  for (CLI::Option* option : of_cone) option->capture_default_str();
+  CLI::Option* const offset = add_offset_option(*command, arguments->offset);
+  add_settings(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
   command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png in pixels")
       ->capture_default_str();
@@ -192,15 +189,10 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->capture_default_str();
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
-  command->callback([arguments, &status, of_offset, of_cone] {
+  command->callback([arguments, &status, offset] {
     if (!arguments->method.ends_with("_sdf")) arguments->method += "_sdf";
-    const bool is_offset = is_offset_sdf(*arguments);
-    for (const CLI::Option* option : of_cone) {
-      if (is_offset && option->count() > 0) throw InputError(option->get_name() + " goes with --method cone_sdf only");
-    }
-    for (const CLI::Option* option : of_offset) {
-      if (!is_offset && option->count() > 0)
-        throw InputError(option->get_name() + " goes with --method offset_sdf only");
+    if (!is_offset_sdf(*arguments) && offset->count() > 0) {
+      throw InputError("--offset does not go with --method " + arguments->method);
     }
     status = run(*arguments);
   });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -33,49 +34,94 @@ struct MemberOf<ValueOf OptionsOf::*> {
   using Value = ValueOf;
 };
 
+/// The words of an enumeration whose values are 0, 1, 2 and so on. Specialised beside each one that options may have.
+template <typename Enumeration>
+inline constexpr std::array<std::string_view, 0> words_of{};
+
+/// A whole number, which parameters hold with 64 bits.
+template <typename Value>
+inline constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
+
 /// How a parameter holds the value of a member.
 template <typename Value>
-using HeldValue = std::conditional_t<std::is_same_v<Value, int>, std::int64_t, Value>;
+using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
+                                     std::conditional_t<std::is_enum_v<Value>, std::string_view, Value>>;
 
-/// The value of a member; a word means the empty list.
+/// A member's value as the parameter holds it.
+template <typename Value>
+constexpr HeldValue<Value> held_value(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    return words_of<Value>.at(static_cast<std::size_t>(value));
+  } else {
+    return HeldValue<Value>{value};
+  }
+}
+
+/// The value of a member; a word means the empty list, or the value of an enumeration.
 template <typename Value>
 Value member_value(const ParameterValue& value) {
   if constexpr (std::is_same_v<Value, IntegerList>) {
     const auto* const list = std::get_if<IntegerList>(&value);
     return list != nullptr ? *list : IntegerList{};
+  } else if constexpr (std::is_enum_v<Value>) {
+    const auto word = std::ranges::find(words_of<Value>, std::get<std::string_view>(value));
+    return static_cast<Value>(word - words_of<Value>.begin());
   } else {
     return static_cast<Value>(std::get<HeldValue<Value>>(value));
   }
 }
 
-/// Makes a parameter for a member (an int, an IntegerList, a double or a bool) of a struct of options. The choices of a
-/// list all mean the empty list.
+/// Makes a parameter for a member (a whole number, an IntegerList, a double, a bool, or an enumeration that has
+/// words_of) of a struct of options. The choices of a list all mean the empty list.
 template <auto member>
 constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description,
                          std::span<const std::string_view> choices = {}) {
   using Options = typename MemberOf<decltype(member)>::Options;
   using Value = typename MemberOf<decltype(member)>::Value;
   constexpr bool is_list = std::is_same_v<Value, IntegerList>;
-  static_assert(is_list || std::is_same_v<Value, int> || std::is_same_v<Value, double> || std::is_same_v<Value, bool>);
-  using Held = HeldValue<Value>;
+  constexpr bool is_word = std::is_enum_v<Value>;
+  static_assert(is_list || is_word || is_integer<Value> || std::is_same_v<Value, double> ||
+                std::is_same_v<Value, bool>);
+  if constexpr (is_word) {
+    static_assert(words_of<Value>.size() > 0);
+    choices = words_of<Value>;
+  }
   return OptionParameter<Options>{
       .parameter = {.name = name,
                     .kind = is_list                         ? ParameterKind::integers
-                            : std::is_same_v<Value, int>    ? ParameterKind::integer
+                            : is_word                       ? ParameterKind::choice
+                            : is_integer<Value>             ? ParameterKind::integer
                             : std::is_same_v<Value, double> ? ParameterKind::number
                                                             : ParameterKind::boolean,
-                    .default_value = Held{Options{}.*member},
+                    .default_value = held_value(Options{}.*member),
                     .bounds = bounds,
                     .choices = choices,
                     .description = description},
-      .value = [](const Options& options) { return ParameterValue(Held{options.*member}); },
+      .value = [](const Options& options) { return ParameterValue(held_value(options.*member)); },
       .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};
 }
 
-/// The same for a bool.
+/// The same for a bool or an enumeration.
 template <auto member>
 constexpr auto option_of(std::string_view name, std::string_view description) {
   return option_of<member>(name, Bounds{}, description);
+}
+
+/// The same option without a default: whoever chooses the options must give it.
+template <typename Options>
+constexpr OptionParameter<Options> required(OptionParameter<Options> option) {
+  option.parameter.default_value = {};
+  return option;
+}
+
+/// An option of a struct that is itself a member of a struct of options. `table`: that of the member's own type.
+template <auto member, const auto& table, std::size_t index>
+constexpr auto option_within() {
+  using Options = typename MemberOf<decltype(member)>::Options;
+  return OptionParameter<Options>{
+      .parameter = table.at(index).parameter,
+      .value = [](const Options& options) { return table.at(index).value(options.*member); },
+      .set = [](Options& options, const ParameterValue& value) { table.at(index).set(options.*member, value); }};
 }
 
 /// The parameters of a table of options.

@@ -1,11 +1,13 @@
 #include "shapegauge/core/base/parameter.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <type_traits>
 
 #include "shapegauge/core/base/error.h"
@@ -37,23 +39,18 @@ std::string bounded(std::string_view kind, const Bounds& bounds) {
   return unlimited ? fmt::format("a finite {}", kind) : fmt::format("a {} {}", kind, to_string(bounds));
 }
 
-/// What the parameter takes, in words.
-std::string legal_values(const Parameter& parameter) {
-  const std::string words = fmt::format("{}", fmt::join(parameter.choices, ", "));
-  switch (parameter.kind) {
-    case ParameterKind::number:
-      return bounded("number", parameter.bounds) + (words.empty() ? "" : ", or " + words);
-    case ParameterKind::integer:
-      return bounded("whole number", parameter.bounds);
-    case ParameterKind::integers:
-      return fmt::format("{}, a list of 1 to {} of them{}", bounded("whole number", parameter.bounds),
-                         IntegerList::most, words.empty() ? "" : ", or " + words);
-    case ParameterKind::boolean:
-      return "true or false";
-    case ParameterKind::choice:
-      break;
+/// Whole numbers between commas, at most as many as a list takes; none for other text.
+std::optional<std::vector<std::int64_t>> whole_numbers(std::string_view text) {
+  std::vector<std::int64_t> numbers;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); numbers.size() < IntegerList::most; ++at) {
+    const auto [after, error] = std::from_chars(at, end, numbers.emplace_back());
+    if (error != std::errc()) return std::nullopt;
+    if (after == end) return numbers;
+    if (*after != ',') return std::nullopt;
+    at = after;
   }
-  return "one of " + words;
+  return std::nullopt;
 }
 
 std::optional<ParameterValue> choice_equal_to(const Parameter& parameter, const ParameterValue& value) {
@@ -130,9 +127,51 @@ void require_in_bounds(std::string_view what, double value, const Bounds& bounds
   }
 }
 
+std::string legal_values(const Parameter& parameter) {
+  const std::string words = fmt::format("{}", fmt::join(parameter.choices, ", "));
+  switch (parameter.kind) {
+    case ParameterKind::number:
+      return bounded("number", parameter.bounds) + (words.empty() ? "" : ", or " + words);
+    case ParameterKind::integer:
+      return bounded("whole number", parameter.bounds);
+    case ParameterKind::integers:
+      return fmt::format("{}, a list of 1 to {} of them{}", bounded("whole number", parameter.bounds),
+                         IntegerList::most, words.empty() ? "" : ", or " + words);
+    case ParameterKind::boolean:
+      return "true or false";
+    case ParameterKind::choice:
+      break;
+  }
+  return "one of " + words;
+}
+
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value) {
   if (const std::optional<ParameterValue> legal = legal_value(parameter, value)) return *legal;
   fail_value(parameter, shown(value), legal_values(parameter));
+}
+
+ParameterValue parse_value(const Parameter& parameter, std::string_view text) {
+  if (parameter.kind == ParameterKind::boolean && (text == "true" || text == "false")) return text == "true";
+  if (std::ranges::find(parameter.choices, text) != parameter.choices.end()) return checked_value(parameter, text);
+  if (parameter.kind == ParameterKind::number) {
+    if (const auto number = parse_number(text)) return checked_value(parameter, *number);
+  } else if (const auto numbers = whole_numbers(text)) {
+    const bool one = numbers->size() == 1;
+    return checked_value(parameter, one ? ParameterValue(numbers->front()) : IntegerList(std::span(*numbers)));
+  }
+  return checked_value(parameter, text);
+}
+
+std::string to_string(const ParameterValue& value) {
+  return std::visit(
+      [](const auto& v) -> std::string {
+        using Value = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<Value, std::monostate>) return "";
+        if constexpr (std::is_same_v<Value, std::string_view>) return std::string(v);
+        if constexpr (std::is_arithmetic_v<Value>) return fmt::format("{}", v);
+        if constexpr (std::is_same_v<Value, IntegerList>) return fmt::format("{}", fmt::join(v.values(), ","));
+      },
+      value);
 }
 
 ParameterValues::ParameterValues(std::span<const Parameter> parameters) : parameters_(parameters) {

@@ -89,6 +89,16 @@ struct Parameter {
 /// with the parameter's name, for a value of another kind, out of bounds, or not among the choices.
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value);
 
+/// The value that a text spells: a number, whole numbers between commas, true or false, or one of the choices. Throws
+/// InputError as checked_value().
+ParameterValue parse_value(const Parameter& parameter, std::string_view text);
+
+/// The value as parse_value() reads it; empty for none.
+std::string to_string(const ParameterValue& value);
+
+/// What the parameter takes, in words: "a number from 0 to 1, or auto".
+std::string legal_values(const Parameter& parameter);
+
 /// A value for each parameter of a list. Refers to the list, which must outlive it.
 class ParameterValues {
  public:

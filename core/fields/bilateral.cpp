@@ -109,25 +109,11 @@ double deviation_of(const ScalarField& field) {
   return std::sqrt((counts * (values - mean).square()).sum() / total);
 }
 
-void check(const BilateralOptions& options) {
-  if (options.iterations < 0 || options.iterations > 100) {
-    throw InputError(fmt::format("bilateral smoothing takes 0 to 100 iterations, not {}", options.iterations));
-  }
-  if (!(options.spatial_width > 0 && options.spatial_width <= 1)) {
-    throw InputError(fmt::format("the spatial width of bilateral smoothing must be above 0 and at most 1, not {}",
-                                 options.spatial_width));
-  }
-  if (!(options.value_width > 0 && std::isfinite(options.value_width))) {
-    throw InputError(
-        fmt::format("the value width of bilateral smoothing must be positive, not {}", options.value_width));
-  }
-}
-
 }  // namespace
 
 ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, ScalarField field,
                                 const BilateralOptions& options) {
-  check(options);
+  check_options("bilateral", bilateral_table, options);
   require_usable(shape);
   const Eigen::Index count = samples.points.rows();
   const Eigen::Index sites = samples.site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();

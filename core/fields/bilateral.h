@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -13,9 +15,19 @@ inline constexpr int bilateral_version = 2;
 
 /// Settings of bilateral_smoothing().
 struct BilateralOptions {
-  int iterations = 1;           ///< 0 to 100
-  double spatial_width = 0.02;  ///< positive, at most 1; standard deviation by distance, of the square root of the area
-  double value_width = 0.5;     ///< positive; standard deviation by value, in standard deviations of the field
+  int iterations = 1;
+  double spatial_width = 0.02;  ///< standard deviation by distance, in square roots of the area
+  double value_width = 0.5;     ///< standard deviation by value, in standard deviations of the field
+};
+
+/// What may be chosen of BilateralOptions.
+inline constexpr std::array bilateral_table = {
+    option_of<&BilateralOptions::iterations>("iterations", {.low = 0, .high = 100}, "How many times."),
+    option_of<&BilateralOptions::spatial_width>(
+        "spatial_width", {.low = 0, .high = 1, .low_open = true},
+        "Standard deviation by distance along the surface, in square roots of the area."),
+    option_of<&BilateralOptions::value_width>("value_width", {.low = 0, .high = 1e6, .low_open = true},
+                                              "Standard deviation by value, in standard deviations of the field."),
 };
 
 /// A field at the samples of a shape, smoothed along the surface but not across its steps: each value becomes the mean

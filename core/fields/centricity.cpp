@@ -137,9 +137,7 @@ Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eig
 }
 
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options) {
-  if (options.sources < 1 || options.sources > 1000) {
-    throw InputError(fmt::format("centricity takes 1 to 1000 sources, not {}", options.sources));
-  }
+  check_options("centricity", centricity_table, options);
   const Landmarks landmarks = landmarks_of(shape, options);
   const Eigen::VectorXd values = options.measure == Centricity::mean
                                      ? Eigen::VectorXd(landmarks.distances * landmarks.areas / landmarks.areas.sum())

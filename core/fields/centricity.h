@@ -1,7 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <string_view>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/fields/geodesics.h"
 #include "shapegauge/core/proxy/proxy_geodesics.h"
 #include "shapegauge/core/shape/samples.h"
@@ -19,11 +22,25 @@ enum class Centricity {
   eccentricity,  ///< the largest (Ion et al. 2007)
 };
 
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<Centricity>{"mean", "eccentricity"};
+
 /// Settings of centricity().
 struct CentricityOptions {
   Centricity measure = Centricity::mean;
   GeodesicOptions geodesics = {};
-  int sources = 48;  ///< 1 to 1000; places that stand for all others. All vertices where there are no more
+  int sources = 48;  ///< landmarks; all vertices where there are no more
+};
+
+/// What may be chosen of CentricityOptions.
+inline constexpr std::array centricity_table = {
+    option_of<&CentricityOptions::measure>("measure",
+                                           "Of the distances to all places the mean, by area, or the largest."),
+    option_within<&CentricityOptions::geodesics, geodesic_table, 0>(),
+    option_within<&CentricityOptions::geodesics, geodesic_table, 1>(),
+    option_of<&CentricityOptions::sources>(
+        "sources", {.low = 1, .high = 1000},
+        "Landmarks, spread over the surface, to which distances are taken; of the proxy always 500."),
 };
 
 /// Mean geodesic distance, or eccentricity, at the samples, in the shape's units: small in the middle of a shape, large

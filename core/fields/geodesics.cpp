@@ -168,9 +168,7 @@ GeodesicDistances graph_distances(const Shape& shape, std::span<const std::int32
 }  // namespace
 
 GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& options) {
-  if (options.neighbours < 1 || options.neighbours > 64) {
-    throw InputError(fmt::format("geodesic distances join a point to 1 to 64 neighbours, not {}", options.neighbours));
-  }
+  check_options("geodesic distances", geodesic_table, options);
   require_usable(shape);
   if (shape.vertices.rows() == 0) throw InputError("there are no geodesic distances on a shape without vertices");
   const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);

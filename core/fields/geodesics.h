@@ -1,9 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <string_view>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
@@ -15,10 +18,23 @@ enum class GeodesicMethod {
   exact,  ///< exact on the mesh (Xin and Wang 2009), CGAL's; connected manifold meshes only, slow
 };
 
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<GeodesicMethod>{"graph", "heat", "exact"};
+
 /// Settings of geodesic distances.
 struct GeodesicOptions {
   GeodesicMethod method = GeodesicMethod::graph;
-  int neighbours = 8;  ///< 1 to 64; nearest points joined in a point cloud, and across the gaps between components
+  int neighbours = 8;  ///< nearest points joined in a point cloud, and across the gaps between components
+};
+
+/// What may be chosen of GeodesicOptions.
+inline constexpr std::array geodesic_table = {
+    option_of<&GeodesicOptions::method>("method",
+                                        "graph: shortest paths, on every shape, a few percent too long; heat and "
+                                        "exact: CGAL's, on connected manifold meshes."),
+    option_of<&GeodesicOptions::neighbours>(
+        "neighbours", {.low = 1, .high = 64},
+        "Nearest points that are joined in a point cloud, and across the gaps between components."),
 };
 
 /// The distances from one vertex to all vertices, in the shape's units. NaN at vertices that no triangle uses.

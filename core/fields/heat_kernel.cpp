@@ -70,12 +70,7 @@ Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, 
 }
 
 Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, const WaveKernelOptions& options) {
-  if (options.energies < 2 || options.energies > 1000) {
-    throw InputError(fmt::format("a wave kernel signature takes 2 to 1000 energies, not {}", options.energies));
-  }
-  if (!(options.width_steps > 0 && std::isfinite(options.width_steps))) {
-    throw InputError(fmt::format("the width of a wave kernel must be positive, not {}", options.width_steps));
-  }
+  check_options("wave_kernel", wave_kernel_table, options);
   const Eigen::VectorXd& all = spectrum.eigenvalues;
   const Eigen::Index zeros = (all.array() <= zero * all[all.size() - 1]).count();
   const Eigen::Index positive = all.size() - zeros;

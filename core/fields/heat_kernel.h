@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/fields/laplacian.h"
 
 namespace shapegauge {
@@ -42,8 +44,17 @@ Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, 
 
 /// Settings of wave_kernel_signature().
 struct WaveKernelOptions {
-  int energies = 16;       ///< 2 to 1000; evenly spaced between the logarithms of the spectrum's ends
-  double width_steps = 7;  ///< positive; standard deviation of a filter by energy, in steps of a hundred, as published
+  int energies = 16;       ///< evenly spaced between the logarithms of the spectrum's ends
+  double width_steps = 7;  ///< standard deviation of a filter by energy, in steps of a hundred, as published
+};
+
+/// What may be chosen of WaveKernelOptions.
+inline constexpr std::array wave_kernel_table = {
+    option_of<&WaveKernelOptions::energies>("energies", {.low = 2, .high = 1000},
+                                            "How many there are, evenly spaced by their logarithm."),
+    option_of<&WaveKernelOptions::width_steps>("width_steps", {.low = 0.1, .high = 100},
+                                               "Standard deviation of a filter, in hundredths of the range of "
+                                               "energies."),
 };
 
 /// Wave kernel signature (Aubry, Schlickewei, Cremers 2011) at the vertices: column k is the mean of phi(x)^2 over the

@@ -105,8 +105,7 @@ double radius_to(const FacingTriangle& triangle, const Eigen::Vector3d& inward, 
 constexpr double largest_radius = 0.5;
 
 void check(const Shape& shape, const Samples& samples, const InscribedBallOptions& options) {
-  require_in_bounds("the separation angle, in degrees,", options.separation_angle_degrees,
-                    InscribedBallOptions::separation_angle_degrees_bounds);
+  check_options("inscribed_ball", inscribed_ball_table, options);
   require_usable(shape);
   if (is_cloud(shape) && shape.normals.rows() == 0) {
     throw InputError(

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 
-#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
@@ -16,10 +17,15 @@ inline constexpr int inscribed_ball_version = 1;
 
 /// Settings of inscribed_ball().
 struct InscribedBallOptions {
-  static constexpr Bounds separation_angle_degrees_bounds{.low = 0, .high = 180, .high_open = true};
-
   double separation_angle_degrees = 60;  ///< least angle between the outward normals of the sample and of a contact
   bool parallel = true;                  ///< spread the samples over the threads of the calling TBB arena
+};
+
+/// What may be chosen of InscribedBallOptions.
+inline constexpr std::array inscribed_ball_table = {
+    option_of<&InscribedBallOptions::separation_angle_degrees>(
+        "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
+        "Least angle, at the ball's centre, between the sample and the contact that stops the ball."),
 };
 
 /// Radius of the largest ball that touches a plane at the origin, lies on the side of its unit normal, and does not

@@ -42,62 +42,33 @@ Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
   return shape.vertices.row(corners[0]) / 3 + shape.vertices.row(corners[1]) / 3 + shape.vertices.row(corners[2]) / 3;
 }
 
-constexpr std::array<std::string_view, 2> noise_distributions{"gaussian", "uniform"};
-
-constexpr std::array vertex_noise_parameters{
-    Parameter{.name = "amplitude",
-              .bounds = VertexNoiseOptions::amplitude_bounds,
-              .description = "As a fraction of the bounding box's diagonal."},
-    Parameter{.name = "distribution",
-              .kind = ParameterKind::choice,
-              .default_value = "uniform",
-              .choices = noise_distributions,
-              .description = "gaussian: each coordinate has the amplitude as its standard deviation; uniform: in the "
-                             "ball whose radius is the amplitude."}};
+constexpr auto vertex_noise_parameters = parameters_of(vertex_noise_table);
 
 constexpr std::array remove_faces_parameters{
-    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Of the faces or points."}};
+    Parameter{.name = "fraction", .bounds = fraction_bounds, .description = "Fraction of the faces or points."}};
 
-constexpr std::array punch_holes_parameters{Parameter{.name = "number",
-                                                      .kind = ParameterKind::integer,
-                                                      .default_value = PunchHolesOptions{}.number,
-                                                      .bounds = PunchHolesOptions::number_bounds,
-                                                      .description = "Of holes."},
-                                            Parameter{.name = "radius",
-                                                      .default_value = PunchHolesOptions{}.radius,
-                                                      .bounds = PunchHolesOptions::radius_bounds,
-                                                      .description = "As a fraction of the bounding box's diagonal."}};
+constexpr auto punch_holes_parameters = parameters_of(punch_holes_table);
 
 constexpr std::array decimate_parameters{Parameter{.name = "faces",
                                                    .kind = ParameterKind::integer,
                                                    .bounds = decimate_faces_bounds,
-                                                   .description = "At most so many are left."}};
+                                                   .description = "Largest number of faces."}};
 
-constexpr std::array sample_surface_parameters{Parameter{.name = "points",
-                                                         .kind = ParameterKind::integer,
-                                                         .default_value = SampleSurfaceOptions{}.points,
-                                                         .bounds = SampleSurfaceOptions::points_bounds,
-                                                         .description = "Of the cloud."},
-                                               Parameter{.name = "with_normals",
-                                                         .kind = ParameterKind::boolean,
-                                                         .default_value = SampleSurfaceOptions{}.with_normals,
-                                                         .description = "Give the points the normals of their faces."}};
+constexpr auto sample_surface_parameters = parameters_of(sample_surface_table);
 
-constexpr std::array flip_orientation_parameters{Parameter{
-    .name = "fraction", .default_value = 1.0, .bounds = fraction_bounds, .description = "Of the faces or normals."}};
+constexpr std::array flip_orientation_parameters{Parameter{.name = "fraction",
+                                                           .default_value = 1.0,
+                                                           .bounds = fraction_bounds,
+                                                           .description = "Fraction of the faces or normals."}};
 
 constexpr std::array motion_parameters{
     Parameter{.name = "scale",
               .default_value = 1.0,
               .bounds = motion_scale_bounds,
-              .description = "The scale is between 1/scale and scale, uniform in its logarithm."}};
+              .description = "Largest factor of the scale, whose logarithm is uniform; 1: none."}};
 
 Shape apply_vertex_noise(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
-  const bool uniform = settings.word("distribution") == "uniform";
-  return vertex_noise(std::move(shape),
-                      {.amplitude = settings.number("amplitude"),
-                       .distribution = uniform ? NoiseDistribution::uniform : NoiseDistribution::gaussian},
-                      random);
+  return vertex_noise(std::move(shape), options_from(vertex_noise_table, settings), random);
 }
 
 Shape apply_remove_faces(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
@@ -105,9 +76,7 @@ Shape apply_remove_faces(Shape shape, const ParameterValues& settings, RandomNum
 }
 
 Shape apply_punch_holes(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
-  return punch_holes(std::move(shape),
-                     {.number = static_cast<int>(settings.integer("number")), .radius = settings.number("radius")},
-                     random);
+  return punch_holes(std::move(shape), options_from(punch_holes_table, settings), random);
 }
 
 Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers& /*random*/) {
@@ -115,8 +84,7 @@ Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers
 }
 
 Shape apply_sample_surface(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
-  return sample_surface(shape, {.points = settings.integer("points"), .with_normals = settings.boolean("with_normals")},
-                        random);
+  return sample_surface(shape, options_from(sample_surface_table, settings), random);
 }
 
 Shape apply_vertex_cloud(Shape shape, const ParameterValues& /*settings*/, RandomNumbers& /*random*/) {
@@ -151,7 +119,7 @@ std::vector<ShapePerturbation> own_perturbations() {
 }  // namespace
 
 Shape vertex_noise(Shape shape, const VertexNoiseOptions& options, RandomNumbers& random) {
-  require_in_bounds("the amplitude of noise", options.amplitude, VertexNoiseOptions::amplitude_bounds);
+  check_options("vertex_noise", vertex_noise_table, options);
   const double length = options.amplitude * required_diagonal(shape);
   const bool gaussian = options.distribution == NoiseDistribution::gaussian;
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) {
@@ -181,8 +149,7 @@ Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random) {
 }
 
 Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random) {
-  require_in_bounds("the number of holes", options.number, PunchHolesOptions::number_bounds);
-  require_in_bounds("the radius of holes", options.radius, PunchHolesOptions::radius_bounds);
+  check_options("holes", punch_holes_table, options);
   if (options.number == 0) return shape;
   const double radius = options.radius * required_diagonal(shape);
   const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;

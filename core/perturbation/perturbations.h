@@ -1,11 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/registry.h"
 #include "shapegauge/core/shape/shape.h"
@@ -19,12 +20,21 @@ enum class NoiseDistribution {
   gaussian,  ///< the amplitude is the standard deviation of each coordinate
   uniform    ///< the amplitude is the radius of a ball
 };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<NoiseDistribution>{"gaussian", "uniform"};
 
 struct VertexNoiseOptions {
-  static constexpr Bounds amplitude_bounds{.low = 0, .high = 1};
-
   double amplitude = 0.005;  ///< as a fraction of the bounding-box diagonal
   NoiseDistribution distribution = NoiseDistribution::uniform;
+};
+
+/// What may be chosen of VertexNoiseOptions.
+inline constexpr std::array vertex_noise_table = {
+    required(option_of<&VertexNoiseOptions::amplitude>(
+        "amplitude", {.low = 0, .high = 1}, "Length of the vector, as a fraction of the bounding box's diagonal.")),
+    option_of<&VertexNoiseOptions::distribution>("distribution",
+                                                 "gaussian: each coordinate has the amplitude as its standard "
+                                                 "deviation; uniform: in the ball whose radius is the amplitude."),
 };
 
 /// Moves every vertex (or point of a cloud) by a random vector of its own. Vertices are told apart by index: duplicates
@@ -45,11 +55,15 @@ Shape remove_faces(Shape shape, double fraction, RandomNumbers& random);
 Shape flip_orientation(Shape shape, double fraction, RandomNumbers& random);
 
 struct PunchHolesOptions {
-  static constexpr Bounds number_bounds{.low = 0, .high = 100'000};
-  static constexpr Bounds radius_bounds{.low = 0, .high = 1};
-
   int number = 5;        ///< of holes, which may overlap
   double radius = 0.05;  ///< as a fraction of the bounding-box diagonal
+};
+
+/// What may be chosen of PunchHolesOptions.
+inline constexpr std::array punch_holes_table = {
+    option_of<&PunchHolesOptions::number>("number", {.low = 0, .high = 100'000}, "Number of holes."),
+    option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1},
+                                          "Radius of a hole, as a fraction of the bounding box's diagonal."),
 };
 
 /// Removes the faces whose centroid is within the radius of one of `number` random points of the surface (see

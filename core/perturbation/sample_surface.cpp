@@ -36,7 +36,7 @@ Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
 }  // namespace
 
 Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random) {
-  require_in_bounds("the number of points", static_cast<double>(options.points), SampleSurfaceOptions::points_bounds);
+  check_options("sample_points", sample_surface_table, options);
   if (shape.vertices.rows() == 0) throw InputError("no points can be taken of a shape without any");
   if (is_cloud(shape)) return thinned(shape, options, random);
   SurfacePoints sampled = surface_points(shape, options.points, random);

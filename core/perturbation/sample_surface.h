@@ -1,16 +1,23 @@
 #pragma once
 
-#include "shapegauge/core/base/parameter.h"
+#include <array>
+#include <cstdint>
+
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 struct SampleSurfaceOptions {
-  static constexpr Bounds points_bounds{.low = 1, .high = 100'000'000};
-
-  Eigen::Index points = 10000;
+  std::int64_t points = 10000;
   bool with_normals = false;  ///< give the points their triangles' normals
+};
+
+/// What may be chosen of SampleSurfaceOptions.
+inline constexpr std::array sample_surface_table = {
+    option_of<&SampleSurfaceOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of points."),
+    option_of<&SampleSurfaceOptions::with_normals>("with_normals", "Give the points the normals of their faces."),
 };
 
 /// A point cloud: so many points of the mesh, uniform by area. The area is cut, triangle after triangle, into as many

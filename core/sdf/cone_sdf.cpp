@@ -12,9 +12,7 @@ namespace shapegauge {
 namespace {
 
 void check(const ConeSdfOptions& options) {
-  require_in_bounds("the opening angle of the cone, in degrees,", options.opening_angle_degrees,
-                    ConeSdfOptions::opening_angle_degrees_bounds);
-  require_in_bounds("the number of rays in the cone", options.rays, ConeSdfOptions::rays_bounds);
+  check_options("cone_sdf", cone_sdf_table, options);
   if (options.postprocess && options.engine != ConeSdfEngine::cgal) {
     throw InputError("the post-processing of the conventional SDF is CGAL's: choose the cgal engine, or do without it");
   }

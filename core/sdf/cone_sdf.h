@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
+#include <string_view>
 
-#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
 
@@ -14,17 +16,28 @@ inline constexpr int cone_sdf_version = 3;
 
 /// Who casts the rays: CGAL's own `sdf_values` (the reference) or the same definition on Embree.
 enum class ConeSdfEngine { embree, cgal };
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<ConeSdfEngine>{"embree", "cgal"};
 
 /// Settings of the conventional SDF: a cone of rays about the inward normal.
 struct ConeSdfOptions {
-  static constexpr Bounds opening_angle_degrees_bounds{.low = 0, .high = 180, .low_open = true, .high_open = true};
-  static constexpr Bounds rays_bounds{.low = 1, .high = 10'000};
-
   ConeSdfEngine engine = ConeSdfEngine::embree;
   double opening_angle_degrees = 60;
   int rays = 25;
   bool postprocess = false;  ///< CGAL's: fill the missing values, smooth, scale to [0, 1]; only with the cgal engine
   bool parallel = true;      ///< spread the samples over the threads of the calling TBB arena
+};
+
+/// What may be chosen of ConeSdfOptions.
+inline constexpr std::array cone_sdf_table = {
+    option_of<&ConeSdfOptions::engine>(
+        "engine", "Who casts the rays: embree is fast; cgal is CGAL's own, the reference, at faces only."),
+    option_of<&ConeSdfOptions::opening_angle_degrees>("opening_angle_degrees",
+                                                      {.low = 0, .high = 180, .low_open = true, .high_open = true},
+                                                      "Full opening angle of the cone."),
+    option_of<&ConeSdfOptions::rays>("rays", {.low = 1, .high = 10'000}, "Number of rays."),
+    option_of<&ConeSdfOptions::postprocess>(
+        "postprocess", "CGAL's post-processing: smoothed and scaled to [0, 1] shape by shape; engine cgal only."),
 };
 
 /// The conventional SDF, sample by sample.

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "shapegauge/core/base/parameter.h"
+#include "shapegauge/core/base/option_parameters.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/core/shape/shape.h"
@@ -20,15 +20,24 @@ inline constexpr int offset_sdf_version = 9;
 
 /// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<OffsetAccuracy>{"fast", "standard", "fine"};
 
 /// Settings of the SDF of the offset surface.
 struct OffsetSdfOptions {
   static constexpr Bounds offset_bounds{.low = 1e-6, .high = 1};
-  static constexpr std::array<std::string_view, 3> accuracy_words{"fast", "standard", "fine"};  ///< by OffsetAccuracy
 
   double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal
   OffsetAccuracy accuracy = OffsetAccuracy::standard;
   bool parallel = true;  ///< spread the work over the threads of the calling TBB arena
+};
+
+/// What may be chosen of OffsetSdfOptions.
+inline constexpr std::array offset_sdf_table = {
+    option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
+                                         "Offset distance as a fraction of the bounding box's diagonal."),
+    option_of<&OffsetSdfOptions::accuracy>(
+        "accuracy", "How fine the grid of the computation is: its cells are the offset over 2.5, 3 or 5."),
 };
 
 /// How the samples of one call were answered.

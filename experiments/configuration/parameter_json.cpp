@@ -80,8 +80,8 @@ OrderedJson number_schema(const Parameter& parameter) {
   return schema;
 }
 
-/// The words that stand for the values that the parameter takes: "an integer from 1 to 9".
-std::string legal_values(const Parameter& parameter) {
+/// What the parameter takes, in Markdown: "integer from 1 to 9".
+std::string markdown_values(const Parameter& parameter) {
   const std::string words = fmt::format("`{}`", fmt::join(parameter.choices, "`, `"));
   switch (parameter.kind) {
     case ParameterKind::boolean:
@@ -164,7 +164,7 @@ OrderedJson schema_of(const Parameter& parameter) {
 std::string markdown_table(std::span<const Parameter> parameters) {
   std::string table = "| key | value | default |\n|---|---|---|\n";
   for (const Parameter& parameter : parameters) {
-    table += fmt::format("| `{}` | {} ({}) | {} |\n", parameter.name, parameter.description, legal_values(parameter),
+    table += fmt::format("| `{}` | {} ({}) | {} |\n", parameter.name, parameter.description, markdown_values(parameter),
                          default_text(parameter));
   }
   return table;

@@ -2,6 +2,7 @@
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/perturbation/perturbations.h"
 #include "tests/app/program.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -57,10 +58,31 @@ TEST_F(PerturbCommand, WritesPointClouds) {
   EXPECT_THAT(text_of(at("x.ply")), HasSubstr("element vertex 50\n"));
 }
 
+TEST_F(PerturbCommand, VerticesAsAPointCloud) {
+  ASSERT_EQ(perturb("x.ply", "--vertex-cloud").status, 0);
+  EXPECT_TRUE(is_cloud(read_shape(at("x.ply"))));
+  EXPECT_EQ(read_shape(at("x.ply")).vertices, shape.vertices);
+}
+
+TEST_F(PerturbCommand, HasAnOptionForEveryPerturbation) {
+  const std::string help = run_executable("perturb --help").output;
+  for (const ShapePerturbation& kind : shape_perturbations().entries()) {
+    EXPECT_THAT(help, HasSubstr(std::string(kind.description.substr(0, 20)))) << kind.name;
+  }
+}
+
+TEST_F(PerturbCommand, DefaultsAreThoseOfConfigurations) {
+  ASSERT_EQ(perturb("a.off", "--noise 0.01").status, 0);
+  ASSERT_EQ(perturb("b.off", "--noise 0.01 --noise-distribution uniform").status, 0);
+  ASSERT_EQ(perturb("c.off", "--noise 0.01 --noise-distribution gaussian").status, 0);
+  EXPECT_EQ(text_of(at("a.off")), text_of(at("b.off")));
+  EXPECT_NE(text_of(at("a.off")), text_of(at("c.off")));
+}
+
 TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
   EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("nothing to do"));
   EXPECT_THAT(perturb("x.xlsx", "--noise 0.1").errors, HasSubstr("cannot write"));
-  EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("amplitude is -1"));
+  EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("--noise is -1"));
   EXPECT_EQ(perturb("x.off", "--remove-faces 1").status, 2);
   EXPECT_EQ(perturb("x.off", "--hole-radius 0.1").status, 2) << "without --holes";
 }

@@ -170,9 +170,9 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone --rays 0" + out, "rays"},
       {good + "--method cone --opening-angle 400" + out, "angle"},
       {good + "--method cone --engine cgal --at vertices" + out, "faces only"},
-      {good + "--method cone --accuracy fine" + out, "--accuracy goes with --method offset_sdf only"},
-      {good + "--method cone --offset 0.1" + out, "--offset goes with --method offset_sdf only"},
-      {good + "--method offset --rays 3" + out, "--rays goes with --method cone_sdf only"}};
+      {good + "--method cone --accuracy fine" + out, "--accuracy does not go with --method cone_sdf"},
+      {good + "--method cone --offset 0.1" + out, "--offset does not go with --method cone_sdf"},
+      {good + "--method offset --rays 3" + out, "--rays does not go with --method offset_sdf"}};
   expect_error_lines(cases);
 }
 

@@ -29,6 +29,34 @@ constexpr std::array sample_table = {
 };
 constexpr auto sample_parameters = parameters_of(sample_table);
 
+enum class Colouring { red, green, blue };
+
+}  // namespace
+
+template <>
+inline constexpr std::array<std::string_view, 3> words_of<Colouring>{"red", "green", "blue"};
+
+namespace {
+
+struct InnerOptions {
+  int count = 5;
+};
+
+constexpr std::array inner_table = {
+    required(option_of<&InnerOptions::count>("inner_count", {.low = 1, .high = 9}, "How many.")),
+};
+
+struct WordOptions {
+  Colouring colour = Colouring::green;
+  InnerOptions inner = {};
+};
+
+constexpr std::array word_table = {
+    option_of<&WordOptions::colour>("colour", "Which."),
+    option_within<&WordOptions::inner, inner_table, 0>(),
+};
+constexpr auto word_parameters = parameters_of(word_table);
+
 TEST(OptionParameters, HaveTheKindsAndDefaultsOfTheMembers) {
   EXPECT_EQ(sample_parameters[0].kind, ParameterKind::integer);
   EXPECT_EQ(sample_parameters[1].kind, ParameterKind::number);
@@ -48,6 +76,20 @@ TEST(OptionParameters, BecomeOptionsAgain) {
   EXPECT_EQ(options.share, 0.5);
   EXPECT_FALSE(options.wanted);
   EXPECT_THROW(values.set("count", std::int64_t{10}), InputError);
+}
+
+TEST(OptionParameters, EnumerationsAreWords) {
+  EXPECT_EQ(word_parameters[0].kind, ParameterKind::choice);
+  EXPECT_TRUE(word_parameters[1].required());
+  ParameterValues values(word_parameters);
+  EXPECT_EQ(values.word("colour"), "green");
+  values.set("colour", "blue");
+  values.set("inner_count", std::int64_t{8});
+  const WordOptions options = options_from(word_table, values);
+  EXPECT_EQ(options.colour, Colouring::blue);
+  EXPECT_EQ(options.inner.count, 8);
+  EXPECT_THROW(values.set("colour", "grey"), InputError);
+  EXPECT_THROW(check_options("x", word_table, {.inner = {.count = 0}}), InputError);
 }
 
 TEST(OptionParameters, ListsAreOfOneNumberOfSeveralOrAutomatic) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limits>
+#include <string_view>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parameter.h"
@@ -109,6 +110,33 @@ TEST(ParameterValues, RejectEverythingElse) {
   EXPECT_THROW(values.set("engine", std::monostate()), InputError);
   EXPECT_THROW(values.set("ray", 3), InputError);
   EXPECT_EQ(values.integer("rays"), 25) << "a rejected value leaves the old one";
+}
+
+TEST(ParseValue, ReadsWhatTextsSpell) {
+  EXPECT_EQ(parse_value(parameters[0], "2e-1"), ParameterValue(0.2));
+  EXPECT_EQ(parse_value(parameters[0], "auto"), ParameterValue("auto"));
+  EXPECT_EQ(parse_value(parameters[1], "7"), ParameterValue(std::int64_t{7}));
+  EXPECT_EQ(parse_value(parameters[2], "true"), ParameterValue(true));
+  EXPECT_EQ(parse_value(parameters[3], "cgal"), ParameterValue("cgal"));
+  constexpr Parameter sizes{.name = "sizes", .kind = ParameterKind::integers, .bounds = {.low = 1}, .description = ""};
+  EXPECT_EQ(parse_value(sizes, "3"), ParameterValue(IntegerList(3)));
+  EXPECT_EQ(parse_value(sizes, "3,1,2"), ParameterValue(IntegerList{3, 1, 2}));
+  EXPECT_EQ(to_string(parse_value(sizes, "3,1,2")), "3,1,2");
+}
+
+TEST(ParseValue, RefusesOtherText) {
+  constexpr Parameter sizes{.name = "sizes", .kind = ParameterKind::integers, .bounds = {.low = 1}, .description = ""};
+  for (const std::string_view text : {"", "3,", ",3", "3;4", "3 4", "0", "1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8", "1.5"}) {
+    EXPECT_THROW(parse_value(sizes, text), InputError) << text;
+  }
+  for (const std::string_view text : {"0", "2", "x", "1,2", "true", "nan"}) {
+    EXPECT_THROW(parse_value(parameters[0], text), InputError) << text;
+  }
+  for (const std::string_view text : {"101", "1.5", "1,2", "auto", "99999999999999999999"}) {
+    EXPECT_THROW(parse_value(parameters[1], text), InputError) << text;
+  }
+  for (const std::string_view text : {"1", "yes", "True"}) EXPECT_THROW(parse_value(parameters[2], text), InputError);
+  EXPECT_THROW(parse_value(parameters[3], "other"), InputError);
 }
 
 TEST(ParameterValues, SayWhatIsLegal) {

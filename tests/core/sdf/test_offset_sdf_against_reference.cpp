@@ -94,7 +94,7 @@ TEST_P(OffsetSdfAgainstReference, KeepsTheStatedTolerances) {
   for (const Stated& stated : {Stated{OffsetAccuracy::fast, 1 / 2.5, 0.04, 0.02, 0.2},
                                {OffsetAccuracy::standard, 1 / 3.0, 0.02, 0.01, 0.1},
                                {OffsetAccuracy::fine, 1 / 5.0, 0.01, 0.01, 0.1}}) {
-    SCOPED_TRACE(OffsetSdfOptions::accuracy_words[static_cast<std::size_t>(stated.accuracy)]);
+    SCOPED_TRACE(held_value(stated.accuracy));
     expect_tolerances(GetParam().shape, known, stated);
   }
 }

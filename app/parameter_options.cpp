@@ -1,0 +1,71 @@
+#include "app/parameter_options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/setting_names.h"
+
+namespace shapegauge {
+
+std::string without_full_stop(std::string_view sentence) {
+  if (sentence.ends_with('.')) sentence.remove_suffix(1);
+  return std::string(sentence);
+}
+
+namespace {
+
+std::string type_name_of(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::number:
+      return "NUMBER";
+    case ParameterKind::integer:
+      return "INT";
+    case ParameterKind::integers:
+      return "INTS";
+    case ParameterKind::boolean:
+    case ParameterKind::choice:
+      break;
+  }
+  return "WORD";
+}
+
+}  // namespace
+
+std::string meaning_of(const Parameter& parameter, bool with_default) {
+  if (parameter.kind == ParameterKind::boolean) return without_full_stop(parameter.description);
+  with_default &= !parameter.required();
+  const std::string usual = with_default ? "; default: " + to_string(parameter.default_value) : "";
+  return fmt::format("{} ({}{})", without_full_stop(parameter.description), legal_values(parameter), usual);
+}
+
+CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
+                                  std::string names, std::string meaning) {
+  if (names.empty()) names = setting_name(Audience::command_line, parameter.name);
+  if (meaning.empty()) meaning = meaning_of(parameter);
+  const auto fill_in = [&given] { given.text = "true"; };
+  CLI::Option* const option = parameter.kind == ParameterKind::boolean
+                                  ? command.add_flag_callback(names, fill_in, meaning)
+                                  : command.add_option(names, given.text, meaning);
+  if (parameter.kind != ParameterKind::boolean) option->type_name(type_name_of(parameter.kind));
+  given.option = option->get_name();
+  return option;
+}
+
+ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
+                                 std::string_view subject) {
+  ParameterValues values(parameters);
+  for (const auto& [name, value] : given) {
+    if (value.text.empty()) continue;
+    const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
+    if (parameter == parameters.end()) throw InputError(fmt::format("{} does not go with {}", value.option, subject));
+    Parameter of_option = *parameter;
+    of_option.name = value.option;
+    values.set(name, parse_value(of_option, value.text));
+  }
+  return values;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "shapegauge/core/fields/field.h"
+
+/// The entries of field_types() that this folder adds. Not for users of the library.
+namespace shapegauge {
+
+FieldType offset_sdf_type();
+FieldType cone_sdf_type();
+FieldType inscribed_ball_type();
+FieldType centricity_type();
+FieldType heat_kernel_type();
+FieldType scale_invariant_type();
+FieldType wave_kernel_type();
+
+}  // namespace shapegauge

@@ -1,0 +1,114 @@
+// The SDFs and other measures of thickness as fields.
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/option_parameters.h"
+#include "shapegauge/core/fields/field_types.h"
+#include "shapegauge/core/fields/inscribed_ball.h"
+#include "shapegauge/core/sdf/automatic_offset.h"
+#include "shapegauge/core/sdf/cone_sdf.h"
+#include "shapegauge/core/sdf/offset_sdf.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::array<std::string_view, 1> automatic{"auto"};
+
+/// The parameters of an offset SDF: the offset must be given, and may be automatic.
+std::vector<Parameter> offset_sdf_parameters() {
+  constexpr auto options = parameters_of(offset_sdf_table);
+  std::vector<Parameter> parameters(options.begin(), options.end());
+  parameters[0].default_value = {};
+  parameters[0].choices = automatic;
+  parameters[0].description =
+      "Offset distance as a fraction of the bounding box's diagonal; auto: chosen for each shape between 1 and 5 % by "
+      "its gaps and its noise.";
+  return parameters;
+}
+
+FieldComputation offset_sdf_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  const auto* const given = std::get_if<double>(&values.value("offset"));
+  const std::optional<double> offset = given != nullptr ? std::optional(*given) : std::nullopt;  // else "auto"
+  const auto accuracy = member_value<OffsetAccuracy>(values.value("accuracy"));
+  AlgorithmVersions versions{{"offset_sdf", offset_sdf_version}};
+  if (!offset) versions["automatic_offset"] = automatic_offset_version;
+  return {.versions = std::move(versions),
+          .compute = [offset, accuracy](FieldSource& source, const Samples& samples, bool parallel) {
+            OffsetSdfOptions options{.accuracy = accuracy, .parallel = parallel};
+            options.offset = offset ? *offset : automatic_offset(source.shape()).offset;
+            const OffsetSdfSolver& solver = source.offset_sdf_solver();
+            OffsetSdfResult result = solver.solve(samples, options);
+            const OffsetSdfOutcomes& outcomes = result.outcomes;
+            return FieldValues{.values = std::move(result.values),
+                               .normals = std::move(result.normals),
+                               .outcomes = {{"total", outcomes.total},
+                                            {"direct", outcomes.direct},
+                                            {"searched", outcomes.searched},
+                                            {"undecided", outcomes.undecided},
+                                            {"missing", outcomes.missing},
+                                            {"enlarged", outcomes.enlarged}},
+                               .offset = offset ? std::nullopt : std::optional(options.offset),
+                               .build_seconds = solver.build_seconds() + result.build_seconds,
+                               .query_seconds = result.query_seconds};
+          }};
+}
+
+FieldComputation cone_sdf_field(const ParameterValues& values, const SamplePlan& samples) {
+  const ConeSdfOptions options = options_from(cone_sdf_table, values);
+  const bool cgal = options.engine == ConeSdfEngine::cgal;
+  if (options.postprocess && !cgal) {
+    throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine gives raw values only)");
+  }
+  if (cgal && samples.site != SampleSite::faces) {
+    throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for other sites)");
+  }
+  // CGAL's post-processing scales to [0, 1].
+  return {.versions = {{"cone_sdf", cone_sdf_version}},
+          .dimension = options.postprocess ? FieldDimension::none : FieldDimension::length,
+          .compute = [options](const FieldSource& source, const Samples& sites, bool parallel) {
+            ConeSdfOptions now = options;
+            now.parallel = parallel;
+            ConeSdfResult result = cone_sdf(source.shape(), sites, now);
+            return FieldValues{.values = std::move(result.values),
+                               .build_seconds = result.build_seconds,
+                               .query_seconds = result.query_seconds};
+          }};
+}
+
+FieldComputation inscribed_ball_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
+  return {.versions = {{"inscribed_ball", inscribed_ball_version}},
+          .compute = [options = options_from(inscribed_ball_table, values)](const FieldSource& source,
+                                                                            const Samples& samples, bool parallel) {
+            InscribedBallOptions now = options;
+            now.parallel = parallel;
+            return FieldValues{.values = inscribed_ball(source.shape(), samples, now)};
+          }};
+}
+
+}  // namespace
+
+FieldType offset_sdf_type() {
+  return {"offset_sdf", "Shape diameter function of the offset surface.", offset_sdf_parameters(), offset_sdf_field};
+}
+
+FieldType cone_sdf_type() {
+  constexpr auto parameters = parameters_of(cone_sdf_table);
+  return {"cone_sdf",
+          "Conventional shape diameter function: a cone of rays about the inward normal.",
+          {parameters.begin(), parameters.end()},
+          cone_sdf_field};
+}
+
+FieldType inscribed_ball_type() {
+  constexpr auto parameters = parameters_of(inscribed_ball_table);
+  return {"inscribed_ball",
+          "Diameter of the largest ball inside the shape that touches its surface at the sample.",
+          {parameters.begin(), parameters.end()},
+          inscribed_ball_field};
+}
+
+}  // namespace shapegauge
