@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -87,10 +89,17 @@ void add_product(const FloatGraph& graph, Eigen::Index row, const Block& block, 
 }
 
 /// Columns of the identity.
-Block unit_columns(Eigen::Index size, Eigen::Index first, Eigen::Index count) {
-  Block columns = Block::Zero(size, count);
-  for (Eigen::Index k = 0; k < count; ++k) columns(first + k, k) = 1;
+Block unit_columns(Eigen::Index size, std::span<const Eigen::Index> models) {
+  Block columns = Block::Zero(size, std::ssize(models));
+  for (std::size_t k = 0; k < models.size(); ++k) columns(models[k], static_cast<Eigen::Index>(k)) = 1;
   return columns;
+}
+
+/// So many indices from the first on.
+std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
+  std::vector<Eigen::Index> indices(static_cast<std::size_t>(count));
+  std::iota(indices.begin(), indices.end(), first);
+  return indices;
 }
 
 /// The factor by which the coefficients of 1 / (1 - damping x) fall, as a series of Chebyshev polynomials.
@@ -109,7 +118,7 @@ class ColumnSolver {
 
   [[nodiscard]] Block columns(Eigen::Index first, Eigen::Index count) const {
     Block before = Block::Zero(graph_.rows(), count);
-    Block now = unit_columns(graph_.rows(), first, count);
+    Block now = unit_columns(graph_.rows(), counted_from(first, count));
     double weight = 1 / (1 - squared_damping_ / 2);
     for (int step = 0; step < steps_; ++step) {
       advance(first, static_cast<float>(weight), now, before);
@@ -150,8 +159,9 @@ class DiagonalSolver {
     steps_ = static_cast<int>(std::ceil(terms / 2));
   }
 
-  [[nodiscard]] Eigen::VectorXd entries(Eigen::Index first, Eigen::Index count) const {
-    Block now = unit_columns(graph_.rows(), first, count);
+  [[nodiscard]] Eigen::VectorXd entries(std::span<const Eigen::Index> models) const {
+    const auto count = std::ssize(models);
+    Block now = unit_columns(graph_.rows(), models);
     Block before = Block::Zero(graph_.rows(), count);
     Eigen::ArrayXd sums = Eigen::ArrayXd::Constant(count, 1 / root_);
     Eigen::ArrayXd squares(count);
@@ -268,6 +278,9 @@ struct Diffusion {
   Diffusion(Eigen::Index models, const RowSource& rows, const DiffusionOptions& options)
       : Diffusion(neighbour_counts(options.neighbours), models, rows, options) {}
 
+  Diffusion(const NearestModels& nearest, const DiffusionOptions& options)
+      : Diffusion(neighbour_counts(options.neighbours), nearest, options) {}
+
   /// New distances, from the similarities and distances of rows from `first` on.
   [[nodiscard]] DistanceMatrix distances_of(const DistanceMatrix& similarities, const DistanceMatrix& distances,
                                             Eigen::Index first) const {
@@ -345,6 +358,52 @@ DistanceMatrix similarity_rows(const Diffusion& diffusion, const std::vector<Eig
   return mean;
 }
 
+/// The answer to one query, of which only what is needed is computed: a model's similarity takes its entry of the
+/// diagonal, which costs as much as the query's own column.
+class QueryDiffusion {
+ public:
+  QueryDiffusion(const NearestModels& nearest, Eigen::Index query, const Eigen::VectorXd& distances,
+                 const DiffusionOptions& options)
+      : diffusion_(nearest, options), query_(query), distances_(distances.transpose()) {
+    const bool normalised = diffusion_.graphs.size() > 1;
+    for (const Graph& graph : diffusion_.graphs) {
+      Eigen::RowVectorXd column = diffused_affinities(graph, query, 1, diffusion_.damping);
+      column *= normalised ? 1 / std::sqrt(column[query]) : 1 - diffusion_.damping;
+      columns_.push_back(std::move(column));
+      if (normalised) solvers_.emplace_back(graph, diffusion_.damping);
+    }
+  }
+
+  /// By model, what its new distance is at least: no entry of the diagonal is below 1.
+  [[nodiscard]] Eigen::VectorXd lower_bounds() const {
+    constexpr double rounding = 1e-5;  // the solvers' tolerance, and some more
+    DistanceMatrix similarities = DistanceMatrix::Zero(1, distances_.cols());
+    for (const Eigen::RowVectorXd& column : columns_) similarities += column / static_cast<double>(columns_.size());
+    return diffusion_.distances_of(similarities, distances_, query_).row(0).array() - rounding;
+  }
+
+  /// The new distances of these models.
+  [[nodiscard]] Eigen::VectorXd distances_of(std::span<const Eigen::Index> models) const {
+    DistanceMatrix similarities = DistanceMatrix::Zero(1, distances_.cols());
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      Eigen::VectorXd diagonal = Eigen::VectorXd::Ones(std::ssize(models));
+      if (!solvers_.empty()) diagonal = solvers_[k].entries(models);
+      for (std::size_t i = 0; i < models.size(); ++i) {
+        similarities(0, models[i]) += columns_[k][models[i]] / std::sqrt(diagonal[static_cast<Eigen::Index>(i)]) /
+                                      static_cast<double>(columns_.size());
+      }
+    }
+    return diffusion_.distances_of(similarities, distances_, query_).row(0)(models);
+  }
+
+ private:
+  Diffusion diffusion_;
+  Eigen::Index query_;
+  DistanceMatrix distances_;                 ///< one row
+  std::vector<Eigen::RowVectorXd> columns_;  ///< by graph, over the root of the query's own entry
+  std::vector<DiagonalSolver> solvers_;      ///< by graph; none where similarities are not normalised
+};
+
 /// Calls visit(first, count) for groups of columns, in parallel.
 template <typename Visit>
 void for_column_groups(Eigen::Index count, const Visit& visit) {
@@ -397,7 +456,7 @@ Eigen::VectorXd diffused_diagonal(const Graph& graph, double damping) {
   Eigen::VectorXd diagonal(graph.rows());
   const DiagonalSolver solver(graph, damping);
   for_column_groups(graph.rows(), [&](Eigen::Index begin, Eigen::Index some) {
-    diagonal.segment(begin, some) = solver.entries(begin, some);
+    diagonal.segment(begin, some) = solver.entries(counted_from(begin, some));
   });
   return diagonal;
 }
@@ -413,6 +472,59 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
     for (Eigen::Index i = 0; i < result.rows(); ++i) result(i, first + i) = 0;
     visit(first, result);
   });
+}
+
+std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::Index query,
+                                          const Eigen::VectorXd& distances, const DiffusionOptions& options,
+                                          std::size_t count) {
+  check(options);
+  const QueryDiffusion diffusion(nearest, query, distances, options);
+  const Eigen::VectorXd bounds = diffusion.lower_bounds();
+  std::vector<Eigen::Index> order = counted_from(0, bounds.size());
+  order.erase(order.begin() + query);
+  std::ranges::stable_sort(order, {}, [&](Eigen::Index model) { return bounds[model]; });
+  const auto nearer = [](const RankedModel& a, const RankedModel& b) {
+    return std::pair(a.distance, a.model) < std::pair(b.distance, b.model);
+  };
+  std::vector<RankedModel> found;
+  for (auto next = order.begin(); next != order.end();) {
+    if (count == 0 || (found.size() >= count && bounds[*next] > found[count - 1].distance)) break;
+    const auto end = next + std::min<std::ptrdiff_t>(columns_at_once, order.end() - next);
+    const std::span<const Eigen::Index> some(next, end);
+    const Eigen::VectorXd exact = diffusion.distances_of(some);
+    for (std::size_t i = 0; i < some.size(); ++i) found.push_back({some[i], exact[static_cast<Eigen::Index>(i)]});
+    std::ranges::sort(found, nearer);
+    next = end;
+    check_interruption();
+  }
+  found.resize(std::min(found.size(), count));
+  return found;
+}
+
+NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances, int k) {
+  const Eigen::Index models = nearest.indices.rows();
+  const Eigen::Index before = nearest.indices.cols();
+  const Eigen::Index count = std::clamp<Eigen::Index>(models, 0, k);
+  nearest.indices.conservativeResize(models + 1, count);
+  nearest.distances.conservativeResize(models + 1, count);
+  const auto insert = [&](Eigen::Index row, Eigen::Index filled, std::int32_t model, double distance) {
+    Eigen::Index place = filled;
+    while (place > 0 && nearest.distances(row, place - 1) > distance) --place;
+    if (place >= count) return;
+    for (Eigen::Index n = std::min(filled, count - 1); n > place; --n) {
+      nearest.indices(row, n) = nearest.indices(row, n - 1);
+      nearest.distances(row, n) = nearest.distances(row, n - 1);
+    }
+    nearest.indices(row, place) = std::isfinite(distance) ? model : -1;
+    nearest.distances(row, place) = distance;
+  };
+  const auto added = static_cast<std::int32_t>(models);
+  for (Eigen::Index i = 0; i < models; ++i) insert(i, std::min(before, count), added, distances[i]);
+  for (Eigen::Index i = 0; i < models; ++i) {
+    insert(models, std::min(i, count), static_cast<std::int32_t>(i), distances[i]);
+    if (std::isfinite(distances[i])) nearest.largest = std::max(nearest.largest, distances[i]);
+  }
+  return nearest;
 }
 
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options) {

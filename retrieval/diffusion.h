@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
+#include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "shapegauge/retrieval/nearest_models.h"
 #include "shapegauge/retrieval/rerank.h"
@@ -43,6 +45,24 @@ void diffuse(Eigen::Index models, const RowSource& rows, const DiffusionOptions&
 /// The same for a matrix in memory, by a dense factorisation for each k, made symmetric. Throws ArgumentError
 /// as above and for a matrix that is not square.
 DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions& options = {});
+
+/// A model of an answer.
+struct RankedModel {
+  Eigen::Index model = 0;
+  double distance = 0;
+};
+
+/// The `count` nearest models of one model after diffusion, nearest first (of equal distances the lesser index first),
+/// without itself: those that diffuse() has in its row, to about 1e-6, without the other rows. `nearest`: of the models
+/// before, the greatest of neighbour_counts() of them; `distances`: of the model to all, before. Throws ArgumentError
+/// for options out of range.
+std::vector<RankedModel> diffused_nearest(const NearestModels& nearest, Eigen::Index query,
+                                          const Eigen::VectorXd& distances, const DiffusionOptions& options,
+                                          std::size_t count);
+
+/// nearest_models() of a collection to which one more model comes, last, at these distances: with k for all of them.
+/// `nearest`: k of the collection alone.
+NearestModels with_query(NearestModels nearest, const Eigen::VectorXd& distances, int k);
 
 /// The options of the values of the method's parameters.
 DiffusionOptions diffusion_options(const ParameterValues& values);

@@ -11,6 +11,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/retrieval/local_scales.h"
 #include "shapegauge/retrieval/nearest_models.h"
 #include "shapegauge/retrieval/rerank.h"
 
@@ -19,20 +20,7 @@ namespace shapegauge {
 namespace {
 
 void check(std::span<const DistanceMatrix> matrices, std::span<const double> weights) {
-  if (matrices.empty() || matrices.size() != weights.size()) {
-    throw ArgumentError("distances need at least one matrix and a weight for each to be fused, not " +
-                        std::to_string(matrices.size()) + " matrices and " + std::to_string(weights.size()) +
-                        " weights");
-  }
-  double total = 0;
-  for (const double weight : weights) {
-    if (!(weight >= 0) || !std::isfinite(weight)) {
-      throw ArgumentError("a weight of fused distances is " + std::to_string(weight) +
-                          "; it must be finite and not negative");
-    }
-    total += weight;
-  }
-  if (!(total > 0)) throw ArgumentError("of the weights of fused distances one at least must be positive");
+  check_sum_weights(matrices.size(), weights);
   const Eigen::Index size = matrices.front().rows();
   for (const DistanceMatrix& matrix : matrices) {
     if (matrix.rows() != size || matrix.cols() != size) {
@@ -58,64 +46,13 @@ std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   return distances;
 }
 
-/// Mean of distances whose sum may overflow.
-double overflow_safe_mean(const std::vector<double>& distances) {
-  const auto count = static_cast<double>(distances.size());
-  const double mean = std::accumulate(distances.begin(), distances.end(), 0.0,
-                                      [&](double sum, double distance) { return sum + distance / count; });
-  return std::min(mean, std::numeric_limits<double>::max());
-}
-
-/// Median (of an even number, the greater of the middle two) or mean of the finite distances between different models;
-/// 1 where there are none.
-double scale_of(const DistanceMatrix& matrix, DistanceScale scale) {
-  const Eigen::Index size = matrix.rows();
-  if (scale == DistanceScale::none || size < 2) return 1;
-  if (scale == DistanceScale::mean) {
-    const double mean = (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
-    if (std::isfinite(mean)) return mean;
-  }
-  std::vector<double> distances = finite_distances(matrix);
-  if (distances.empty()) return 1;
-  if (scale == DistanceScale::mean) return overflow_safe_mean(distances);
-  const auto middle = distances.begin() + std::ssize(distances) / 2;
-  std::ranges::nth_element(distances, middle);
-  return *middle;
-}
-
-/// By model, the mean distance to its ten nearest at a positive finite distance; NaN where there is none.
-Eigen::VectorXd mean_distances_to_nearest(const DistanceMatrix& matrix) {
-  constexpr std::ptrdiff_t nearest = 10;
-  Eigen::VectorXd means(matrix.rows());
-  parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
-    std::vector<double> distances;
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-      if (j != i && matrix(i, j) > 0 && std::isfinite(matrix(i, j))) distances.push_back(matrix(i, j));
-    }
-    const auto count = std::min(std::ssize(distances), nearest);
-    std::ranges::partial_sort(distances, distances.begin() + count);
-    distances.resize(static_cast<std::size_t>(count));
-    means[i] = count > 0 ? overflow_safe_mean(distances) : std::numeric_limits<double>::quiet_NaN();
-  });
-  return means;
-}
-
-/// By model, the square root of its scale; 1 for a model without positive finite distances, which need none.
-Eigen::VectorXd local_scale_roots(const DistanceMatrix& matrix) {
-  constexpr double least_share = 0.01;  // of the median
-  Eigen::VectorXd scales = mean_distances_to_nearest(matrix);
-  std::vector<double> known;
-  std::ranges::copy_if(scales, std::back_inserter(known), [](double scale) { return !std::isnan(scale); });
-  if (known.empty()) return Eigen::VectorXd::Ones(matrix.rows());
-  const auto middle = known.begin() + std::ssize(known) / 2;
-  std::ranges::nth_element(known, middle);
-  const double least = least_share * *middle;
-  return scales.unaryExpr([&](double scale) { return std::isnan(scale) ? 1 : std::sqrt(std::max(scale, least)); });
-}
-
 /// sum += weight matrix(i, j) / (roots[i] roots[j])
 void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceMatrix& sum) {
-  const Eigen::VectorXd roots = local_scale_roots(matrix);
+  Eigen::VectorXd means(matrix.rows());
+  parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
+    means[i] = mean_distance_to_nearest({matrix.row(i).data(), static_cast<std::size_t>(matrix.cols())}, i);
+  });
+  const Eigen::VectorXd roots = LocalScales::of_means(means).roots;
   parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
     sum.row(i).array() += weight * (matrix.row(i).array() / (roots[i] * roots.transpose().array()));
   });
@@ -142,13 +79,12 @@ struct NearestSets {
 };
 
 /// The sets of several k. The nearest are those nearer than the next one: of those that tie with it none counts.
-std::vector<NearestSets> nearest_sets(const DistanceMatrix& matrix, const std::vector<int>& counts) {
-  const NearestModels nearest = nearest_models(matrix.rows(), counts.back() + 1, rows_of(matrix));
+std::vector<NearestSets> nearest_sets(const NearestModels& nearest, const std::vector<int>& counts) {
   std::vector<NearestSets> all;
   for (const int count : counts) {
     NearestSets& sets = all.emplace_back();
     sets.count = static_cast<std::size_t>(count);
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
+    for (Eigen::Index i = 0; i < nearest.indices.rows(); ++i) {
       const bool has_next = count < nearest.indices.cols() && nearest.indices(i, count) >= 0;
       const double limit = has_next ? nearest.distances(i, count) : std::numeric_limits<double>::infinity();
       std::vector<std::int32_t>& set = sets.of.emplace_back(1, static_cast<std::int32_t>(i));
@@ -246,6 +182,37 @@ void add_scores(const DistanceMatrix& matrix, Eigen::Index row, double weight, R
 
 }  // namespace
 
+void check_sum_weights(std::size_t terms, std::span<const double> weights) {
+  if (terms == 0 || terms != weights.size()) {
+    throw ArgumentError("distances need at least one matrix and a weight for each to be fused, not " +
+                        std::to_string(terms) + " matrices and " + std::to_string(weights.size()) + " weights");
+  }
+  double total = 0;
+  for (const double weight : weights) {
+    if (!(weight >= 0) || !std::isfinite(weight)) {
+      throw ArgumentError("a weight of fused distances is " + std::to_string(weight) +
+                          "; it must be finite and not negative");
+    }
+    total += weight;
+  }
+  if (!(total > 0)) throw ArgumentError("of the weights of fused distances one at least must be positive");
+}
+
+double distance_unit(const DistanceMatrix& matrix, DistanceScale scale) {
+  const Eigen::Index size = matrix.rows();
+  if (scale == DistanceScale::none || size < 2) return 1;
+  if (scale == DistanceScale::mean) {
+    const double mean = (matrix.sum() - matrix.diagonal().sum()) / static_cast<double>(size * (size - 1));
+    if (std::isfinite(mean)) return mean;
+  }
+  std::vector<double> distances = finite_distances(matrix);
+  if (distances.empty()) return 1;
+  if (scale == DistanceScale::mean) return overflow_safe_mean(distances);
+  const auto middle = distances.begin() + std::ssize(distances) / 2;
+  std::ranges::nth_element(distances, middle);
+  return *middle;
+}
+
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 DistanceScale scale) {
   check(matrices, weights);
@@ -256,7 +223,7 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
       add_locally_scaled(matrices[k], weights[k], sum);
       continue;
     }
-    const double unit = scale_of(matrices[k], scale);
+    const double unit = distance_unit(matrices[k], scale);
     if (!(unit > 0)) {
       throw ArgumentError("the median or mean of the distances of matrix " + std::to_string(k) +
                           " (counted from 0) is 0: it cannot be divided by it");
@@ -270,18 +237,30 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind) {
   check(matrices, weights);
-  std::vector<double> found(weights.begin(), weights.end());
-  const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
-  if (kind == SumWeights::given || positive < 2) return found;
-  std::vector<int> counts = neighbour_counts({});
-  const Eigen::Index models = matrices.front().rows();
-  std::erase_if(counts, [&](int count) { return count >= models - 1; });  // all others: nothing is seen
-  if (counts.empty()) return found;
-  std::vector<std::vector<NearestSets>> nearest(matrices.size());
+  if (kind == SumWeights::given) return {weights.begin(), weights.end()};
+  std::vector<NearestModels> nearest(matrices.size());
   for (std::size_t k = 0; k < matrices.size(); ++k) {
-    if (weights[k] > 0) nearest[k] = nearest_sets(matrices[k], counts);
+    if (weights[k] == 0) continue;
+    nearest[k] = nearest_models(matrices[k].rows(), nearest_for_weights(), rows_of(matrices[k]));
   }
-  const std::vector<double> factors = agreement_factors(nearest, weights);
+  return sum_weights(nearest, weights);
+}
+
+int nearest_for_weights() { return neighbour_counts({}).back() + 1; }
+
+std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::span<const double> weights) {
+  std::vector<double> found(weights.begin(), weights.end());
+  Eigen::Index models = 0;
+  for (const NearestModels& one : nearest) models = std::max(models, one.indices.rows());
+  const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
+  std::vector<int> counts = neighbour_counts({});
+  std::erase_if(counts, [&](int count) { return count >= models - 1; });  // all others: nothing is seen
+  if (positive < 2 || counts.empty()) return found;
+  std::vector<std::vector<NearestSets>> sets(nearest.size());
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
+    if (weights[k] > 0) sets[k] = nearest_sets(nearest[k], counts);
+  }
+  const std::vector<double> factors = agreement_factors(sets, weights);
   if (std::ranges::all_of(factors, [](double factor) { return factor == 0; })) return found;
   for (std::size_t k = 0; k < found.size(); ++k) found[k] *= factors[k];
   return found;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/nearest_models.h"
 
 namespace shapegauge {
 
@@ -26,6 +28,14 @@ enum class DistanceScale {
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 DistanceScale scale = DistanceScale::median);
 
+/// Throws ArgumentError where there are no terms, weights are not as many, a weight is negative or not finite, or all
+/// are 0.
+void check_sum_weights(std::size_t terms, std::span<const double> weights);
+
+/// What distances are divided by with DistanceScale::median (of an even number, the greater of the middle two) or mean:
+/// that of the finite ones between different models. 1 where there are none, and with DistanceScale::none.
+double distance_unit(const DistanceMatrix& matrix, DistanceScale scale);
+
 /// What the weights of a sum follow from, besides those that are given. None of it knows classes.
 enum class SumWeights {
   given,      ///< nothing else
@@ -43,6 +53,13 @@ enum class SumWeights {
 /// sum_of_distances().
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind);
+
+/// The same with SumWeights::agreement from the nearest models by each matrix, nearest_for_weights() of them where
+/// there are as many; of matrices whose weight is 0 they may be absent.
+std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::span<const double> weights);
+
+/// How many nearest models these weights depend on.
+int nearest_for_weights();
 
 /// How ranks are turned into a score.
 enum class RankScore {

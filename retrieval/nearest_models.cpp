@@ -63,6 +63,14 @@ double safe_factor(double largest) {
   return largest > 0 && largest < 0x1p-960 ? 0x1p512 : 1;
 }
 
+double overflow_safe_mean(std::span<const double> distances) {
+  if (distances.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto count = static_cast<double>(distances.size());
+  const double mean = std::accumulate(distances.begin(), distances.end(), 0.0,
+                                      [&](double sum, double distance) { return sum + distance / count; });
+  return std::min(mean, std::numeric_limits<double>::max());
+}
+
 DistanceMatrix symmetric(const DistanceMatrix& distances) {
   DistanceMatrix result = distances / 2 + distances.transpose() / 2;
   result.diagonal().setZero();

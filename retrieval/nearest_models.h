@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -56,6 +57,9 @@ NearestModels multiplied(NearestModels nearest, double factor);
 
 /// A power of two that keeps sums and quotients of distances up to `largest` from over- and underflow; 1 if not needed.
 double safe_factor(double largest);
+
+/// The mean of distances whose sum may overflow; NaN without any.
+double overflow_safe_mean(std::span<const double> distances);
 
 /// The mean of distances, of the finite ones where not all are; 0 without any.
 template <typename Distances>

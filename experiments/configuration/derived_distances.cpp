@@ -43,9 +43,8 @@ DerivedDistances sum_of(const Json& signature) {
   }
   const ParameterValues values = read_parameters(derived_parameters(), signature);
   for (const char* setting : {"scale", "weights"}) derived.settings[setting] = values.word(setting);
-  derived.compute = [weights, kind = weights_of(values.word("weights")),
-                     scale = scale_of(values.word("scale"))](std::span<const DistanceMatrix> matrices) {
-    return sum_of_distances(matrices, sum_weights(matrices, weights, kind), scale);
+  derived.compute = [settings = sum_settings(derived)](std::span<const DistanceMatrix> matrices) {
+    return sum_of_distances(matrices, sum_weights(matrices, settings.weights, settings.kind), settings.scale);
   };
   return derived;
 }
@@ -80,6 +79,14 @@ DerivedDistances reranking_of(const Json& signature) {
 }
 
 }  // namespace
+
+SumSettings sum_settings(const DerivedDistances& sum) {
+  SumSettings settings{.weights = {},
+                       .kind = weights_of(sum.settings.at("weights").get<std::string>()),
+                       .scale = scale_of(sum.settings.at("scale").get<std::string>())};
+  for (const Json& term : sum.settings.at("sum")) settings.weights.push_back(term.at("weight"));
+  return settings;
+}
 
 std::span<const std::string_view> derived_keys() { return kinds_of_derived; }
 

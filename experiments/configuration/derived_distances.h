@@ -8,6 +8,7 @@
 
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/retrieval/distance_matrix.h"
+#include "shapegauge/retrieval/fusion.h"
 
 namespace shapegauge {
 
@@ -21,6 +22,16 @@ struct DerivedDistances {
   /// cannot be combined.
   std::function<DistanceMatrix(std::span<const DistanceMatrix>)> compute;
 };
+
+/// The settings of a sum of distances.
+struct SumSettings {
+  std::vector<double> weights;  ///< by term
+  SumWeights kind = SumWeights::given;
+  DistanceScale scale = DistanceScale::median;
+};
+
+/// The settings of derived distances whose key is "sum".
+SumSettings sum_settings(const DerivedDistances& sum);
 
 /// The settings that ask for derived distances, by each of which a signature is of that kind.
 std::span<const std::string_view> derived_keys();

@@ -44,12 +44,6 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature,
   }
 }
 
-/// The distance between two signatures of that kind.
-NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
-  if (!signature.descriptor) return distances().at(configuration.distance);
-  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
-}
-
 /// By signature whether distances are derived from it, or it from others: that takes whole matrices.
 std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<bool> takes_part(signatures.size());

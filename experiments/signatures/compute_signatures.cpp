@@ -47,19 +47,27 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
 struct Described {
   DescribedModels models;
   std::vector<ModelFailure> failures;
+  std::vector<LearntFeatures> learnt;  ///< by planned descriptor
 };
 
-[[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures) {
+[[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
   const ModelFailure& first = failures.front();
-  const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
+  const std::string& id = dataset.models[first.model].id;
   // All processes know of it.
-  throw SharedError(fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")",
-                                dataset.models[first.model].id, first.message, others));
+  if (on_error == OnError::skip) {
+    throw SharedError(
+        fmt::format("none of {} models can be used; the first is {}: {}", failures.size(), id, first.message));
+  }
+  const std::string others = failures.size() > 1 ? fmt::format(" (and {} more like it)", failures.size() - 1) : "";
+  throw SharedError(
+      fmt::format(R"(model {}: {}{}; repair or remove it, or set "on_error" to "skip")", id, first.message, others));
 }
 
 void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
   const bool none_left = failures.size() == dataset.models.size();
-  if (!failures.empty() && (none_left || on_error == OnError::stop)) stop_for(dataset, failures);
+  if (!failures.empty() && (none_left || on_error == OnError::stop)) {
+    stop_for(dataset, failures, on_error);
+  }
 }
 
 /// The models that are not among the failures.
@@ -103,7 +111,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   add(failures_of_all(failures, ranks));
   for (;;) {
     const std::vector<ModelFailure> more =
-        describe_learnt(described.models, configuration, plan, control, cache, ranks);
+        describe_learnt(described.models, configuration, plan, control, cache, ranks, described.learnt);
     if (more.empty()) return described;
     for (const ModelFailure& failure : more) described.models.erase(failure.model);
     add(more);
@@ -129,6 +137,11 @@ Signatures features_of(const std::vector<const ModelDescription*>& models, std::
 }
 
 }  // namespace
+
+NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration) {
+  if (!signature.descriptor) return distances().at(configuration.distance);
+  return {.name = distance_of(signature.descriptor->descriptor), .function = signature.descriptor->descriptor.distance};
+}
 
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields) {
   std::vector<Interval> ranges;
@@ -365,6 +378,8 @@ ComputedSignatures compute_signatures(const Dataset& dataset, const Configuratio
   const std::vector<Interval> ranges = ranges_over_data_set(models, plan.size(), ranks);
   const std::vector<Signatures> tables =
       on_all_ranks(ranks, [&] { return assemble_signatures(models, plan, configuration.signatures, ranges); });
+  computed.field_ranges = ranges;
+  computed.learnt = std::move(described.learnt);
   computed.signatures = rows_of_rank(tables, places, computed.models.size(), ranks);
   std::vector<ModelDescription> told = told_of_all(models, places, computed.models.size(), ranks);
   if (ranks.rank() == 0) report(std::move(told), configuration, plan, computed);

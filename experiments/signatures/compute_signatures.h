@@ -35,6 +35,10 @@ struct ShapeReport {
   std::vector<double> descriptor_seconds;      ///< by signature that is a descriptor, without its fields
 };
 
+/// The distance between signatures of that kind, which are not derived ones: a descriptor's own, or the
+/// configuration's.
+NamedDistance distance_between(const SignatureConfiguration& signature, const Configuration& configuration);
+
 /// By field of the plan its range over these models, of which there is one at least.
 std::vector<Interval> field_ranges(const std::vector<const ModelDescription*>& models, std::size_t fields);
 
@@ -74,6 +78,8 @@ struct ComputedSignatures {
   Range own;                                            ///< the places in `models` of those whose rows are here
   std::vector<Signatures> signatures;                   ///< of those, as assemble_signatures() gives them
   std::vector<ModelFailure> failures;                   ///< the other models, with OnError::skip
+  std::vector<LearntFeatures> learnt;                   ///< by planned descriptor; empty where it does not learn
+  std::vector<Interval> field_ranges;                   ///< by field of the plan, over all models
   std::vector<std::vector<Interval>> histogram_ranges;  ///< by signature, of each model; empty where it has no field
   std::vector<std::string> pictures;  ///< of the models, where the configuration wants them; else none
   std::vector<std::string> views;     ///< the same, for shapes that one can turn

@@ -139,8 +139,9 @@ FeatureDescription describe(const Lesson& lesson, const std::string& shape_key, 
 
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
-                                          Communicator& ranks) {
+                                          Communicator& ranks, std::vector<LearntFeatures>& learnt_features) {
   const std::vector<PlannedDescriptor> descriptors = plan_descriptors(configuration.signatures, plan);
+  learnt_features.assign(descriptors.size(), {});
   for (std::size_t d = 0; d < descriptors.size(); ++d) {
     if (!descriptors[d].learns) continue;
     if (control.interrupted()) throw Interrupted();
@@ -158,6 +159,7 @@ std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configu
                        }),
         ranks);
     if (!failures.empty()) return failures;
+    learnt_features[d] = learnt.features;
   }
   return {};
 }

@@ -23,9 +23,9 @@ using DescribedModels = std::map<std::size_t, ModelDescription>;
 /// cannot be described, in order, the same on all ranks; those after the first may be left out. Without them the others
 /// learn something else: where there are any, nothing is complete, and it has to be called again without them. Throws
 /// InputError where nothing can be learnt, and Interrupted. Collective. Runs in the calling
-/// TBB arena.
+/// TBB arena. `learnt` becomes what the planned descriptors have learnt, empty for those that do not learn.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
-                                          Communicator& ranks);
+                                          Communicator& ranks, std::vector<LearntFeatures>& learnt);
 
 }  // namespace shapegauge

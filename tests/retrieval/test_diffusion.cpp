@@ -190,6 +190,63 @@ TEST(DiffusedDiagonal, IsThatOfTheInverse) {
   }
 }
 
+/// The answer to a query that diffused_nearest() should give: the first of its sorted row.
+std::vector<RankedModel> nearest_in_row(const DistanceMatrix& distances, Eigen::Index query, std::size_t count) {
+  std::vector<RankedModel> models;
+  for (Eigen::Index j = 0; j < distances.cols(); ++j) {
+    if (j != query) models.push_back({j, distances(query, j)});
+  }
+  std::ranges::stable_sort(models, {}, &RankedModel::distance);
+  models.resize(std::min(models.size(), count));
+  return models;
+}
+
+void expect_same_answer(const std::vector<RankedModel>& found, const std::vector<RankedModel>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i].distance, expected[i].distance, 1e-5) << i;
+    const bool tied = i + 1 < expected.size() && expected[i + 1].distance - expected[i].distance < 1e-5;
+    const bool tied_before = i > 0 && expected[i].distance - expected[i - 1].distance < 1e-5;
+    if (tied || tied_before) continue;
+    EXPECT_EQ(found[i].model, expected[i].model) << i;
+  }
+}
+
+TEST(DiffusedNearest, AreTheFirstOfTheRowOfAllModels) {
+  const DistanceMatrix distances = distances_of(arcs(20, 4, 3));
+  for (const IntegerList& neighbours : {IntegerList{7}, IntegerList{}, IntegerList{4, 9}}) {
+    const DiffusionOptions options{.neighbours = neighbours};
+    const DistanceMatrix whole = diffused(distances, options);
+    const NearestModels nearest =
+        nearest_models(distances.rows(), neighbour_counts(neighbours).back(), rows_of(distances));
+    for (const Eigen::Index query : {0, 33, 79}) {
+      for (const std::size_t count : {std::size_t{1}, std::size_t{10}, std::size_t{100}}) {
+        SCOPED_TRACE(testing::Message() << query << " of " << neighbour_counts(neighbours).size() << ", " << count);
+        expect_same_answer(diffused_nearest(nearest, query, distances.row(query), options, count),
+                           nearest_in_row(whole, query, count));
+      }
+    }
+    EXPECT_TRUE(diffused_nearest(nearest, 0, distances.row(0), options, 0).empty());
+  }
+}
+
+TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
+  for (const Eigen::Index models : {1, 3, 6, 40}) {
+    Eigen::MatrixXd points = clusters(models + 1, 1, 8);
+    if (models > 3) points.row(2) = points.row(models);  // at distance 0 from what comes last
+    const DistanceMatrix all = distances_of(points);
+    const DistanceMatrix before = all.topLeftCorner(models, models);
+    for (const int k : {1, 5, 20}) {
+      const NearestModels expected = nearest_models(models + 1, k, rows_of(all));
+      const NearestModels found =
+          with_query(nearest_models(models, k, rows_of(before)), all.row(models).head(models), k);
+      EXPECT_EQ(found.indices, expected.indices) << models << ", " << k;
+      EXPECT_EQ(found.distances, expected.distances) << models << ", " << k;
+      EXPECT_EQ(found.largest, expected.largest);
+    }
+  }
+}
+
 }  // namespace
 
 }  // namespace shapegauge

@@ -1,0 +1,241 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/output_files.h"
+#include "app/terminal.h"
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/search/search.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SearchArguments {
+  std::vector<fs::path> paths;  ///< the queries, then the collection
+  std::size_t count = 10;
+  bool rerank = false;
+  std::string format = "table";
+  fs::path index;
+  bool no_update = false;
+  fs::path method;
+  std::string signature;
+  std::vector<std::string> settings;
+  int threads = 0;
+  CacheOption cache;
+};
+
+SearchMethod chosen_method(const SearchArguments& arguments) {
+  if (!arguments.method.empty()) return read_search_method(arguments.method, arguments.settings, arguments.signature);
+  if (!arguments.settings.empty() || !arguments.signature.empty()) {
+    throw InputError("--set and --signature go with --method");
+  }
+  return recommended_search_method();
+}
+
+/// A search of the program, from its arguments to what it prints.
+class SearchRun {
+ public:
+  explicit SearchRun(const SearchArguments& arguments)
+      : arguments_(&arguments), collection_(arguments.paths.back()), cache_(chosen_cache(arguments.cache)) {
+    for (std::size_t i = 0; i + 1 < arguments.paths.size(); ++i) {
+      queries_.push_back({.name = arguments.paths[i].string(), .file = arguments.paths[i]});
+    }
+  }
+
+  int run() {
+    check_outputs();
+    catch_interruption();
+    try {
+      open();
+      answers_ = search(index_, queries_, options(), control(), cache_, update_.notes);
+    } catch (const Interrupted&) {
+      progress_.clear();
+      throw Interrupted(cache_.folder().empty()
+                            ? "interrupted; the index is as it was before"
+                            : "interrupted; the index is as it was before. The shapes that were described are in the "
+                              "cache: the same command goes on from there");
+    }
+    progress_.clear();
+    print_answers();
+    return print_remarks();
+  }
+
+ private:
+  [[nodiscard]] SearchOptions options() const { return {.count = arguments_->count, .rerank = arguments_->rerank}; }
+
+  RunControl control() {
+    return {.threads = arguments_->threads,
+            .interrupted = interrupted,
+            .progress = [this](std::string_view stage, std::size_t done, std::size_t total) {
+              progress_.show(stage, done, total);
+            }};
+  }
+
+  [[nodiscard]] fs::path index_file() const {
+    return arguments_->index.empty() ? usual_index_path(collection_, arguments_->method) : arguments_->index;
+  }
+
+  void check_outputs() const {
+    std::vector<fs::path> inputs{arguments_->paths.begin(), arguments_->paths.end()};
+    inputs.push_back(arguments_->method);
+    check_output_files(inputs, std::vector<OutputFile>{{.path = index_file(), .what = "--index"}}, true);
+  }
+
+  void open() {
+    SearchMethod method = chosen_method(*arguments_);
+    if (arguments_->no_update) {
+      index_ = open_index_as_it_is(std::move(method), collection_, index_file());
+    } else {
+      index_ = open_index(std::move(method), collection_, index_file(), control(), cache_, update_);
+    }
+  }
+
+  [[nodiscard]] const IndexedFile& model(const RankedModel& one) const {
+    return index_.contents.models[static_cast<std::size_t>(one.model)];
+  }
+
+  [[nodiscard]] Table table() const {
+    Table table{.header = {"query", "name", "rank", "distance"}, .rows = {}, .text_columns = 2};
+    for (const SearchAnswer& answer : answers_) {
+      for (std::size_t i = 0; i < answer.nearest.size(); ++i) {
+        table.rows.push_back({answer.query, model(answer.nearest[i]).id, fmt::format("{}", i + 1),
+                              distance_text(answer.nearest[i].distance)});
+      }
+    }
+    return table;
+  }
+
+  [[nodiscard]] std::string distance_text(double distance) const {
+    return arguments_->format == "csv" ? fmt::format("{}", distance) : fmt::format("{:#.4g}", distance);
+  }
+
+  [[nodiscard]] nlohmann::ordered_json json() const {
+    using Json = nlohmann::ordered_json;
+    Json queries = Json::array();
+    for (const SearchAnswer& answer : answers_) {
+      Json query{{"query", answer.query}};
+      if (answer.member) query["name"] = index_.contents.models[*answer.member].id;
+      if (!answer.failure.empty()) query["error"] = answer.failure;
+      query["results"] = Json::array();
+      for (const RankedModel& one : answer.nearest) {
+        query["results"].push_back({{"name", model(one).id},
+                                    {"file", index_.collection.file(model(one).path).string()},
+                                    {"distance", one.distance}});
+      }
+      queries.push_back(std::move(query));
+    }
+    Json left_out = Json::array();
+    for (const IndexedFile& file : index_.contents.failures) {
+      left_out.push_back({{"name", file.id}, {"error", file.failure}});
+    }
+    return {{"version", version()},
+            {"collection", collection_.string()},
+            {"index", index_.file.string()},
+            {"signature", index_.method.name},
+            {"reranked", arguments_->rerank},
+            {"models", index_.contents.models.size()},
+            {"left_out", std::move(left_out)},
+            {"queries", std::move(queries)}};
+  }
+
+  void print_answers() const {
+    if (arguments_->format == "json") return print_output("{}\n", json().dump(2));
+    if (queries_.empty()) return;
+    const Table rows = table();
+    if (arguments_->format == "csv") return print_output("{}", to_csv(rows));
+    if (arguments_->format == "markdown") return print_output("{}", to_markdown(rows));
+    print_output("{}", arguments_->format == "latex" ? to_latex(rows) : to_plain_text(rows));
+  }
+
+  /// Returns the exit status.
+  int print_remarks() const {
+    for (const std::string& text : update_.notes) note(text);
+    for (const LeftOutShape& one : update_.left_out) warn(fmt::format("left out {}: {}", one.id, one.message));
+    const ShapeIndex& contents = index_.contents;
+    const std::size_t all = contents.models.size() + contents.failures.size();
+    if (update_.rebuilt) {
+      note(fmt::format("{} of {} shapes are described in {}", contents.models.size(), all, index_.file.string()));
+    } else if (!contents.failures.empty()) {
+      note(fmt::format(
+          "{} of {} shapes of the collection cannot be described and are left out; --format json names them",
+          contents.failures.size(), all));
+    }
+    int status = update_.left_out.empty() ? exit_success : exit_with_failures;
+    for (const SearchAnswer& answer : answers_) {
+      if (answer.failure.empty()) continue;
+      print_error(answer.failure.find(answer.query) == std::string::npos
+                      ? fmt::format("{}: {}", answer.query, answer.failure)
+                      : answer.failure);
+      status = exit_with_failures;
+    }
+    const bool none = !answers_.empty() &&
+                      std::ranges::none_of(answers_, [](const SearchAnswer& answer) { return answer.failure.empty(); });
+    return none ? exit_unusable_input : status;
+  }
+
+  const SearchArguments* arguments_;
+  fs::path collection_;
+  std::vector<SearchQuery> queries_;
+  Cache cache_;
+  ProgressLine progress_;
+  OpenIndex index_;
+  IndexUpdate update_;
+  std::vector<SearchAnswer> answers_;
+};
+
+}  // namespace
+
+void add_search_command(CLI::App& app, int& status) {
+  CLI::App* command = app.add_subcommand("search", "Find the shapes of a collection that are most like a shape");
+  command->footer(
+      "Examples: shapegauge search chair.obj models/\n"
+      "          shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
+      "          shapegauge search models/                (only describes the collection)\n"
+      "The first search describes every shape of the collection, which takes a second or two each. Later ones take\n"
+      "what they need from the index; files that are new, changed or gone are noticed. Distances are comparable\n"
+      "within one collection and method only.");
+  const auto arguments = std::make_shared<SearchArguments>();
+  command
+      ->add_option(
+          "paths", arguments->paths,
+          "The queries, which are shape files, and last the collection: a folder, a list of files (.txt), or a "
+          "data set (.cla, .csv, .json)")
+      ->required();
+  command->add_option("-k,--count", arguments->count, "Number of shapes in each answer")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->capture_default_str();
+  command->add_flag("--rerank", arguments->rerank,
+                    "Re-rank by diffusion over the collection, which finds shapes that others lead to");
+  command->add_option("--format", arguments->format, "Format of the answer")
+      ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
+      ->capture_default_str();
+  command->add_option("--index", arguments->index,
+                      "File of the index (default: beside the collection, NAME.search-index)");
+  command->add_flag("--no-update", arguments->no_update, "Answer from the index as it is, without a look at the files");
+  command->add_option("--method", arguments->method,
+                      "Configuration of a retrieval experiment, whose signatures are compared (default: the "
+                      "recommended method)");
+  command->add_option(
+      "--signature", arguments->signature,
+      "With --method: name of the signature (default: the last sum, or whatever is computed from each shape)");
+  command->add_option("--set", arguments->settings, "With --method: a change of the configuration, key=value");
+  add_cache_option(*command, arguments->cache);
+  add_threads_option(*command, arguments->threads);
+  command->callback([arguments, &status] { status = SearchRun(*arguments).run(); });
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,97 @@
+// measure_search COLLECTION MODELS: the times of an index of so many models. Those of a described collection are
+// multiplied: each copy's features are moved towards those of another model, by a part that is drawn.
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/search/index_rows.h"
+#include "shapegauge/experiments/search/search.h"
+
+namespace {
+
+using namespace shapegauge;
+
+ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
+  RandomNumbers random(1);
+  ShapeIndex many;
+  many.learnt = few.learnt;
+  many.field_ranges = few.field_ranges;
+  const auto rows = static_cast<Eigen::Index>(models);
+  for (const Signatures& table : few.tables) many.tables.emplace_back(rows, table.cols());
+  for (std::size_t i = 0; i < models; ++i) {
+    const std::size_t of = i % few.models.size();
+    IndexedFile model = few.models[of];
+    if (i != of) {
+      model.id += fmt::format("-{}", i);
+      model.path += fmt::format("-{}", i);
+      model.sha256[0] = 'x';
+    }
+    many.models.push_back(model);
+    const auto other = static_cast<Eigen::Index>(random.below(few.models.size()));
+    const auto part = static_cast<float>(i == of ? 0 : random.uniform(0, 0.5));
+    for (std::size_t k = 0; k < many.tables.size(); ++k) {
+      const Signatures& table = few.tables[k];
+      auto row = many.tables[k].row(static_cast<Eigen::Index>(i));
+      row = (1 - part) * table.row(static_cast<Eigen::Index>(of)) + part * table.row(other);
+      if ((table.array() == table.array().round()).all()) row = row.array().round();
+    }
+  }
+  return many;
+}
+
+int measure(const std::filesystem::path& collection, std::size_t models) {
+  Cache cache(default_cache_folder());
+  IndexUpdate update;
+  const RunControl control;
+  OpenIndex index =
+      open_index(recommended_search_method(), collection, usual_index_path(collection), control, cache, update);
+  Stopwatch stopwatch;
+  const auto report = [&](const std::string& what) { fmt::print("{:<44}{:8.3f} s\n", what, stopwatch.lap()); };
+  index.contents = multiplied(index.contents, models);
+  fmt::print("{} models\n", models);
+  stopwatch.lap();
+  index.contents.sum = sum_of(index.method, index.contents, control);
+  report("scales and weights of all pairs");
+  const std::string bytes = encode_index(index.contents, index.method.key());
+  fmt::print("index: {:.1f} kB a model\n", static_cast<double>(bytes.size()) / 1000 / static_cast<double>(models));
+  stopwatch.lap();
+  IndexFault fault{};
+  index.contents = decode_index(bytes, index.method.key(), fault).value();
+  report("read the index");
+  std::vector<std::string> notes;
+  const std::vector<SearchQuery> query{
+      {.name = "query", .file = index.collection.file(index.contents.models.front().path)}};
+  search(index, query, {}, control, cache, notes);
+  report("answer to a member");
+  index.contents.nearest = nearest_in(index.method, index.contents, 20, control);
+  report("neighbours of all models, for re-ranking");
+  search(index, query, {.rerank = true}, control, cache, notes);
+  report("re-ranked answer to a member");
+  index.contents.models.front().sha256[0] = 'x';  // the same file is now one from elsewhere
+  stopwatch.lap();
+  search(index, query, {}, control, cache, notes);
+  report("answer to another file, described before");
+  search(index, query, {.rerank = true}, control, cache, notes);
+  report("re-ranked answer to it");
+  return EXIT_SUCCESS;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  if (count != 3) {
+    fmt::print(stderr, "measure_search COLLECTION MODELS\n");
+    return EXIT_FAILURE;
+  }
+  return measure(arguments[1], std::stoul(arguments[2]));
+} catch (const std::exception& error) {
+  fmt::print(stderr, "{}\n", error.what());
+  return EXIT_FAILURE;
+}

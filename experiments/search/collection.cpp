@@ -1,0 +1,133 @@
+#include "shapegauge/experiments/search/collection.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The path relative to the folder where it is below it, else absolute.
+fs::path relative_to(const fs::path& folder, const fs::path& path) {
+  const fs::path relative =
+      fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());
+  const bool below = !relative.empty() && *relative.begin() != "..";
+  return below ? relative : fs::absolute(path).lexically_normal();
+}
+
+Collection files_below(const fs::path& folder) {
+  Collection collection{.base = folder, .files = {}, .skipped = 0};
+  std::error_code failure;
+  const auto options = fs::directory_options::follow_directory_symlink | fs::directory_options::skip_permission_denied;
+  std::set<fs::path> visited{fs::canonical(folder, failure)};
+  fs::recursive_directory_iterator entry(folder, options, failure);
+  for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
+    const fs::path& path = entry->path();
+    if (is_folder(path)) {
+      std::error_code lost;
+      const bool hidden = path.filename().string().starts_with('.');
+      if (hidden || !visited.insert(fs::canonical(path, lost)).second) entry.disable_recursion_pending();
+      continue;
+    }
+    if (is_model_file(path)) {
+      const fs::path relative = path.lexically_relative(folder);
+      collection.files.push_back({.id = relative.generic_string(), .path = relative});
+    } else {
+      ++collection.skipped;
+    }
+  }
+  if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
+  return collection;
+}
+
+Collection files_of_list(const fs::path& list) {
+  Collection collection{.base = list.parent_path(), .files = {}, .skipped = 0};
+  const std::string text = read_file_bytes(list);
+  for (const std::string_view line : split_lines(text)) {
+    const std::string path(trim(line));
+    if (path.empty() || path.starts_with('#')) continue;
+    collection.files.push_back({.id = path, .path = path});
+  }
+  return collection;
+}
+
+Collection files_of_dataset(const DatasetLocation& location) {
+  Collection collection{.base = location.root, .files = {}, .skipped = 0};
+  for (const Model& model : find_dataset(location).models) {
+    collection.files.push_back({.id = model.id, .path = relative_to(location.root, model.file)});
+  }
+  return collection;
+}
+
+DatasetLocation location_in(const fs::path& configuration) {
+  const nlohmann::json document = read_json(configuration);
+  if (!document.is_object() || !document.contains("dataset") || document["dataset"].contains("generate")) {
+    throw InputError(fmt::format("{}: a collection takes a configuration with the \"dataset\" of files on disk",
+                                 configuration.string()));
+  }
+  try {
+    return at("dataset", [&] { return read_location(document["dataset"], configuration.parent_path()); });
+  } catch (const ConfigurationError& error) {
+    throw InputError(fmt::format("{}: {}: {}", configuration.string(), error.path, error.message));
+  }
+}
+
+Collection files_named_by(const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (extension == ".txt" || extension == ".lst") return files_of_list(path);
+  if (extension == ".cla") {
+    return files_of_dataset({.layout = "shrec11", .root = folder, .classification = path});
+  }
+  if (extension == ".csv") return files_of_dataset({.layout = "csv", .root = folder, .classification = path});
+  if (extension == ".json") return files_of_dataset(location_in(path));
+  throw InputError(fmt::format(
+      "{} is not a collection; the last argument must be a folder, a list of files (.txt), or a data set (.cla, .csv, "
+      ".json)",
+      path.string()));
+}
+
+}  // namespace
+
+Collection find_collection(const fs::path& path) {
+  std::error_code failure;
+  if (!fs::exists(path, failure)) {
+    throw InputError(
+        fmt::format("cannot read {}: {}", path.string(), failure ? failure.message() : "No such file or directory"));
+  }
+  Collection collection = is_folder(path) ? files_below(path) : files_named_by(path);
+  if (collection.files.empty()) throw InputError(fmt::format("{} has no shapes", path.string()));
+  std::ranges::sort(collection.files, natural_less, &CollectionFile::id);
+  const auto twice = std::ranges::adjacent_find(collection.files, {}, &CollectionFile::id);
+  if (twice == collection.files.end()) return collection;
+  throw InputError(fmt::format("{} names {} twice", path.string(), twice->id));
+}
+
+fs::path collection_base(const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  if (is_folder(path)) return path;
+  return extension == ".json" ? location_in(path).root : path.parent_path();
+}
+
+fs::path usual_index_path(const fs::path& collection, const fs::path& method) {
+  fs::path beside = fs::absolute(collection).lexically_normal();
+  if (!beside.has_filename()) beside = beside.parent_path();  // "models/"
+  std::string name = beside.filename().string();
+  if (!method.empty()) name += "." + method.stem().string();
+  return beside.parent_path() / (name + ".search-index");
+}
+
+}  // namespace shapegauge

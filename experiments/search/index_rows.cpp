@@ -1,0 +1,110 @@
+#include "shapegauge/experiments/search/index_rows.h"
+
+#include <cstddef>
+#include <optional>
+
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
+#include "shapegauge/retrieval/distance_matrix.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// Up to so many models a term's distances are in memory as a whole, which takes half the time.
+constexpr std::size_t most_in_memory = 10'000;
+
+DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const Signatures& table) {
+  const SignatureConfiguration& signature = method.configuration.signatures[method.terms[term]];
+  return signature.descriptor ? descriptor_distances(signature.descriptor->descriptor, table)
+                              : distance_matrix(table, method.configuration.distance);
+}
+
+/// The distances between all models by one term.
+class TermDistances {
+ public:
+  TermDistances(const SearchMethod& method, std::size_t term, const Signatures& table, bool in_memory)
+      : distance_(distances_of(method)[term]), table_(&table) {
+    check_signatures({table, 0}, distance_);
+    if (in_memory) whole_ = whole_matrix(method, term, table);
+  }
+
+  [[nodiscard]] DistanceMatrix rows(Eigen::Index first, Eigen::Index count) const {
+    if (whole_.size() > 0) return whole_.middleRows(first, count);
+    return distances_between(distance_, {table_->middleRows(first, count), first}, {*table_, 0});
+  }
+
+ private:
+  NamedDistance distance_;
+  const Signatures* table_;
+  DistanceMatrix whole_;  ///< or empty
+};
+
+}  // namespace
+
+std::vector<NamedDistance> distances_of(const SearchMethod& method) {
+  std::vector<NamedDistance> distances;
+  for (const std::size_t term : method.terms) {
+    distances.push_back(distance_between(method.configuration.signatures[term], method.configuration));
+  }
+  return distances;
+}
+
+CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control) {
+  const std::size_t models = index.models.size();
+  std::optional<TermDistances> now;  // one at a time
+  std::vector<RowSource> terms;
+  for (std::size_t k = 0; k < method.terms.size(); ++k) {
+    terms.emplace_back([&, k](Eigen::Index first, Eigen::Index count) {
+      if (control.interrupted()) throw Interrupted();
+      if (first == 0) {
+        control.progress("distances", k, method.terms.size());
+        now.reset();
+        now.emplace(method, k, index.tables[k], models <= most_in_memory);
+      }
+      return now->rows(first, count);
+    });
+  }
+  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale);
+}
+
+std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,
+                                            std::span<const Eigen::RowVectorXf> signatures, Eigen::Index member) {
+  std::vector<Eigen::VectorXd> found;
+  for (std::size_t k = 0; k < distances.size(); ++k) {
+    const Signatures row = signatures[k];
+    const Eigen::Index models = index.tables[k].rows();
+    // One from elsewhere comes behind all others.
+    const SignatureBlock some{row, member >= 0 ? member : models};
+    check_signatures(some, distances[k]);
+    found.emplace_back(distances_between(distances[k], some, {index.tables[k], 0}).row(0));
+  }
+  return found;
+}
+
+NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, int count, const RunControl& control) {
+  std::vector<TermDistances> terms;
+  for (std::size_t k = 0; k < method.terms.size(); ++k) {
+    control.progress("neighbours", k, 2 * method.terms.size());
+    const bool in_memory = index.models.size() * method.terms.size() <= most_in_memory;
+    terms.emplace_back(method, k, index.tables[k], in_memory);
+  }
+  const auto models = std::ssize(index.models);
+  const RowSource rows = [&](Eigen::Index first, Eigen::Index some) {
+    if (control.interrupted()) throw Interrupted();
+    control.progress("neighbours", index.models.size() + static_cast<std::size_t>(first), 2 * index.models.size());
+    std::vector<DistanceMatrix> blocks;
+    for (const TermDistances& term : terms) blocks.push_back(term.rows(first, some));
+    DistanceMatrix sums(some, models);
+    parallel_for(Eigen::Index{0}, some, [&](Eigen::Index i) {
+      std::vector<Eigen::VectorXd> of_terms;
+      for (const DistanceMatrix& block : blocks) of_terms.emplace_back(block.row(i));
+      sums.row(i) = sum_row(index.sum, of_terms, first + i).transpose();
+    });
+    return sums;
+  };
+  return nearest_models(models, count, rows);
+}
+
+}  // namespace shapegauge

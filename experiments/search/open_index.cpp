@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <chrono>
+#include <fmt/format.h>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/search/index_rows.h"
+#include "shapegauge/experiments/search/search.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file younger than this may change again within the tick of its clock.
+constexpr std::chrono::seconds too_young{2};
+
+IndexedFile state_of(const Collection& collection, const CollectionFile& file) {
+  IndexedFile state{.id = file.id, .path = file.path.generic_string(), .sha256 = ""};
+  std::error_code failure;
+  const fs::path path = collection.file(file.path);
+  state.bytes = fs::file_size(path, failure);
+  if (failure) state.bytes = 0;
+  const fs::file_time_type modified = fs::last_write_time(path, failure);
+  if (!failure && modified < fs::file_time_type::clock::now() - too_young) {
+    state.modified = static_cast<std::int64_t>(modified.time_since_epoch().count());
+  }
+  return state;
+}
+
+/// The files as they are now. The contents of those whose size and time the index has need no look.
+std::vector<IndexedFile> states_of(const Collection& collection, const ShapeIndex* before) {
+  std::map<std::string, const IndexedFile*> known;
+  if (before != nullptr) {
+    for (const auto* files : {&before->models, &before->failures}) {
+      for (const IndexedFile& file : *files) known.emplace(file.path, &file);
+    }
+  }
+  std::vector<IndexedFile> states(collection.files.size());
+  parallel_for(std::size_t{0}, states.size(), [&](std::size_t i) {
+    IndexedFile& state = states[i];
+    state = state_of(collection, collection.files[i]);
+    const auto same = known.find(state.path);
+    if (same != known.end() && state.modified != 0 && same->second->modified == state.modified &&
+        same->second->bytes == state.bytes) {
+      state.sha256 = same->second->sha256;
+      return;
+    }
+    try {
+      state.sha256 = sha256_of_file(collection.file(collection.files[i].path));
+    } catch (const InputError&) {
+      state.sha256.clear();  // whoever describes it says why
+    }
+  });
+  return states;
+}
+
+/// What of the files decides on the contents of an index.
+std::vector<std::pair<std::string, std::string>> contents_of(const std::vector<IndexedFile>& files) {
+  std::vector<std::pair<std::string, std::string>> contents;
+  for (const IndexedFile& file : files) contents.emplace_back(file.id, file.path + " " + file.sha256);
+  return contents;
+}
+
+bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
+  auto indexed = contents_of(index.models);
+  const auto failures = contents_of(index.failures);
+  indexed.insert(indexed.end(), failures.begin(), failures.end());
+  auto wanted = contents_of(files);
+  std::ranges::sort(indexed);
+  std::ranges::sort(wanted);
+  return indexed == wanted;
+}
+
+/// Takes over sizes and times; returns whether any was another.
+bool take_times(ShapeIndex& index, const std::vector<IndexedFile>& files) {
+  std::map<std::string, const IndexedFile*> now;
+  for (const IndexedFile& file : files) now.emplace(file.path, &file);
+  bool changed = false;
+  for (auto* indexed : {&index.models, &index.failures}) {
+    for (IndexedFile& file : *indexed) {
+      const IndexedFile& state = *now.at(file.path);
+      changed = changed || file.modified != state.modified || file.bytes != state.bytes;
+      file.modified = state.modified;
+      file.bytes = state.bytes;
+    }
+  }
+  return changed;
+}
+
+Dataset dataset_of(const Collection& collection) {
+  Dataset dataset{.models = {}, .classes = {"all"}};
+  for (const CollectionFile& file : collection.files) {
+    dataset.models.push_back({.id = file.id, .file = collection.file(file.path), .label = 0});
+  }
+  return dataset;
+}
+
+ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
+                     const RunControl& control, Cache& cache) {
+  ComputedSignatures computed =
+      compute_signatures(dataset_of(collection), method.configuration, control, cache, *single_process());
+  ShapeIndex index;
+  for (const std::size_t model : computed.models) index.models.push_back(files[model]);
+  for (const ModelFailure& failure : computed.failures) {
+    index.failures.push_back(std::move(files[failure.model]));
+    index.failures.back().failure = failure.message;
+  }
+  index.learnt = std::move(computed.learnt);
+  index.field_ranges = std::move(computed.field_ranges);
+  for (const std::size_t term : method.terms) index.tables.push_back(std::move(computed.signatures[term]));
+  index.sum = sum_of(method, index, control);
+  return index;
+}
+
+/// The files that could not be described before are no news.
+std::vector<LeftOutShape> new_failures(const ShapeIndex& index, const ShapeIndex* before) {
+  std::vector<LeftOutShape> left_out;
+  for (const IndexedFile& file : index.failures) {
+    const bool known = before != nullptr && std::ranges::any_of(before->failures, [&](const IndexedFile& one) {
+                         return one.path == file.path && one.sha256 == file.sha256;
+                       });
+    if (!known) left_out.push_back({.id = file.id, .message = file.failure});
+  }
+  return left_out;
+}
+
+std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& key, std::vector<std::string>& notes) {
+  std::error_code absent;
+  if (!fs::exists(file, absent)) return std::nullopt;
+  IndexFault fault = IndexFault::damaged;
+  try {
+    if (auto index = decode_index(read_file_bytes(file), key, fault)) return index;
+  } catch (const InputError&) {  // empty, or not to be read
+  }
+  notes.push_back(fmt::format("{} is {}; it is made anew", file.string(),
+                              fault == IndexFault::damaged ? "damaged" : "of another method or program"));
+  return std::nullopt;
+}
+
+}  // namespace
+
+void write_index(const OpenIndex& index, std::vector<std::string>& notes) {
+  try {
+    write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
+  } catch (const InputError& error) {
+    notes.push_back(fmt::format("the index is not kept: {}; name another place for it", error.what()));
+  }
+}
+
+OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::path& file, const RunControl& control,
+                     Cache& cache, IndexUpdate& update) {
+  OpenIndex index{.method = std::move(method), .collection = find_collection(collection), .file = file, .contents = {}};
+  std::error_code absent;
+  if (fs::is_directory(file, absent))
+    throw InputError(fmt::format("{} is a folder; an index is a file", file.string()));
+  std::optional<ShapeIndex> before = read_index(file, index.method.key(), update.notes);
+  with_threads(control, [&] {
+    std::vector<IndexedFile> files = states_of(index.collection, before ? &*before : nullptr);
+    if (before && is_of(*before, files)) {
+      index.contents = std::move(*before);
+      if (take_times(index.contents, files)) write_index(index, update.notes);
+      return;
+    }
+    index.contents = described(index.method, index.collection, std::move(files), control, cache);
+    update.rebuilt = true;
+    update.left_out = new_failures(index.contents, before ? &*before : nullptr);
+    write_index(index, update.notes);
+  });
+  return index;
+}
+
+OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, const fs::path& file) {
+  OpenIndex index{.method = std::move(method), .collection = {}, .file = file, .contents = {}};
+  IndexFault fault = IndexFault::damaged;
+  std::optional<ShapeIndex> contents = decode_index(read_file_bytes(file), index.method.key(), fault);
+  if (!contents) {
+    throw InputError(fmt::format("{} is {}; let it be made anew", file.string(),
+                                 fault == IndexFault::damaged ? "damaged" : "of another method or program"));
+  }
+  index.contents = std::move(*contents);
+  index.collection.base = collection_base(collection);
+  return index;
+}
+
+}  // namespace shapegauge

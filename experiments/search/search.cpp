@@ -1,0 +1,207 @@
+#include "shapegauge/experiments/search/search.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <system_error>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/search/index_rows.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/experiments/signatures/describe_through_cache.h"
+#include "shapegauge/retrieval/rerank.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A query's signatures, one a term, and the model that it is.
+struct DescribedQuery {
+  std::vector<Eigen::RowVectorXf> signatures;
+  std::optional<std::size_t> member;
+};
+
+/// Where to find models by what they are.
+struct ModelLookup {
+  std::map<fs::path, std::size_t> by_file;
+  std::map<std::string, std::size_t> by_contents;
+
+  explicit ModelLookup(const OpenIndex& index) {
+    const std::vector<IndexedFile>& models = index.contents.models;
+    for (std::size_t i = 0; i < models.size(); ++i) {
+      std::error_code gone;
+      const fs::path file = fs::weakly_canonical(index.collection.file(models[i].path), gone);
+      if (!gone) by_file.emplace(file, i);
+      by_contents.emplace(contents_key(models[i].sha256, models[i].path), i);
+    }
+  }
+
+  static std::string contents_key(const std::string& sha256, const fs::path& file) {
+    return sha256 + lower_case(file.extension().string());
+  }
+};
+
+/// Describes a shape that is not in a file.
+ModelDescription description_of(const Shape& shape, const Configuration& configuration,
+                                std::span<const PlannedField> plan) {
+  PreparedModel prepared = prepare_model({.shape = shape, .chosen = {}}, configuration.preparation);
+  FieldSource source(prepared.prepared.shape);
+  std::vector<ScalarField> fields(plan.size());
+  describe_fields(prepared, source, configuration.signatures, plan, true,
+                  [&](std::size_t field, const PreparedShape&, const Samples& samples, const FieldValues& computed) {
+                    fields[field] = {.values = computed.values, .weights = samples.weights};
+                  });
+  for (const PlannedDescriptor& planned : plan_descriptors(configuration.signatures, plan)) {
+    FeatureDescription& features = prepared.description.features.emplace_back();
+    if (planned.learns) continue;
+    std::vector<ScalarField> of_descriptor;
+    for (const std::size_t field : planned.fields) of_descriptor.push_back(fields[field]);
+    features = describe_features(*configuration.signatures[planned.signature].descriptor,
+                                 {.shape = source.shape(), .fields = of_descriptor, .proxy = &source.proxy()}, {});
+  }
+  return std::move(prepared.description);
+}
+
+/// Describes queries as the models of an index are.
+class QueryDescriber {
+ public:
+  QueryDescriber(const OpenIndex& index, Cache& cache)
+      : index_(&index),
+        cache_(&cache),
+        lookup_(index),
+        plan_(plan_fields(index.method.configuration.signatures)),
+        descriptors_(plan_descriptors(index.method.configuration.signatures, plan_)) {}
+
+  [[nodiscard]] DescribedQuery described(const SearchQuery& query, bool alone) const {
+    if (query.shape) return from(description_of(*query.shape, configuration(), plan_));
+    std::error_code absent;
+    const auto member = lookup_.by_file.find(fs::weakly_canonical(query.file, absent));
+    const std::string contents = ModelLookup::contents_key(sha256_of_file(query.file), query.file);
+    const auto same = lookup_.by_contents.find(contents);
+    if (same != lookup_.by_contents.end()) {
+      DescribedQuery found{.signatures = rows_of_model(same->second), .member = {}};
+      if (member != lookup_.by_file.end() && has_contents(member->second, contents)) found.member = member->second;
+      return found;
+    }
+    const Dataset one{.models = {{.id = query.name, .file = query.file, .label = 0}}, .classes = {"query"}};
+    return from(describe_through_cache(one, 0, configuration(), plan_, alone, *cache_));
+  }
+
+ private:
+  [[nodiscard]] const Configuration& configuration() const { return index_->method.configuration; }
+
+  [[nodiscard]] bool has_contents(std::size_t model, const std::string& contents) const {
+    const IndexedFile& file = index_->contents.models[model];
+    return ModelLookup::contents_key(file.sha256, file.path) == contents;
+  }
+
+  [[nodiscard]] std::vector<Eigen::RowVectorXf> rows_of_model(std::size_t model) const {
+    std::vector<Eigen::RowVectorXf> rows;
+    for (const Signatures& table : index_->contents.tables)
+      rows.emplace_back(table.row(static_cast<Eigen::Index>(model)));
+    return rows;
+  }
+
+  [[nodiscard]] DescribedQuery from(ModelDescription description) const {
+    static const Shape none;
+    for (std::size_t d = 0; d < descriptors_.size(); ++d) {
+      if (!descriptors_[d].learns) continue;
+      std::vector<ScalarField> fields;
+      for (const std::size_t field : descriptors_[d].fields) fields.push_back(kept_field(description.fields[field]));
+      description.features[d] = describe_features(*configuration().signatures[descriptors_[d].signature].descriptor,
+                                                  {.shape = none, .fields = fields}, index_->contents.learnt[d]);
+    }
+    const std::vector<Signatures> tables =
+        assemble_signatures({&description}, plan_, configuration().signatures, index_->contents.field_ranges);
+    DescribedQuery query;
+    for (const std::size_t term : index_->method.terms) query.signatures.emplace_back(tables[term].row(0));
+    return query;
+  }
+
+  const OpenIndex* index_;
+  Cache* cache_;
+  ModelLookup lookup_;
+  std::vector<PlannedField> plan_;
+  std::vector<PlannedDescriptor> descriptors_;
+};
+
+std::vector<RankedModel> nearest_by(const Eigen::VectorXd& distances, std::optional<std::size_t> without,
+                                    std::size_t count) {
+  std::vector<RankedModel> models;
+  for (Eigen::Index j = 0; j < distances.size(); ++j) {
+    if (!without || std::cmp_not_equal(*without, j)) models.push_back({.model = j, .distance = distances[j]});
+  }
+  count = std::min(count, models.size());
+  std::ranges::partial_sort(models, models.begin() + static_cast<std::ptrdiff_t>(count), {},
+                            [](const RankedModel& one) { return std::pair(one.distance, one.model); });
+  models.resize(count);
+  return models;
+}
+
+/// How many neighbours of each model diffusion takes.
+int neighbours_for(const SearchMethod& method) { return neighbour_counts(method.diffusion.neighbours).back(); }
+
+/// The neighbours of all models, which are found once.
+void require_neighbours(OpenIndex& index, const RunControl& control, std::vector<std::string>& notes) {
+  const int count = neighbours_for(index.method);
+  const auto models = std::ssize(index.contents.models);
+  const auto wanted = std::min<Eigen::Index>(count, models - 1);
+  if (index.contents.nearest.indices.rows() == models && index.contents.nearest.indices.cols() == wanted) return;
+  index.contents.nearest = nearest_in(index.method, index.contents, count, control);
+  write_index(index, notes);
+}
+
+/// The nearest models after diffusion over the collection and, where it is not of it, the query.
+std::vector<RankedModel> reranked(const OpenIndex& index, const Eigen::VectorXd& distances,
+                                  std::optional<std::size_t> member, std::size_t count) {
+  const NearestModels& nearest = index.contents.nearest;
+  if (member) {
+    return diffused_nearest(nearest, static_cast<Eigen::Index>(*member), distances, index.method.diffusion, count);
+  }
+  Eigen::VectorXd with_itself(distances.size() + 1);
+  with_itself << distances, 0;
+  return diffused_nearest(with_query(nearest, distances, neighbours_for(index.method)), distances.size(), with_itself,
+                          index.method.diffusion, count);
+}
+
+std::vector<SearchAnswer> answers(OpenIndex& index, std::span<const SearchQuery> queries, const SearchOptions& options,
+                                  const RunControl& control, Cache& cache, std::vector<std::string>& notes) {
+  if (options.rerank) require_neighbours(index, control, notes);
+  const QueryDescriber describer(index, cache);
+  const std::vector<NamedDistance> distances = distances_of(index.method);
+  std::vector<SearchAnswer> found(queries.size());
+  std::vector<std::size_t> all(queries.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const std::vector<ModelFailure> failures = for_each_model(all, "queries", false, control, [&](std::size_t i) {
+    found[i].query = queries[i].name;
+    const DescribedQuery query = describer.described(queries[i], queries.size() == 1);
+    found[i].member = query.member;
+    const auto member = query.member ? static_cast<Eigen::Index>(*query.member) : Eigen::Index{-1};
+    const Eigen::VectorXd row =
+        sum_row(index.contents.sum, term_distances(distances, index.contents, query.signatures, member), member);
+    found[i].nearest = options.rerank ? reranked(index, row, query.member, options.count)
+                                      : nearest_by(row, query.member, options.count);
+  });
+  for (const ModelFailure& failure : failures) {
+    found[failure.model].query = queries[failure.model].name;
+    found[failure.model].failure = failure.message;
+  }
+  return found;
+}
+
+}  // namespace
+
+std::vector<SearchAnswer> search(OpenIndex& index, std::span<const SearchQuery> queries, const SearchOptions& options,
+                                 const RunControl& control, Cache& cache, std::vector<std::string>& notes) {
+  std::vector<SearchAnswer> found;
+  with_threads(control, [&] { found = answers(index, queries, options, control, cache, notes); });
+  return found;
+}
+
+}  // namespace shapegauge

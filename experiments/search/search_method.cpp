@@ -1,0 +1,164 @@
+#include "shapegauge/experiments/search/search_method.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string_view>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/datasets/files/sha256.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/signatures/cache_records.h"
+#include "shapegauge/experiments/signatures/compute_signatures.h"
+#include "shapegauge/retrieval/rerank.h"
+
+namespace shapegauge {
+
+/// The text of configs/recommended.json.
+std::string_view recommended_configuration();
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+/// Incremented with every change of what an index holds.
+constexpr int index_version = 1;
+
+bool is_reranked(const SignatureConfiguration& signature) {
+  return signature.derived && signature.derived->key == "rerank";
+}
+
+/// Why a search cannot compare by the signature; empty where it can.
+std::string why_not_searchable(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
+  const SignatureConfiguration& signature = signatures[chosen];
+  if (!signature.derived) return "";
+  if (is_reranked(signature)) return "it is re-ranked; search by what it is made from, with re-ranking";
+  if (signature.derived->key != "sum") return "it is a fusion of ranks";
+  for (const std::size_t part : signature.parts) {
+    if (!signatures[part].derived) continue;
+    return fmt::format("its term \"{}\" is not computed from each shape", signatures[part].name);
+  }
+  return "";
+}
+
+std::size_t named_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& wanted,
+                            const std::string& source) {
+  std::vector<std::string> names;
+  for (const SignatureConfiguration& one : signatures) names.push_back(one.name);
+  const auto found = std::ranges::find(names, wanted);
+  if (found == names.end()) {
+    throw InputError(fmt::format("{}: there is no signature \"{}\"{}", source, wanted, suggestion(wanted, names)));
+  }
+  const auto chosen = static_cast<std::size_t>(found - names.begin());
+  const std::string why = why_not_searchable(signatures, chosen);
+  if (why.empty()) return chosen;
+  throw InputError(fmt::format("{}: a search cannot compare by the signature \"{}\": {}", source, wanted, why));
+}
+
+/// The one of that name; of none, the last that can be searched by.
+std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& wanted,
+                             const std::string& source) {
+  if (!wanted.empty()) return named_signature(signatures, wanted, source);
+  for (std::size_t i = signatures.size(); i-- > 0;) {
+    if (why_not_searchable(signatures, i).empty()) return i;
+  }
+  throw InputError(fmt::format("{}: there is no signature that a search can compare by", source));
+}
+
+/// Adds the signature, and those that it is made from.
+void add_with_parts(const std::vector<SignatureConfiguration>& signatures, std::size_t one,
+                    std::set<std::size_t>& wanted) {
+  if (!wanted.insert(one).second) return;
+  for (const std::size_t part : signatures[one].parts) add_with_parts(signatures, part, wanted);
+}
+
+/// The settings of the first diffusion of the signature, or its defaults.
+DiffusionOptions diffusion_of(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
+  for (const SignatureConfiguration& one : signatures) {
+    if (!is_reranked(one) || one.parts.front() != chosen) continue;
+    Json settings = one.derived->settings.at("rerank");
+    if (settings.at("method") != "diffusion") continue;
+    settings.erase("of");
+    settings.erase("method");
+    return diffusion_options(read_parameters(rerank_methods().at("diffusion").parameters, settings));
+  }
+  return {.neighbours = {}};
+}
+
+void take_terms(const SignatureConfiguration& signature, std::size_t index, SearchMethod& method) {
+  if (!signature.derived) {
+    method.terms = {index};
+    method.weights = {1};
+    return;
+  }
+  method.terms = signature.parts;
+  const SumSettings settings = sum_settings(*signature.derived);
+  method.weights = settings.weights;
+  method.weight_kind = settings.kind;
+  method.scale = settings.scale;
+}
+
+}  // namespace
+
+std::string SearchMethod::key() const {
+  // The keys that the cache has of one and the same shape: they stand for all settings, versions and the program.
+  const std::string shape = shape_key({.sha256 = "", .file = "any.off", .id = "", .index = 0}, configuration);
+  Json depends_on{
+      {"index", index_version}, {"terms", terms}, {"distances", Json::array()}, {"signatures", Json::array()}};
+  for (const std::size_t term : terms) {
+    depends_on["distances"].push_back(distance_between(configuration.signatures[term], configuration).name);
+  }
+  depends_on["distances"].push_back(distances_version);
+  for (const SignatureConfiguration& signature : configuration.signatures) {
+    std::vector<std::string> fields;
+    if (signature.field) fields.push_back(histogram_key(field_key(shape, *signature.field), signature.histogram));
+    if (signature.descriptor) {
+      for (const Field& field : signature.descriptor->fields) fields.push_back(field_key(shape, field));
+      fields.push_back(features_key(shape, *signature.descriptor, fields, ""));
+    }
+    depends_on["signatures"].push_back({{"keys", fields}, {"parts", signature.parts}});
+  }
+  depends_on["settings"] = to_json(configuration.signatures);
+  return sha256(depends_on.dump());
+}
+
+SearchMethod search_method(Json document, const std::string& source, const std::string& wanted) {
+  if (document.is_object()) {
+    for (const char* key : {"perturbations", "evaluation", "protocol", "keep_distances"}) document.erase(key);
+    document["dataset"] = {{"layout", "folders"}, {"root", "."}};
+    document["report"] = false;
+    document["on_error"] = "skip";
+  }
+  const Configuration all = configuration_from_json(document, source, ".");
+  const std::size_t chosen = chosen_signature(all.signatures, wanted, source);
+  std::set<std::size_t> needed;
+  add_with_parts(all.signatures, chosen, needed);
+  Json signatures = Json::array();
+  for (const std::size_t i : needed) signatures.push_back(document.at("signatures")[i]);
+  document["signatures"] = std::move(signatures);
+
+  SearchMethod method;
+  method.name = all.signatures[chosen].name;
+  method.configuration = configuration_from_json(document, source, ".");
+  const auto& kept = method.configuration.signatures;
+  const auto place = std::ranges::find(kept, method.name, &SignatureConfiguration::name) - kept.begin();
+  take_terms(kept[static_cast<std::size_t>(place)], static_cast<std::size_t>(place), method);
+  method.diffusion = diffusion_of(all.signatures, chosen);
+  return method;
+}
+
+SearchMethod read_search_method(const fs::path& file, std::span<const std::string> overrides,
+                                const std::string& signature) {
+  return search_method(read_configuration_document(file, overrides), file.string(), signature);
+}
+
+SearchMethod recommended_search_method() {
+  return search_method(parse_json(recommended_configuration(), "recommended.json"), "recommended.json");
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,137 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "tests/app/program.h"
+#include "tests/support/small_dataset.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+using test_command_line::expect_error_line;
+using test_command_line::Outcome;
+using test_command_line::run_executable;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A folder of small shapes, models/, and a method that is quick: fast.json.
+class SearchCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::write_small_dataset(at("models"));
+    test::write_text(at("fast.json"), R"({"name": "fast", "dataset": {"layout": "shrec11", "root": "${UNSET_ROOT}"},
+      "signatures": [{"name": "d2", "descriptor": {"type": "d2"}},
+                     {"name": "more", "descriptor": {"type": "d2", "bins": 30}}]})");
+    write_off(at("query.off"), test::small_shape("box", 5));
+  }
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
+  [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
+  /// With the quick method, and the cache of the fixture.
+  [[nodiscard]] Outcome search(const std::string& arguments) const {
+    return run_executable("search " + arguments + " --method " + quoted("fast.json") + " --cache " + quoted("cache"));
+  }
+  [[nodiscard]] Outcome search(const std::string& query, const std::string& options) const {
+    return search(quoted(query) + " " + quoted("models") + " " + options);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(SearchCommand, NamesTheNearestShapes) {
+  const Outcome outcome = search("query.off", "-k 3");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("rank"));
+  for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
+  EXPECT_THAT(outcome.errors, HasSubstr("9 of 9 shapes are described in"));
+  const Outcome again = search("query.off", "-k 3");
+  EXPECT_EQ(again.output, outcome.output);
+  EXPECT_EQ(again.errors, "");
+  EXPECT_TRUE(std::filesystem::exists(at("models.fast.search-index")));
+}
+
+TEST_F(SearchCommand, AllFormatsHaveTheSameAnswer) {
+  const nlohmann::json json = nlohmann::json::parse(search("models/T4.off", "-k 4 --format json").output);
+  EXPECT_EQ(json["models"], 9);
+  EXPECT_EQ(json["signature"], "more");
+  EXPECT_EQ(json["queries"][0]["name"], "T4.off");
+  const auto& results = json["queries"][0]["results"];
+  ASSERT_EQ(results.size(), 4U);
+  EXPECT_EQ(results[0]["file"], (at("models") / results[0]["name"].get<std::string>()).string());
+  const std::vector<CsvRow> rows = parse_csv(search("models/T4.off", "-k 4 --format csv").output, "answer");
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows[0].cells, (std::vector<std::string>{"query", "name", "rank", "distance"}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(rows[i + 1].cells[1], results[i]["name"]);
+    EXPECT_EQ(rows[i + 1].cells[2], std::to_string(i + 1));
+    EXPECT_EQ(std::stod(rows[i + 1].cells[3]), results[i]["distance"].get<double>());
+    EXPECT_NE(rows[i + 1].cells[1], "T4.off");
+  }
+}
+
+TEST_F(SearchCommand, TakesTheSignatureAndSettingsThatAreNamed) {
+  const auto distance = [&](const std::string& options) {
+    const auto json = nlohmann::json::parse(search("query.off", options + " -k 1 --format json").output);
+    return json["queries"][0]["results"][0]["distance"].get<double>();
+  };
+  const double of_last = distance("");
+  EXPECT_NE(distance("--signature d2"), of_last);
+  EXPECT_EQ(distance("--signature d2 --set signatures.0.descriptor.bins=30"), of_last);
+}
+
+TEST_F(SearchCommand, OneBrokenModelAndOneBrokenQueryAreNamedAndTheRestAnswered) {
+  test::write_text(at("models/T7.off"), "OFF\n1 0 0\n0 0\n");
+  test::write_text(at("broken.off"), "OFF\n");
+  const Outcome outcome = search(quoted("broken.off") + " " + quoted("query.off") + " " + quoted("models"));
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.errors, HasSubstr("left out T7.off"));
+  EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
+  EXPECT_THAT(outcome.output, HasSubstr("query.off"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("T7.off")));
+  const Outcome later = search("query.off", "");
+  EXPECT_EQ(later.status, 0);
+  EXPECT_THAT(later.errors, HasSubstr("1 of 9 shapes"));
+  EXPECT_EQ(search("broken.off", "").status, 2);
+}
+
+TEST_F(SearchCommand, WithoutQueriesOnlyDescribesAndWithoutUpdateOnlyAnswers) {
+  const Outcome described = search(quoted("models") + " --index " + quoted("own.index"));
+  EXPECT_EQ(described.status, 0);
+  EXPECT_EQ(described.output, "");
+  ASSERT_TRUE(std::filesystem::exists(at("own.index")));
+  std::filesystem::remove(at("models/T0.off"));
+  const Outcome stale = search("query.off", "--no-update --index " + quoted("own.index"));
+  EXPECT_EQ(stale.status, 0);
+  EXPECT_THAT(stale.output, HasSubstr("T0.off"));
+  EXPECT_THAT(search("query.off", "--index " + quoted("own.index")).output, Not(HasSubstr("T0.off")));
+  expect_error_line(search("query.off", "--no-update --index " + quoted("absent.index")), "absent.index");
+}
+
+TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
+  expect_error_line(run_executable("search"), "paths is required");
+  expect_error_line(run_executable("search " + quoted("query.off")), "is not a collection");
+  expect_error_line(run_executable("search " + quoted("absent")), "No such file or directory");
+  expect_error_line(search("query.off", "-k 0"), "--count");
+  expect_error_line(search("query.off", "--signature d3"), "did you mean");
+  expect_error_line(search("query.off", "--index " + quoted("query.off")), "--index");
+  expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
+                    "go with --method");
+}
+
+TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {
+  const Outcome outcome = run_executable("search " + quoted("query.off") + " " + quoted("models") +
+                                         " -k 3 --rerank --format json --cache " + quoted("cache"));
+  EXPECT_EQ(outcome.status, 0);
+  const nlohmann::json json = nlohmann::json::parse(outcome.output);
+  EXPECT_EQ(json["reranked"], true);
+  EXPECT_EQ(json["queries"][0]["results"].size(), 3U);
+  EXPECT_TRUE(std::filesystem::exists(at("models.search-index")));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,124 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/experiments/search/searched_folder.h"
+
+namespace shapegauge {
+namespace {
+
+using test::input_error_of;
+using test::SearchedFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::vector<std::string> ids_of(const Collection& collection) {
+  std::vector<std::string> ids;
+  for (const CollectionFile& file : collection.files) ids.push_back(file.id);
+  return ids;
+}
+
+class CollectionOf : public testing::Test {
+ protected:
+  CollectionOf() {
+    for (const char* name : {"a10.off", "a9.OBJ", "deep/er/b.stl", ".hidden/c.off", "notes.txt", ".d.off"}) {
+      test::write_text(at(name), "x");
+    }
+  }
+  [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / "models" / name; }
+  [[nodiscard]] std::filesystem::path written(const std::string& name, const std::string& text) const {
+    test::write_text(at(name), text);
+    return at(name);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(CollectionOf, AFolderIsAllShapesInItAndBelow) {
+  std::filesystem::create_directory_symlink(at(""), at("deep/circle"));
+  const Collection found = find_collection(at(""));
+  EXPECT_THAT(ids_of(found), ElementsAre("a9.OBJ", "a10.off", "deep/er/b.stl"));
+  EXPECT_TRUE(std::filesystem::exists(found.file(found.files[2].path)));
+  EXPECT_EQ(found.skipped, 2U);
+}
+
+TEST_F(CollectionOf, AListIsItsLines) {
+  const Collection found = find_collection(written("list.txt", "# shapes\n\n deep/er/b.stl \r\na10.off\n"));
+  EXPECT_THAT(ids_of(found), ElementsAre("a10.off", "deep/er/b.stl"));
+  EXPECT_TRUE(std::filesystem::exists(found.file(found.files[1].path)));
+  EXPECT_THAT(input_error_of([&] { find_collection(written("twice.txt", "a10.off\na10.off\n")); }),
+              HasSubstr("names a10.off twice"));
+  EXPECT_THAT(input_error_of([&] { find_collection(written("none.txt", "#\n")); }), HasSubstr("has no shapes"));
+}
+
+TEST_F(CollectionOf, ADataSetIsItsModels) {
+  const auto table = written("models.csv", "id,path,class\none,a10.off,x\ntwo,deep/er/b.stl,y\n");
+  EXPECT_THAT(ids_of(find_collection(table)), ElementsAre("one", "two"));
+  const auto configuration = written(
+      "experiment.json", R"({"name": "n", "dataset": {"layout": "csv", "root": ".", "classification": "models.csv"}})");
+  const Collection found = find_collection(configuration);
+  EXPECT_THAT(ids_of(found), ElementsAre("one", "two"));
+  EXPECT_TRUE(std::filesystem::exists(found.file(found.files[1].path)));
+  const SearchedFolder small;
+  EXPECT_EQ(find_collection(small.models() / "test.cla").files.size(), 9U);
+}
+
+TEST_F(CollectionOf, WhatIsNoneIsAnError) {
+  EXPECT_THAT(input_error_of([&] { find_collection(at("absent")); }), HasSubstr("No such file"));
+  EXPECT_THAT(input_error_of([&] { find_collection(at("a10.off")); }), HasSubstr("is not a collection"));
+  EXPECT_THAT(input_error_of([&] { find_collection(written("no.json", R"({"name": "n"})")); }),
+              HasSubstr("\"dataset\""));
+  std::filesystem::create_directory(at("empty"));
+  EXPECT_THAT(input_error_of([&] { find_collection(at("empty")); }), HasSubstr("has no shapes"));
+}
+
+TEST(UsualIndexPath, LiesBesideTheCollection) {
+  EXPECT_EQ(usual_index_path("/a/models"), "/a/models.search-index");
+  EXPECT_EQ(usual_index_path("/a/models/"), "/a/models.search-index");
+  EXPECT_EQ(usual_index_path("/a/list.txt", "b/own.json"), "/a/list.txt.own.search-index");
+}
+
+TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
+  const SearchMethod method = recommended_search_method();
+  const SearchMethod of_file =
+      search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/recommended.json"), "recommended.json");
+  EXPECT_EQ(method.key(), of_file.key());
+  EXPECT_GE(method.terms.size(), 2U);
+  EXPECT_EQ(method.scale, DistanceScale::local);
+  EXPECT_EQ(method.weight_kind, SumWeights::agreement);
+  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing that is not needed
+}
+
+TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {
+  const SearchedFolder folder;
+  EXPECT_EQ(folder.method("").name, "local");
+  EXPECT_THAT(input_error_of([&] { folder.method("ranks"); }), HasSubstr("it is a fusion of ranks"));
+  EXPECT_THAT(input_error_of([&] { folder.method("diffused"); }), HasSubstr("it is re-ranked"));
+  EXPECT_THAT(input_error_of([&] { folder.method("locla"); }), HasSubstr("did you mean \"local\"?"));
+  EXPECT_EQ(folder.method("local").diffusion.neighbours, (IntegerList{2, 3}));
+  EXPECT_EQ(folder.method("median").diffusion.neighbours, IntegerList{});
+}
+
+TEST(SearchMethodOf, TheKeyIsOfAllThatAnswersDependOn) {
+  const SearchedFolder folder;
+  const std::string key = folder.method().key();
+  nlohmann::json document = folder.configuration();
+  document["name"] = "other";
+  document["seed"] = 7;
+  document["evaluation"] = {{"ties", "expected"}};
+  EXPECT_EQ(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["preparation"] = {{"denoise", true}};
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["distance"] = "chi2";
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  document = folder.configuration();
+  document["signatures"][6]["scale"] = "median";
+  EXPECT_NE(search_method(document, "small.json", "local").key(), key);
+  EXPECT_NE(folder.method("d2").key(), key);
+}
+
+}  // namespace
+}  // namespace shapegauge

@@ -1,0 +1,209 @@
+#include <chrono>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <thread>
+
+#include "tests/experiments/search/searched_folder.h"
+
+namespace shapegauge {
+namespace {
+
+using test::input_error_of;
+using test::SearchedFolder;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::vector<std::string> ids_in(const OpenIndex& index) {
+  std::vector<std::string> ids;
+  for (const IndexedFile& model : index.contents.models) ids.push_back(model.id);
+  return ids;
+}
+
+/// The bytes of the index that the folder has if it is described from nothing.
+std::string bytes_from_scratch(const SearchedFolder& folder) {
+  Cache none;
+  IndexUpdate update;
+  const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("scratch"), {}, none, update);
+  return encode_index(index.contents, index.method.key());
+}
+
+void make_old(const SearchedFolder& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder.models())) {
+    std::filesystem::last_write_time(entry, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+  }
+}
+
+TEST(OpenIndex, IsDescribedOnceAndThenRead) {
+  const SearchedFolder folder;
+  make_old(folder);
+  IndexUpdate first;
+  const OpenIndex index = folder.open(first);
+  EXPECT_TRUE(first.rebuilt);
+  EXPECT_THAT(first.notes, IsEmpty());
+  EXPECT_EQ(index.contents.models.size(), 9U);
+  const std::string bytes = test::bytes_of(folder.index());
+  IndexUpdate second;
+  const OpenIndex again = folder.open(second);
+  EXPECT_FALSE(second.rebuilt);
+  EXPECT_EQ(encode_index(again.contents, again.method.key()), bytes);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes);
+}
+
+TEST(OpenIndex, FollowsFilesThatComeChangeAndVanish) {
+  const SearchedFolder folder;
+  folder.open();
+  folder.add("T9.off", "box", 9);
+  make_old(folder);
+  IndexUpdate update;
+  EXPECT_EQ(folder.open(update).contents.models.size(), 10U);
+  EXPECT_TRUE(update.rebuilt);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
+
+  folder.add("T9.off", "capsule", 9);  // the same name, another shape
+  make_old(folder);
+  const std::string before = test::bytes_of(folder.index());
+  folder.open();
+  EXPECT_NE(test::bytes_of(folder.index()), before);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
+
+  std::filesystem::remove(folder.models() / "T9.off");
+  std::filesystem::remove(folder.models() / "T0.off");
+  EXPECT_EQ(folder.open().contents.models.size(), 8U);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
+}
+
+TEST(OpenIndex, ANewTimeAloneDescribesNothing) {
+  const SearchedFolder folder;
+  folder.open();
+  make_old(folder);
+  IndexUpdate update;
+  folder.open(update);
+  EXPECT_FALSE(update.rebuilt);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
+}
+
+TEST(OpenIndex, LeavesOutABrokenModelAndReportsItOnce) {
+  const SearchedFolder folder;
+  test::write_text(folder.models() / "T5.off", "OFF\n3 1 0\n0 0 0\n");
+  IndexUpdate first;
+  const OpenIndex index = folder.open(first);
+  ASSERT_EQ(first.left_out.size(), 1U);
+  EXPECT_EQ(first.left_out.front().id, "T5.off");
+  EXPECT_THAT(first.left_out.front().message, HasSubstr("T5.off"));
+  EXPECT_THAT(ids_in(index),
+              ElementsAre("T0.off", "T1.off", "T2.off", "T3.off", "T4.off", "T6.off", "T7.off", "T8.off"));
+  IndexUpdate second;
+  EXPECT_EQ(folder.open(second).contents.failures.size(), 1U);
+  EXPECT_FALSE(second.rebuilt);
+  EXPECT_THAT(second.left_out, IsEmpty());
+  folder.add("T5.off", "box", 5);
+  EXPECT_EQ(folder.open().contents.models.size(), 9U);
+}
+
+TEST(OpenIndex, NoUsableModelIsAnError) {
+  const SearchedFolder folder;
+  for (int i = 0; i < 9; ++i) test::write_text(folder.models() / ("T" + std::to_string(i) + ".off"), "OFF\n");
+  EXPECT_THAT(input_error_of([&] { folder.open(); }), HasSubstr("none of 9 models can be used; the first is T0.off"));
+  EXPECT_FALSE(std::filesystem::exists(folder.index()));
+}
+
+TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
+  const SearchedFolder folder;
+  folder.open();
+  const std::string bytes = test::bytes_of(folder.index());
+  std::string damaged = bytes;
+  damaged[damaged.size() / 2] ^= 1;
+  for (const std::string& wrong : {std::string(), std::string("index"), bytes.substr(0, bytes.size() / 2), damaged}) {
+    test::write_text(folder.index(), wrong);
+    IndexUpdate update;
+    folder.open(update);
+    EXPECT_TRUE(update.rebuilt);
+    EXPECT_THAT(update.notes, ElementsAre(HasSubstr("is damaged; it is made anew")));
+    EXPECT_EQ(test::bytes_of(folder.index()), bytes);
+  }
+  IndexUpdate update;
+  folder.open(update, "d2");
+  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program; it is made anew")));
+}
+
+TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {
+  const SearchedFolder folder;
+  folder.open();
+  std::filesystem::remove_all(folder.models());
+  EXPECT_EQ(open_index_as_it_is(folder.method(), folder.models(), folder.index()).contents.models.size(), 9U);
+  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method("d2"), folder.models(), folder.index()); }),
+              HasSubstr("of another method or program"));
+  test::write_text(folder.index(), "nothing");
+  EXPECT_THAT(input_error_of([&] { open_index_as_it_is(folder.method(), folder.models(), folder.index()); }),
+              HasSubstr("is damaged"));
+}
+
+TEST(OpenIndex, AnInterruptedDescriptionLeavesTheIndexAndGoesOnFromTheCache) {
+  const SearchedFolder folder;
+  Cache cache(folder.at("cache"));
+  std::atomic<int> asked = 0;
+  const RunControl stops{.threads = 1, .interrupted = [&] { return ++asked > 6; }};
+  IndexUpdate update;
+  EXPECT_THROW(open_index(folder.method(), folder.models(), folder.index(), stops, cache, update), Interrupted);
+  EXPECT_FALSE(std::filesystem::exists(folder.index()));
+  const auto begun = cache.report().uses.at(static_cast<std::size_t>(EntryKind::field)).computed;
+  EXPECT_GT(begun, 0U);
+  Cache second(folder.at("cache"));
+  open_index(folder.method(), folder.models(), folder.index(), {}, second, update);
+  EXPECT_EQ(second.report().uses.at(static_cast<std::size_t>(EntryKind::field)).hits, begun);
+  EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
+}
+
+TEST(OpenIndex, TwoAtOnceLeaveAWholeOne) {
+  const SearchedFolder folder;
+  std::vector<std::thread> writers;
+  for (int i = 0; i < 3; ++i) writers.emplace_back([&] { folder.open(); });
+  for (std::thread& writer : writers) writer.join();
+  IndexUpdate update;
+  folder.open(update);
+  EXPECT_FALSE(update.rebuilt);
+  EXPECT_THAT(update.notes, IsEmpty());
+}
+
+TEST(OpenIndex, AnswersWithoutAnIndexThatCannotBeWritten) {
+  const SearchedFolder folder;
+  Cache none;
+  IndexUpdate update;
+  const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("absent") / "index", {}, none, update);
+  EXPECT_EQ(index.contents.models.size(), 9U);
+  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("the index is not kept: cannot write")));
+}
+
+TEST(ShapeIndex, ComesBackFromItsBytes) {
+  ShapeIndex index;
+  index.models = {{.id = "a", .path = "b/a", .bytes = 3, .modified = -4, .sha256 = "12"}};
+  index.failures = {{.id = "c", .path = "c", .sha256 = "", .failure = "why"}};
+  index.tables = {Signatures{{0, 255, 7}}, Signatures{{0.5F, -0.0F, 256}}, Signatures{{-1, 2, 3}}, Signatures{{-0.0F}}};
+  index.learnt = {LearntFeatures{{1.5F, 2}, {3, 4}}, {}};
+  index.field_ranges = {{.low = -1, .high = 2}};
+  index.sum = {.scale = DistanceScale::local,
+               .weights = {2, 0},
+               .units = {},
+               .local_scales = {{Eigen::VectorXd{{3, 4}}, 0.5}, {}}};
+  const std::string key(64, 'k');
+  const std::string bytes = encode_index(index, key);
+  IndexFault fault{};
+  const auto back = decode_index(bytes, key, fault);
+  ASSERT_TRUE(back);
+  EXPECT_EQ(encode_index(*back, key), bytes);
+  for (std::size_t k = 0; k < index.tables.size(); ++k) {
+    EXPECT_EQ(back->tables[k], index.tables[k]);
+    EXPECT_EQ(std::signbit(back->tables[k](0, 0)), std::signbit(index.tables[k](0, 0)));
+  }
+  EXPECT_EQ(back->failures.front().failure, "why");
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    EXPECT_FALSE(decode_index(std::string_view(bytes).substr(0, size), key, fault));
+    EXPECT_EQ(fault, IndexFault::damaged);
+  }
+  EXPECT_FALSE(decode_index(bytes, std::string(64, 'l'), fault));
+  EXPECT_EQ(fault, IndexFault::other_method);
+}
+
+}  // namespace
+}  // namespace shapegauge
