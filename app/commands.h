@@ -42,6 +42,7 @@ void add_segment_command(CLI::App& app, int& status);                  ///< a sh
 void add_view_command(CLI::App& app, int& status);                     ///< a page of shapes that one can turn
 void add_describe_command(CLI::App& app, int& status);                 ///< the features of shapes
 void add_search_command(CLI::App& app, int& status);                   ///< shapes of a collection like one
+void add_distances_command(CLI::App& app, int& status);                ///< distances between features
 void add_rerank_command(CLI::App& app, int& status);                   ///< distances, re-ranked
 void add_evaluate_command(CLI::App& app, int& status);                 ///< the evaluation of a distance matrix
 void add_compare_command(CLI::App& app, int& status);                  ///< methods on the same queries

@@ -173,11 +173,12 @@ int run_command(std::span<const std::string> arguments) {
   CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
   add_program_options(app);
   int status = exit_success;
-  for (const auto add : {add_run_command, add_sdf_command, add_normals_command, add_info_command, add_perturb_command,
-                         add_convert_command, add_segment_command, add_view_command, add_search_command,
-                         add_describe_command, add_rerank_command, add_evaluate_command, add_compare_command,
-                         add_leaderboard_command, add_segmentation_evaluation_command, add_measures_command,
-                         add_dataset_command, add_cache_command, add_completion_command}) {
+  for (const auto add :
+       {add_run_command,      add_sdf_command,      add_normals_command,     add_info_command,
+        add_perturb_command,  add_convert_command,  add_segment_command,     add_view_command,
+        add_search_command,   add_describe_command, add_distances_command,   add_rerank_command,
+        add_evaluate_command, add_compare_command,  add_leaderboard_command, add_segmentation_evaluation_command,
+        add_measures_command, add_dataset_command,  add_cache_command,       add_completion_command}) {
     add(app, status);
   }
   settle(app);

@@ -17,7 +17,6 @@
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/matrix_files.h"
 #include "shapegauge/datasets/files/npy.h"
-#include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"
 #include "shapegauge/retrieval/diffusion.h"
@@ -84,22 +83,6 @@ void warn_of_asymmetry(const OpenMatrix& matrix) {
   warn(fmt::format("{}; the neighbours of model i are those of row i", asymmetry_text(found)));
 }
 
-std::string csv_of(const DistanceMatrix& matrix, const std::vector<std::string>& ids) {
-  Table table{.header = {"id"}, .rows = {}};
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    const std::string id = ids.empty() ? std::to_string(i) : ids[static_cast<std::size_t>(i)];
-    table.header.push_back(id);
-    auto& row = table.rows.emplace_back(std::vector{id});
-    for (const double distance : matrix.row(i)) row.push_back(fmt::format("{}", distance));
-  }
-  return to_csv(table);
-}
-
-void write_matrix(const fs::path& path, const DistanceMatrix& matrix, const std::vector<std::string>& ids) {
-  if (path.extension() == ".npy") return write_npy(path, matrix);
-  write_file_atomically(path, csv_of(matrix, ids));
-}
-
 int run(const RerankArguments& arguments) {
   const std::string format = arguments.output.extension().string();
   if (format != ".npy" && format != ".csv") {
@@ -119,7 +102,7 @@ int run(const RerankArguments& arguments) {
     if (by_rows) {
       diffuse_file(matrix, diffusion_options(values), arguments.output);
     } else {
-      write_matrix(arguments.output, method.rerank(whole_matrix(matrix), values), matrix.row_ids);
+      write_distance_matrix(arguments.output, {method.rerank(whole_matrix(matrix), values), matrix.row_ids});
     }
   } catch (const ArgumentError& error) {
     throw InputError(fmt::format("{}: {}", arguments.distances.string(), error.what()));

@@ -13,9 +13,11 @@
 #include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/datasets/files/table.h"
 #include "shapegauge/experiments/cache/cache.h"
+#include "shapegauge/experiments/search/page_of_answers.h"
 #include "shapegauge/experiments/search/search.h"
 
 namespace shapegauge {
@@ -29,11 +31,13 @@ struct SearchArguments {
   std::size_t count = 10;
   bool rerank = false;
   std::string format = "table";
+  fs::path page;
   fs::path index;
   bool no_update = false;
   fs::path method;
   std::string signature;
   std::vector<std::string> settings;
+  bool replace = false;
   int threads = 0;
   CacheOption cache;
 };
@@ -62,6 +66,7 @@ class SearchRun {
     try {
       open();
       answers_ = search(index_, queries_, options(), control(), cache_, update_.notes);
+      write_page();
     } catch (const Interrupted&) {
       progress_.clear();
       throw Interrupted(cache_.folder().empty()
@@ -90,8 +95,14 @@ class SearchRun {
   }
 
   void check_outputs() const {
+    if (!arguments_->page.empty() && queries_.empty()) throw InputError("--output goes with queries");
     std::vector<fs::path> inputs{arguments_->paths.begin(), arguments_->paths.end()};
     inputs.push_back(arguments_->method);
+    inputs.push_back(index_file());
+    const std::vector<OutputFile> outputs{
+        {.path = arguments_->page, .what = "--output", .extensions = {".html", ".htm"}}};
+    check_output_files(inputs, outputs, arguments_->replace);
+    inputs.pop_back();
     check_output_files(inputs, std::vector<OutputFile>{{.path = index_file(), .what = "--index"}}, true);
   }
 
@@ -102,6 +113,15 @@ class SearchRun {
     } else {
       index_ = open_index(std::move(method), collection_, index_file(), control(), cache_, update_);
     }
+  }
+
+  void write_page() {
+    if (arguments_->page.empty()) return;
+    const std::string title = fmt::format(
+        "{} in {}",
+        queries_.size() == 1 ? queries_.front().file.filename().string() : fmt::format("{} queries", queries_.size()),
+        collection_.string());
+    write_file_atomically(arguments_->page, page_of_answers(index_, queries_, answers_, title, control()));
   }
 
   [[nodiscard]] const IndexedFile& model(const RankedModel& one) const {
@@ -223,6 +243,8 @@ void add_search_command(CLI::App& app, int& status) {
   command->add_option("--format", arguments->format, "Format of the answer")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
+  command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures that open as 3D views");
+  add_replace_option(*command, arguments->replace);
   command->add_option("--index", arguments->index,
                       "File of the index (default: beside the collection, NAME.search-index)");
   command->add_flag("--no-update", arguments->no_update, "Answer from the index as it is, without a look at the files");

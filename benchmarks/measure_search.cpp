@@ -1,5 +1,6 @@
-// measure_search COLLECTION MODELS: the times of an index of so many models. Those of a described collection are
-// multiplied: each copy's features are moved towards those of another model, by a part that is drawn.
+// measure_search COLLECTION MODELS [answers]: the times of an index of so many models. Those of a described collection
+// are multiplied: each copy's features are moved towards those of another model, by a part that is drawn. "answers":
+// only plain answers, with the scales that the models have in the collection, for numbers whose pairs take hours.
 #include <algorithm>
 #include <cstdlib>
 #include <exception>
@@ -46,7 +47,16 @@ ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
   return many;
 }
 
-int measure(const std::filesystem::path& collection, std::size_t models) {
+/// The scales of the models that copies are of.
+CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
+  for (LocalScales& scales : sum.local_scales) {
+    const Eigen::VectorXd few = scales.roots;
+    scales.roots = Eigen::VectorXd::NullaryExpr(models, [&](Eigen::Index i) { return few[i % few.size()]; });
+  }
+  return sum;
+}
+
+int measure(const std::filesystem::path& collection, std::size_t models, bool answers_only) {
   Cache cache(default_cache_folder());
   IndexUpdate update;
   const RunControl control;
@@ -54,11 +64,12 @@ int measure(const std::filesystem::path& collection, std::size_t models) {
       open_index(recommended_search_method(), collection, usual_index_path(collection), control, cache, update);
   Stopwatch stopwatch;
   const auto report = [&](const std::string& what) { fmt::print("{:<44}{:8.3f} s\n", what, stopwatch.lap()); };
+  const CollectionSum sum = multiplied(index.contents.sum, static_cast<Eigen::Index>(models));
   index.contents = multiplied(index.contents, models);
   fmt::print("{} models\n", models);
   stopwatch.lap();
-  index.contents.sum = sum_of(index.method, index.contents, control);
-  report("scales and weights of all pairs");
+  index.contents.sum = answers_only ? sum : sum_of(index.method, index.contents, control);
+  if (!answers_only) report("scales and weights of all pairs");
   const std::string bytes = encode_index(index.contents, index.method.key());
   fmt::print("index: {:.1f} kB a model\n", static_cast<double>(bytes.size()) / 1000 / static_cast<double>(models));
   stopwatch.lap();
@@ -70,6 +81,7 @@ int measure(const std::filesystem::path& collection, std::size_t models) {
       {.name = "query", .file = index.collection.file(index.contents.models.front().path)}};
   search(index, query, {}, control, cache, notes);
   report("answer to a member");
+  if (answers_only) return EXIT_SUCCESS;
   index.contents.nearest = nearest_in(index.method, index.contents, 20, control);
   report("neighbours of all models, for re-ranking");
   search(index, query, {.rerank = true}, control, cache, notes);
@@ -86,11 +98,11 @@ int measure(const std::filesystem::path& collection, std::size_t models) {
 }  // namespace
 
 int main(int count, char** arguments) try {
-  if (count != 3) {
-    fmt::print(stderr, "measure_search COLLECTION MODELS\n");
+  if (count < 3) {
+    fmt::print(stderr, "measure_search COLLECTION MODELS [answers]\n");
     return EXIT_FAILURE;
   }
-  return measure(arguments[1], std::stoul(arguments[2]));
+  return measure(arguments[1], std::stoul(arguments[2]), count > 3);
 } catch (const std::exception& error) {
   fmt::print(stderr, "{}\n", error.what());
   return EXIT_FAILURE;

@@ -46,6 +46,10 @@ std::string_view leaderboard_page();
 std::string_view leaderboard_style();   ///< after report_style()
 std::string_view leaderboard_script();  ///< needs the chart library
 
+std::string_view search_page();
+std::string_view search_style();
+std::string_view search_script();  ///< needs both libraries
+
 std::string_view segmentation_page();
 std::string_view segmentation_style();
 

@@ -6,16 +6,12 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <pybind11/eigen.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "python/interruptible.h"
+#include "python/native.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/setting_names.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -38,46 +34,16 @@
 #include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 #include "shapegauge/experiments/segmentation/run_segmentation.h"
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"
 #include "shapegauge/metrics/method_comparison.h"
+#include "shapegauge/retrieval/descriptors/descriptor.h"
 #include "shapegauge/retrieval/rerank.h"
 
 namespace py = pybind11;
 
 namespace shapegauge {
-
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-/// Runs the work without the interpreter's lock on at most so many threads (0: all). Ctrl-C stops it.
-template <typename Work>
-auto compute(int threads, const Work& work) {
-  std::optional<decltype(work())> result;
-  Cancellation cancellation;
-  const RunControl control{.threads = threads, .cancellation = &cancellation};
-  run_interruptibly(cancellation, [&] { with_threads(control, [&] { result.emplace(work()); }); });
-  return std::move(*result);
-}
-
-/// A NumPy array that owns the matrix: nothing is copied.
-template <typename Matrix>
-py::array array_of(Matrix&& matrix) {
-  auto owned = std::make_unique<std::decay_t<Matrix>>(std::forward<Matrix>(matrix));
-  const auto* values = owned.get();
-  const py::capsule owner(owned.release(), [](void* pointer) { delete static_cast<std::decay_t<Matrix>*>(pointer); });
-  using Scalar = typename std::decay_t<Matrix>::Scalar;
-  if constexpr (std::decay_t<Matrix>::ColsAtCompileTime == 1) {
-    return py::array_t<Scalar>({values->rows()}, {sizeof(Scalar)}, values->data(), owner);
-  } else {
-    const std::size_t row = std::decay_t<Matrix>::IsRowMajor ? static_cast<std::size_t>(values->cols()) : 1;
-    const std::size_t column = std::decay_t<Matrix>::IsRowMajor ? 1 : static_cast<std::size_t>(values->rows());
-    return py::array_t<Scalar>({values->rows(), values->cols()}, {row * sizeof(Scalar), column * sizeof(Scalar)},
-                               values->data(), owner);
-  }
-}
 
 Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals) {
@@ -85,6 +51,23 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   require_usable(shape);
   return shape;
 }
+
+RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress) {
+  RunControl control{
+      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
+  if (progress) {
+    control.progress = [&progress](std::string_view stage, std::size_t done, std::size_t total) {
+      const py::gil_scoped_acquire acquired;
+      (*progress)(std::string(stage), done, total);
+    };
+  }
+  return control;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
 
 /// The offset that a field of these settings is computed with on the shape; none for a field without one.
 std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
@@ -127,6 +110,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   py::dict result;
   result["values"] = array_of(std::move(computed.values.values));
   result["weights"] = array_of(std::move(computed.samples.weights));
+  result["points"] = array_of(std::move(computed.samples.points));
   result["normals"] = array_of(std::move(computed.values.normals));
   result["offset"] = computed.offset;
   const auto listed = [](const std::optional<std::string>& warning) {
@@ -182,14 +166,29 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
   }));
 }
 
+/// What the rows and columns of a matrix are, and how it is judged.
+struct WantedEvaluation {
+  std::vector<int> labels;                   ///< of the rows; below 0: no class
+  std::vector<int> targets;                  ///< of the columns, where they are other models; else empty
+  std::optional<Eigen::MatrixXi> relevance;  ///< grades in place of classes; 0: not relevant
+  bool square = true;                        ///< row i and column i are the same model
+  bool negated = false;                      ///< the distances are similarities
+  EvaluationOptions options;
+};
+
 EvaluationOptions options_of(const std::string& protocol, const std::string& ties,
-                             const std::vector<std::string>& measures, int minimum_class_size) {
+                             const std::vector<std::string>& measures, int minimum_class_size,
+                             const std::string& curve) {
   EvaluationOptions options;
   const auto known_protocol = protocol_of(protocol);
   if (!known_protocol) throw InputError("there is no protocol \"" + protocol + "\"; there are psb, paper and trec");
   const auto known_ties = ties_of(ties);
   if (!known_ties) {
     throw InputError("there are no ties \"" + ties + "\"; there are index, optimistic, pessimistic and expected");
+  }
+  if (!curve.empty()) {
+    options.curve = curve_kind_of(curve);
+    if (!options.curve) throw InputError("there is no curve \"" + curve + "\"; there are psb, paper, trec and raw");
   }
   options.protocol = *known_protocol;
   options.ties = *known_ties;
@@ -198,12 +197,30 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
   return options;
 }
 
-/// The task of every model as a query to all others. A model with a label below 0 has no class: it is no query, and
-/// relevant to none.
-RetrievalTask task_of(const std::vector<int>& labels) {
-  RetrievalTask task = leave_one_out(labels);
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (labels[i] < 0) task.query_classes[i] = no_class;
+int class_or_none(int label) { return label < 0 ? no_class : label; }
+
+/// The task of every model as a query to all others, or of the rows as queries to the columns. A model with a label
+/// below 0 has no class: it is no query, and relevant to none.
+RetrievalTask task_of(const WantedEvaluation& wanted) {
+  RetrievalTask task = leave_one_out(wanted.labels);
+  std::ranges::transform(wanted.labels, task.query_classes.begin(), class_or_none);
+  if (!wanted.square) {
+    task.target_classes.clear();
+    std::ranges::transform(wanted.targets, std::back_inserter(task.target_classes), class_or_none);
+    task.own_column.assign(wanted.labels.size(), -1);
+  }
+  if (!wanted.relevance) return task;
+  const Eigen::MatrixXi& grades = *wanted.relevance;
+  task.judged.resize(wanted.labels.size());
+  task.grades.resize(wanted.labels.size());
+  for (Eigen::Index i = 0; i < grades.rows(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    for (Eigen::Index j = 0; j < grades.cols(); ++j) {
+      if (grades(i, j) <= 0 || j == task.own_column[row]) continue;
+      task.judged[row].push_back(j);
+      task.grades[row].push_back(grades(i, j));
+    }
+    if (task.judged[row].empty()) task.query_classes[row] = no_class;
   }
   return task;
 }
@@ -214,24 +231,26 @@ struct EvaluatedMatrix {
   std::vector<std::string> warnings;
 };
 
-EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
-                                const EvaluationOptions& options, bool negated, int threads) {
+EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distances, const WantedEvaluation& wanted,
+                                int threads) {
   return compute(threads, [&] {
-    MatrixChecks checks(true);
+    MatrixChecks checks(wanted.square);
     const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows {
       DistanceTableRows some = distances.middleRows(first, count);
       checks.add(some);
-      checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));
+      if (wanted.square) {
+        checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));
+      }
       return some;
     };
-    const RetrievalTask task = task_of(labels);
+    const RetrievalTask task = task_of(wanted);
     EvaluatedMatrix result;
-    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, options));
+    result.evaluation = std::make_shared<Evaluation>(evaluate(rows, task, wanted.options));
     std::vector<std::string> ids;
-    for (std::size_t i = 0; i < labels.size(); ++i) ids.push_back(std::to_string(i));
+    for (std::size_t i = 0; i < wanted.labels.size(); ++i) ids.push_back(std::to_string(i));
     const MatrixFindings found = checks.findings();
-    result.warnings = matrix_warnings(found, ids, negated, Audience::python);
-    if (const auto left_out = left_out_warning(*result.evaluation, task, options)) {
+    result.warnings = matrix_warnings(found, ids, wanted.negated, Audience::python);
+    if (const auto left_out = left_out_warning(*result.evaluation, task, wanted.options)) {
       result.warnings.push_back(*left_out);
     }
     if (const auto tied = ties_warning(*result.evaluation, found, Audience::python)) {
@@ -240,6 +259,76 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
     return result;
   });
 }
+
+/// Low and high ends by measure, of the averages over queries and over classes; empty without enough to draw from.
+py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
+                    std::uint64_t seed, int threads) {
+  const auto known_blocks = blocks_of(blocks);
+  if (!known_blocks) throw InputError("there are no blocks \"" + blocks + "\"; there are classes and queries");
+  const EvaluationIntervals found = compute(threads, [&] {
+    return intervals_of(
+        evaluation,
+        {.confidence = confidence, .blocks = *known_blocks, .resampling = {.resamples = resamples, .seed = seed}});
+  });
+  const auto ends = [](const std::vector<ConfidenceInterval>& of_measures) {
+    std::vector<std::pair<double, double>> pairs;
+    for (const ConfidenceInterval& one : of_measures) pairs.emplace_back(one.low, one.high);
+    return pairs;
+  };
+  return py::make_tuple(ends(found.micro), ends(found.macro));
+}
+
+/// An evaluation as a tuple that pickle takes, and back.
+/// @{
+py::tuple state_of(const Evaluation& evaluation) {
+  py::list curves;
+  const auto add = [&](const PrecisionRecallCurve& curve) {
+    curves.append(py::make_tuple(curve.recall, curve.precision));
+  };
+  add(evaluation.micro_curve);
+  add(evaluation.macro_curve);
+  for (const PrecisionRecallCurve& curve : evaluation.class_curves) add(curve);
+  return py::make_tuple(name_of(evaluation.protocol), name_of(evaluation.ties), name_of(evaluation.curve),
+                        evaluation.measures, evaluation.queries, evaluation.query_classes, evaluation.per_query,
+                        evaluation.classes, evaluation.per_class, evaluation.micro, evaluation.macro, curves,
+                        evaluation.models_left_out, evaluation.queries_with_ties,
+                        evaluation.first_tier_bounds.pessimistic, evaluation.first_tier_bounds.optimistic);
+}
+
+Evaluation evaluation_of(const py::tuple& state) {
+  constexpr std::size_t members = 16;
+  if (state.size() != members) throw InputError("a pickle of scores is of another version of shapegauge");
+  std::size_t next = 0;
+  const auto take = [&](auto& value) { value = state[next++].cast<std::decay_t<decltype(value)>>(); };
+  const auto word = [&] { return state[next++].cast<std::string>(); };
+  Evaluation evaluation;
+  evaluation.protocol = protocol_of(word()).value();
+  evaluation.ties = ties_of(word()).value();
+  evaluation.curve = curve_kind_of(word()).value();
+  take(evaluation.measures);
+  take(evaluation.queries);
+  take(evaluation.query_classes);
+  take(evaluation.per_query);
+  take(evaluation.classes);
+  take(evaluation.per_class);
+  take(evaluation.micro);
+  take(evaluation.macro);
+  const auto curves = state[next++].cast<std::vector<std::pair<std::vector<double>, std::vector<double>>>>();
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    PrecisionRecallCurve curve{.recall = curves[i].first, .precision = curves[i].second};
+    if (i < 2) {
+      (i == 0 ? evaluation.micro_curve : evaluation.macro_curve) = std::move(curve);
+    } else {
+      evaluation.class_curves.push_back(std::move(curve));
+    }
+  }
+  take(evaluation.models_left_out);
+  take(evaluation.queries_with_ties);
+  take(evaluation.first_tier_bounds.pessimistic);
+  take(evaluation.first_tier_bounds.optimistic);
+  return evaluation;
+}
+/// @}
 
 std::string formatted(const Table& table, const std::string& format) {
   if (format == "latex") return to_latex(table);
@@ -262,18 +351,31 @@ void bind_evaluation(py::module_& module) {
       .def_property_readonly("protocol", [](const Evaluation& evaluation) { return name_of(evaluation.protocol); })
       .def_property_readonly("recall", [](const Evaluation& evaluation) { return evaluation.micro_curve.recall; })
       .def_property_readonly("precision", [](const Evaluation& evaluation) { return evaluation.micro_curve.precision; })
-      .def("table", [](const Evaluation& evaluation, const std::string& method, const std::string& format) {
-        const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
-        return formatted(summary_table(one), format);
+      .def("table",
+           [](const Evaluation& evaluation, const std::string& method, const std::string& format) {
+             const std::vector<NamedEvaluation> one{{.method = method, .evaluation = &evaluation}};
+             return formatted(summary_table(one), format);
+           })
+      .def(py::pickle(&state_of, &evaluation_of));
+  module.def(
+      "evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
+                     const std::optional<std::vector<int>>& targets, const std::optional<Eigen::MatrixXi>& relevance,
+                     const std::string& protocol, const std::string& ties, const std::vector<std::string>& measures,
+                     const std::string& curve, int minimum_class_size, bool negated, int threads) {
+        const WantedEvaluation wanted{.labels = labels,
+                                      .targets = targets.value_or(std::vector<int>()),
+                                      .relevance = relevance,
+                                      .square = !targets,
+                                      .negated = negated,
+                                      .options = options_of(protocol, ties, measures, minimum_class_size, curve)};
+        const EvaluatedMatrix evaluated = evaluate_matrix(distances, wanted, threads);
+        return py::make_tuple(evaluated.evaluation, evaluated.warnings);
       });
-  module.def("evaluate", [](const Eigen::Ref<const DistanceMatrix>& distances, const std::vector<int>& labels,
-                            const std::string& protocol, const std::string& ties,
-                            const std::vector<std::string>& measures, int minimum_class_size, bool negated,
-                            int threads) {
-    const EvaluatedMatrix evaluated =
-        evaluate_matrix(distances, labels, options_of(protocol, ties, measures, minimum_class_size), negated, threads);
-    return py::make_tuple(evaluated.evaluation, evaluated.warnings);
-  });
+  module.def("intervals", &intervals);
+  module.def("feature_distances",
+             [](const Eigen::Ref<const Signatures>& features, const std::string& distance, int threads) {
+               return array_of(compute(threads, [&] { return feature_distances(distance, features); }));
+             });
 }
 
 /// Methods side by side, as the command `compare` has them.
@@ -363,16 +465,18 @@ struct FinishedRun {
   std::vector<std::string> left_out;
 };
 
-FinishedRun run_configuration(const fs::path& configuration, const std::vector<std::string>& overrides,
-                              const fs::path& output, bool replace, const std::optional<fs::path>& cache_folder,
-                              int threads) {
+/// `document`: the configuration as JSON, or empty: that in the file `source`, which is what messages call it; relative paths begin at `folder`.
+FinishedRun run_configuration(const std::string& document, const std::string& source, const fs::path& folder,
+                              const std::vector<std::string>& overrides, const fs::path& output, bool replace,
+                              const std::optional<fs::path>& cache_folder, int threads,
+                              const PythonProgress& progress) {
   FinishedRun finished;
   Cancellation cancellation;
-  const RunControl control{
-      .threads = threads, .interrupted = [&] { return cancellation.requested(); }, .cancellation = &cancellation};
+  const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
-    const Experiment experiment = read_experiment(read_configuration_document(configuration, overrides),
-                                                  configuration.string(), configuration.parent_path());
+    Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
+    for (const std::string& assignment : overrides) apply_override(configuration, assignment);
+    const Experiment experiment = read_experiment(configuration, source, folder);
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());
     finished = {.summary = std::move(outcome.summary), .warnings = std::move(outcome.warnings), .left_out = {}};
@@ -418,6 +522,7 @@ PYBIND11_MODULE(_native, module) {
   bind_shapes(module);
   bind_evaluation(module);
   bind_comparison(module);
+  bind_search(module);
   module.def("fuse", &fuse);
   module.def("rerank", &rerank);
   py::class_<FinishedRun>(module, "FinishedRun")

@@ -24,6 +24,7 @@
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/mat_file.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/table.h"
 
 namespace shapegauge {
 
@@ -434,6 +435,22 @@ std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableSha
 }
 
 }  // namespace
+
+void write_distance_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
+  const std::string extension = lower_case(path.extension().string());
+  if (extension == ".npy") return write_npy(path, matrix.distances);
+  if (extension != ".csv") {
+    throw InputError(fmt::format("distances are written as .npy or .csv, not to \"{}\"", path.string()));
+  }
+  Table table{.header = {"id"}, .rows = {}};
+  for (Eigen::Index i = 0; i < matrix.distances.rows(); ++i) {
+    const std::string id = matrix.ids.empty() ? std::to_string(i) : matrix.ids[static_cast<std::size_t>(i)];
+    table.header.push_back(id);
+    auto& row = table.rows.emplace_back(std::vector{id});
+    for (const double distance : matrix.distances.row(i)) row.push_back(fmt::format("{}", distance));
+  }
+  write_file_atomically(path, to_csv(table));
+}
 
 OpenMatrix open_matrix(LabelledTable table) {
   const auto shared = std::make_shared<const LabelledTable>(std::move(table));

@@ -69,6 +69,10 @@ DistanceMatrix parse_text_matrix(std::string_view text, const std::string& sourc
 /// NaN.
 LabelledDistances read_distance_matrix(const std::filesystem::path& path);
 
+/// Writes a square matrix, whole or not at all: `.npy` (float64), or `.csv` with ids, which are the models' numbers
+/// from 0 on where they are not known. Throws InputError for another extension, and where it cannot be written.
+void write_distance_matrix(const std::filesystem::path& path, const LabelledDistances& matrix);
+
 /// Reads any table of numbers in the same way: distances between two sets of models, or features. Throws InputError as
 /// read_distance_matrix, but for the shape.
 LabelledTable read_number_table(const std::filesystem::path& path);

@@ -1,5 +1,7 @@
 """Validates the arguments of the package's functions, and converts them to NumPy arrays and JSON."""
 
+from __future__ import annotations
+
 import collections.abc as _abc
 import functools as _functools
 import inspect as _inspect
@@ -8,15 +10,49 @@ import numbers as _numbers
 import os as _os
 import sys as _sys
 import warnings as _warnings
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Optional, Tuple, Union
 
 import numpy as _numpy
 
 from ._native import InputError
 
+if TYPE_CHECKING:
+    from typing import Concatenate, ParamSpec, Protocol, TypeVar, overload
+
+    Settings = ParamSpec("Settings")
+    Result = TypeVar("Result", covariant=True)
+
+    class OfShape(Protocol[Settings, Result]):
+        """A function of a shape: of vertices and faces, or of one object that has both."""
+
+        @overload
+        def __call__(self, vertices: Any, faces: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
+        @overload
+        def __call__(self, vertices: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
+
+    class OfPathAndShape(Protocol[Settings, Result]):
+        """The same with a path in front."""
+
+        @overload
+        def __call__(self, path: PathLike, vertices: Any, faces: Any, *args: Settings.args,
+                     **kwargs: Settings.kwargs) -> Result: ...
+        @overload
+        def __call__(self, path: PathLike, vertices: Any, *args: Settings.args, **kwargs: Settings.kwargs) -> Result: ...
+
+PathLike = Union[str, bytes, "_os.PathLike[Any]"]
+Progress = Callable[[str, int, int], object]
+ShapeArrays = Tuple[_numpy.ndarray, _numpy.ndarray, _numpy.ndarray]
 _PACKAGE = __name__.split(".", maxsplit=1)[0]
 
 
-def warn(sentences, prefix=""):
+def progress_of(on_progress: Optional[Progress]) -> Optional[Progress]:
+    """The function that progress is told; None: nobody is."""
+    if on_progress is not None and not callable(on_progress):
+        raise InputError(f"on_progress must be a function of stage, done and total, not {_kind(on_progress)}")
+    return on_progress
+
+
+def warn(sentences: Iterable[str], prefix: str = "") -> None:
     """Warns of each sentence at the line that called the package."""
     level, frame = 1, _sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] == _PACKAGE:
@@ -25,7 +61,7 @@ def warn(sentences, prefix=""):
         _warnings.warn(prefix + sentence, stacklevel=level)
 
 
-def path_of(path, name):
+def path_of(path: Any, name: str) -> str:
     """The path as text."""
     try:
         text = _os.fsdecode(path)
@@ -36,12 +72,12 @@ def path_of(path, name):
     return text
 
 
-def number_of_threads(threads):
+def number_of_threads(threads: Any) -> int:
     """The number of threads; 0: all."""
     return whole_number(threads, "threads", 0, 1024)
 
 
-def whole_number(value, name, low, high):
+def whole_number(value: Any, name: str, low: int, high: int) -> int:
     """A number from low to high as an int."""
     is_whole = isinstance(value, _numbers.Integral) and not isinstance(value, bool)
     if not is_whole or not low <= int(value) <= high:
@@ -49,21 +85,21 @@ def whole_number(value, name, low, high):
     return int(value)
 
 
-def word(value, name):
+def word(value: Any, name: str) -> str:
     """A string."""
     if not isinstance(value, str):
         raise InputError(f"{name} must be a string, not {_kind(value)}")
     return str(value)
 
 
-def switch(value, name):
+def switch(value: Any, name: str) -> bool:
     """A bool."""
     if not isinstance(value, (bool, _numpy.bool_)):
         raise InputError(f"{name} must be True or False, not {_kind(value)}")
     return bool(value)
 
 
-def finite_number(value, name):
+def finite_number(value: Any, name: str) -> float:
     """A float."""
     is_number = isinstance(value, _numbers.Real) and not isinstance(value, bool)
     try:
@@ -75,7 +111,7 @@ def finite_number(value, name):
     return number
 
 
-def words(values, name):
+def words(values: Any, name: str) -> list[str]:
     """A list of strings; a single string is a list of one."""
     if isinstance(values, str):
         return [str(values)]
@@ -83,7 +119,7 @@ def words(values, name):
     return [word(value, f"{name}[{i}]") for i, value in enumerate(values)]
 
 
-def ordered(values, name):
+def ordered(values: Any, name: str) -> list[Any]:
     """The values as a list. What has no order is refused."""
     if isinstance(values, (_abc.Set, _abc.Mapping)):
         raise InputError(f"{name} must be a list, not {_kind(values)}, which has no order")
@@ -92,7 +128,7 @@ def ordered(values, name):
     return list(values)
 
 
-def plain(value, name):
+def plain(value: Any, name: str) -> Any:
     """A setting as JSON has it: NumPy's scalars and arrays as Python's numbers and lists."""
     if value is None or isinstance(value, (str, bool, _numpy.bool_)):
         return bool(value) if isinstance(value, _numpy.bool_) else value
@@ -109,20 +145,20 @@ def plain(value, name):
     raise InputError(f"{name} must be a number, a string, a bool, a list or a dict, not {_kind(value)}")
 
 
-def with_article(noun):
+def with_article(noun: str) -> str:
     """The noun with "a" or "an"."""
     return f"{'an' if noun[0] in 'aeiouAEIOU' else 'a'} {noun}"
 
 
-def _kind(value):
+def _kind(value: Any) -> str:
     return "None" if value is None else with_article(type(value).__name__)
 
 
-def _shown(value):
+def _shown(value: Any) -> str:
     return repr(value) if isinstance(value, (str, _numbers.Number)) else _kind(value)
 
 
-def array_of(values, what):
+def array_of(values: Any, what: str) -> _numpy.ndarray:
     """The values as an array of real numbers. Nothing is converted that is not one: complex numbers, text, masks."""
     if _numpy.ma.is_masked(values):
         raise InputError(f"{what} have masked entries; fill them, or leave their rows out")
@@ -139,7 +175,7 @@ def array_of(values, what):
     return array
 
 
-def _numbers_of_objects(array, what):
+def _numbers_of_objects(array: _numpy.ndarray, what: str) -> _numpy.ndarray:
     for place, value in _numpy.ndenumerate(array):
         if isinstance(value, (bool, _numpy.bool_)) or not isinstance(value, _numbers.Real):
             where = f"entry {', '.join(map(str, place))} (counted from 0)"
@@ -151,11 +187,11 @@ def _numbers_of_objects(array, what):
         raise InputError(f"{what} have a number that is too large") from None
 
 
-def _shape_text(array):
+def _shape_text(array: _numpy.ndarray) -> str:
     return " x ".join(map(str, array.shape))
 
 
-def _rows(values, what, kind):
+def _rows(values: Any, what: str, kind: Any) -> _numpy.ndarray:
     array = array_of(values, what)
     if array.ndim == 0:
         raise InputError(f"{what} must be n x 3, not {_kind(values)}")
@@ -172,7 +208,15 @@ def _rows(values, what, kind):
     return _numpy.ascontiguousarray(array, dtype=kind)
 
 
-def square_matrix(distances):
+def matrix_of(values: Any, what: str) -> _numpy.ndarray:
+    """A matrix of float64."""
+    array = array_of(values, what)
+    if array.ndim != 2:
+        raise InputError(f"{what} must be a matrix, not {_kind(values) if array.ndim == 0 else _shape_text(array)}")
+    return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
+
+
+def square_matrix(distances: Any) -> _numpy.ndarray:
     """A square matrix of float64."""
     array = array_of(distances, "distances")
     if array.ndim != 2 or array.shape[0] != array.shape[1]:
@@ -182,22 +226,58 @@ def square_matrix(distances):
     return _numpy.ascontiguousarray(array, dtype=_numpy.float64)
 
 
-def is_shape_object(value):
+def is_shape_object(value: Any) -> bool:
     """Whether the value is an object with the arrays of a shape, and not an array."""
-    return not hasattr(value, "__array__") and (hasattr(value, "vertices") or hasattr(value, "points"))
+    if hasattr(value, "__array__"):
+        return False
+    return hasattr(value, "vertices") or hasattr(value, "points") or _is_scene(value) or _is_tensor_geometry(value)
 
 
-def _attribute(shape, name):
+def _is_scene(value: Any) -> bool:
+    """A scene of trimesh: meshes and where they stand."""
+    return hasattr(value, "geometry") and callable(getattr(value, "dump", None))
+
+
+def _is_tensor_geometry(value: Any) -> bool:
+    """A mesh or a point cloud of open3d.t."""
+    return any("positions" in getattr(value, part, ()) for part in ("vertex", "point"))
+
+
+def _tensor_array(values: Any, name: str) -> Any:
+    return values[name].cpu().numpy() if name in values else None
+
+
+def _arrays_of_tensors(shape: Any) -> tuple[Any, Any, Any]:
+    if "positions" in getattr(shape, "point", ()):
+        return _tensor_array(shape.point, "positions"), None, _tensor_array(shape.point, "normals")
+    return _tensor_array(shape.vertex, "positions"), _tensor_array(shape.triangle, "indices"), None
+
+
+def _faces_of_cells(mesh: Any) -> Any:
+    """The triangles among the cells of a mesh of meshio; none: a cloud."""
+    faces = []
+    for block in mesh.cells:
+        kind, cells = (block.type, block.data) if hasattr(block, "type") else block
+        if kind == "triangle":
+            faces.append(array_of(cells, "cells"))
+        elif kind not in ("vertex", "line"):
+            raise InputError(f"the {type(mesh).__name__} has cells of the kind {kind}; split them into triangles first")
+    return _numpy.concatenate(faces) if faces else None
+
+
+def _attribute(shape: Any, name: str) -> Any:
     value = getattr(shape, name, None)
     if callable(value):
         raise InputError(f"{name} of the {type(shape).__name__} is a function; give its arrays")
     return value
 
 
-def _faces_of_points(mesh):
+def _faces_of_points(mesh: Any) -> Any:
     """The faces of an object whose vertices are `points`: none for a cloud (Open3D), or a padded list (PyVista)."""
     if hasattr(mesh, "cells") and not hasattr(mesh, "faces"):
-        raise InputError(f"{_kind(mesh)} has cells of several kinds; give its points and its triangles")
+        if not isinstance(mesh.cells, (list, tuple)):
+            raise InputError(f"{_kind(mesh)} has cells of several kinds; give its points and its triangles")
+        return _faces_of_cells(mesh)
     faces = _attribute(mesh, "faces")
     if faces is None:
         return None
@@ -209,8 +289,12 @@ def _faces_of_points(mesh):
     return array.reshape(-1, 4)[:, 1:]
 
 
-def _arrays_of_object(shape):
+def _arrays_of_object(shape: Any) -> tuple[Any, Any, Any]:
     """Vertices, faces and normals of an object."""
+    if _is_scene(shape):
+        shape = shape.dump(concatenate=True)
+    if _is_tensor_geometry(shape):
+        return _arrays_of_tensors(shape)
     if not hasattr(shape, "vertices"):
         return _attribute(shape, "points"), _faces_of_points(shape), _attribute(shape, "normals")
     faces = _attribute(shape, "faces")
@@ -218,7 +302,7 @@ def _arrays_of_object(shape):
     return _attribute(shape, "vertices"), faces, _attribute(shape, "normals")
 
 
-def shape_arrays(vertices, faces, normals):
+def shape_arrays(vertices: Any, faces: Any, normals: Any) -> ShapeArrays:
     """Vertices, faces and normals as arrays, from arrays or from one object in the place of vertices."""
     if is_shape_object(vertices):
         if faces is not None:
@@ -236,23 +320,24 @@ def shape_arrays(vertices, faces, normals):
     return vertices, faces, normals
 
 
-def of_shape(leading=0):
+def of_shape(leading: int = 0) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     """Decorates a function of a shape's arrays and settings, so that callers pass vertices and faces, or one object
     that has both. `leading`: number of arguments before the shape.
 
     Arguments are bound once for both forms: what follows the shape is the same, and what is left over is an error.
     """
 
-    def decorate(function):
+    def decorate(function: Callable[..., Any]) -> Callable[..., Any]:
         parameters = list(_inspect.signature(function).parameters.values())
         before, settings = parameters[:leading], parameters[leading + 1:]
         kind = _inspect.Parameter.POSITIONAL_OR_KEYWORD
         of_settings = _inspect.Signature(before + settings)
+        signature = _inspect.Signature(
+            [*before, _inspect.Parameter("vertices", kind), _inspect.Parameter("faces", kind, default=None), *settings])
 
         @_functools.wraps(function)
-        def call(*arguments, **keywords):
-            arguments = list(arguments)
-            first, rest = arguments[:leading], arguments[leading:]
+        def call(*arguments: Any, **keywords: Any) -> Any:
+            first, rest = list(arguments[:leading]), list(arguments[leading:])
             if "vertices" in keywords:
                 rest.insert(0, keywords.pop("vertices"))
             if not rest:
@@ -265,12 +350,23 @@ def of_shape(leading=0):
             try:
                 bound = of_settings.bind(*first, *rest, **keywords)
             except TypeError as error:
-                raise TypeError(f"{function.__name__}(): {error}; its arguments are {call.__signature__}") from None
+                raise TypeError(f"{function.__name__}(): {error}; its arguments are {signature}") from None
             arrays = shape_arrays(vertices, faces, bound.arguments.get("normals"))
             return function(*bound.args[:leading], arrays, *bound.args[leading:], **bound.kwargs)
 
-        call.__signature__ = _inspect.Signature(
-            [*before, _inspect.Parameter("vertices", kind), _inspect.Parameter("faces", kind, default=None), *settings])
+        setattr(call, "__signature__", signature)
         return call
 
     return decorate
+
+
+if TYPE_CHECKING:
+
+    def shape_function(function: Callable[Concatenate[ShapeArrays, Settings], Result]) -> OfShape[Settings, Result]: ...
+
+    def path_and_shape_function(
+            function: Callable[Concatenate[PathLike, ShapeArrays, Settings], Result]
+    ) -> OfPathAndShape[Settings, Result]: ...
+else:
+    shape_function = of_shape()
+    path_and_shape_function = of_shape(leading=1)

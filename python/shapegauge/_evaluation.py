@@ -1,78 +1,109 @@
 """Distances: evaluation, comparison, re-ranking."""
 
+from __future__ import annotations
+
 import collections.abc as _abc
 import json as _json
 import numbers as _numbers
+from typing import TYPE_CHECKING, Any, Iterable, Iterator, Mapping, Optional, Sequence, Union
 
 import numpy as _numpy
 
 from . import _native
-from ._arguments import (finite_number, number_of_threads, ordered, plain, square_matrix, switch, warn, whole_number,
-                         with_article, word, words)
+from ._arguments import (array_of, finite_number, matrix_of, number_of_threads, ordered, plain, square_matrix, switch, warn,
+                         whole_number, with_article, word, words)
 from ._native import InputError
+
+if TYPE_CHECKING:
+    import matplotlib.axes
+    import pandas
+
+Intervals = Mapping[str, "tuple[float, float]"]
 
 
 class Scores(_abc.Mapping):
     """Scores of a distance matrix, fractions from 0 to 1. scores["FT"] is the mean over queries.
 
     micro, macro: measure -> mean over queries, over classes. per_query: measure -> array, by `queries` (rows of the
-    matrix). per_class: class -> measure -> mean. recall, precision: the curve. queries_with_ties: queries with relevant
-    and other models at equal distance. models_left_out: models that are no queries, since their classes are too small.
+    matrix). per_class: class -> measure -> mean. recall, precision: the curve. intervals: "micro" and "macro" -> measure
+    -> low and high end, where evaluate() was asked for a confidence. queries_with_ties: queries with relevant and other
+    models at equal distance. models_left_out: models that are no queries, since their classes are too small.
     """
 
-    def __init__(self, native, class_names, name):
+    def __init__(self, native: _native.Evaluation, class_names: Sequence[Any], name: str,
+                 intervals: Optional[Mapping[str, Intervals]] = None) -> None:
         self._native = native
         self._name = name
         self.protocol = native.protocol
         self.measures = list(native.measures)
-        self.micro = dict(zip(self.measures, native.micro.tolist()))
-        self.macro = dict(zip(self.measures, native.macro.tolist()))
+        self.micro: dict[str, float] = dict(zip(self.measures, native.micro.tolist()))
+        self.macro: dict[str, float] = dict(zip(self.measures, native.macro.tolist()))
         self.queries = _numpy.array(native.queries)
+        self.query_classes = [class_names[label] if label >= 0 else None for label in native.query_classes]
         self.per_query = {measure: native.per_query[:, k].copy() for k, measure in enumerate(self.measures)}
-        self.per_class = {
+        self.per_class: dict[Any, dict[str, float]] = {
             class_names[label]: dict(zip(self.measures, row.tolist()))
-            for label, row in zip(native.classes, native.per_class)
+            for label, row in zip(native.classes, native.per_class) if label >= 0
         }
         self.recall = _numpy.array(native.recall)
         self.precision = _numpy.array(native.precision)
+        self.intervals = dict(intervals or {})
         self.queries_with_ties = native.queries_with_ties
         self.models_left_out = native.models_left_out
 
-    def __getitem__(self, measure):
+    def __getitem__(self, measure: str) -> float:
         if measure not in self.micro:
             raise KeyError(f"{measure}; there are {', '.join(self.measures)}")
         return self.micro[measure]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self.micro)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.micro)
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return self._native.table(self._name, "text").rstrip("\n")
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         cells = "".join(f"<th>{measure}</th>" for measure in self.measures)
         rows = "".join(
             f"<tr><th>{name}</th>" + "".join(f"<td>{100 * value:.2f}</td>" for value in scores.values()) + "</tr>"
             for name, scores in (("micro", self.micro), ("macro", self.macro)))
         return f"<table><tr><th>{self.protocol}, %</th>{cells}</tr>{rows}</table>"
 
-    def to_latex(self):
+    def to_latex(self) -> str:
         """The table for a paper."""
         return self._native.table(self._name, "latex")
 
-    def to_markdown(self):
+    def to_markdown(self) -> str:
         """The table for a README."""
         return self._native.table(self._name, "markdown")
 
-    def to_csv(self):
+    def to_csv(self) -> str:
         """The table for other programs."""
         return self._native.table(self._name, "csv")
 
+    def to_frame(self) -> pandas.DataFrame:
+        """A pandas frame with a row for each query: its class, then its measures."""
+        import pandas
+        rows = pandas.Index(self.queries, name="query")
+        columns: dict[str, Any] = {"class": self.query_classes, **self.per_query}
+        return pandas.DataFrame(columns, index=rows)
 
-def _is_missing(label):
+    def plot(self, ax: Optional[matplotlib.axes.Axes] = None, **options: Any) -> matplotlib.axes.Axes:
+        """Draws the precision-recall curve with matplotlib into the axes, or into new ones. options: of Axes.plot()."""
+        if ax is None:
+            from matplotlib import pyplot
+            ax = pyplot.figure().add_subplot()
+            ax.set(xlabel="Recall", ylabel="Precision", xlim=(0, 1), ylim=(0, 1.02))
+            ax.grid(alpha=0.3)
+        ax.plot(self.recall, self.precision, **{"label": self._name, **options})
+        ax.legend()
+        return ax
+
+
+def _is_missing(label: Any) -> bool:
     """Whether a label stands for none: None, NaN, pandas.NA, NaT, a masked entry, empty text."""
     if label is None or label is _numpy.ma.masked:
         return True
@@ -86,7 +117,7 @@ def _is_missing(label):
         return False
 
 
-def _label(label, row):
+def _label(label: Any, row: int) -> Any:
     """A label as a number or as text."""
     if isinstance(label, (bool, _numpy.bool_, str)):
         return str(label).strip() if isinstance(label, str) else bool(label)
@@ -104,7 +135,7 @@ def _label(label, row):
     return str(label)
 
 
-def _label_list(labels):
+def _label_list(labels: Any) -> list[Any]:
     """The labels in their order; a column or a row of a table is one dimension."""
     if hasattr(labels, "__array__") and not isinstance(labels, _numpy.generic):
         array = labels if isinstance(labels, _numpy.ndarray) else _numpy.asarray(labels)
@@ -122,13 +153,14 @@ def _label_list(labels):
 _MISSING_LABELS = ("error", "no_class")
 
 
-def _class_numbers(labels, models, missing_labels):
+def _class_numbers(labels: Any, models: int, missing_labels: str,
+                   noun: str = "labels") -> tuple[list[Any], list[int]]:
     """The names of the classes, ascending, and each model's number among them, -1 where it has none."""
     if missing_labels not in _MISSING_LABELS:
         raise InputError(f'missing_labels must be "error" or "no_class", not {missing_labels!r}')
     labels = _label_list(labels)
     if len(labels) != models:
-        raise InputError(f"there are {len(labels)} labels for {models} models")
+        raise InputError(f"there are {len(labels)} {noun} for {models} models")
     missing = [row for row, label in enumerate(labels) if _is_missing(label)]
     if missing and missing_labels == "error":
         rows = ", ".join(map(str, missing[:10])) + (f" and {len(missing) - 10} more" if len(missing) > 10 else "")
@@ -136,7 +168,7 @@ def _class_numbers(labels, models, missing_labels):
         raise InputError(f"{len(missing)} {found} (counted from 0); leave these models out, or say "
                          'missing_labels="no_class": then they are no queries, and relevant to none')
     hidden = set(missing)
-    classes = [None if row in hidden else _label(label, row) for row, label in enumerate(labels)]
+    classes: list[Any] = [None if row in hidden else _label(label, row) for row, label in enumerate(labels)]
     if len({type(label) is str for row, label in enumerate(classes) if row not in hidden}) == 2:
         classes = [label if label is None else str(label) for label in classes]  # numbers and text are text
     names = sorted({label for row, label in enumerate(classes) if row not in hidden})
@@ -144,60 +176,120 @@ def _class_numbers(labels, models, missing_labels):
     return names, [-1 if row in hidden else number_of[label] for row, label in enumerate(classes)]
 
 
-def evaluate(distances, labels, protocol="psb", *, measures=(), ties="index", minimum_class_size=2, similarity=False,
-             missing_labels="error", threads=0, name="method"):
+def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None, *, measures: Union[str, Iterable[str]] = (),
+             ties: str = "index", minimum_class_size: int = 2, similarity: bool = False, missing_labels: str = "error",
+             threads: int = 0, name: str = "method", distance: Optional[str] = None, targets: Any = None,
+             relevance: Any = None, curve: str = "", confidence: Optional[float] = None, blocks: str = "classes",
+             resamples: int = 10000, seed: int = 1) -> Scores:
     """Evaluates distances against the classes of the models: row i and column i are the model of labels[i].
 
-    labels: whole numbers or text. protocol: "psb", "paper" or "trec". measures: a name such as "FT" or "P@10", or a
-    list; none: the protocol's own. ties: the order of models at equal distance, "index", "optimistic", "pessimistic" or
-    "expected". similarity: larger means more alike. missing_labels: what is done where a label is None, NaN or empty:
-    "error", or "no_class" (the model is no query, and relevant to none). Warns of anomalies of the matrix. Returns
-    Scores.
+    distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features, a
+    row a model. labels: text or whole numbers. protocol: "psb", "paper" or "trec" (default: psb, with relevance trec).
+    measures: default: the protocol's own. ties: "index", "optimistic", "pessimistic" or "expected". missing_labels:
+    "error", or "no_class": a model without a label is no query, and relevant to none. targets: labels of the columns,
+    where they are other models than the rows. relevance: n x n grades in place of labels, 0 for what is not relevant.
+    curve: "psb", "paper", "trec" or "raw" (default: the protocol's own). confidence: as 0.95, for `intervals`, from
+    resamples of whole classes (blocks="queries": of queries).
 
-    >>> scores = sg.evaluate(distances, labels)
-    >>> scores["FT"], scores.macro["NN"], scores.per_query["DCG"].mean()
+    >>> scores = sg.evaluate(distances, labels, protocol="psb")
+    >>> scores["FT"]
+    0.9144
     """
-    return _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
-                     threads, word(name, "name"), "")
+    if protocol is None:
+        protocol = "psb" if relevance is None else "trec"
+    scores = _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
+                       threads, word(name, "name"), "", distance=distance, targets=targets, relevance=relevance, curve=curve)
+    if confidence is not None:
+        low_and_high = _native.intervals(scores._native, _confidence(confidence), word(blocks, "blocks"),
+                                         whole_number(resamples, "resamples", 1, 10000000),
+                                         whole_number(seed, "seed", 0, 2**53 - 1), number_of_threads(threads))
+        if not low_and_high[0]:
+            warn([f"there are fewer than two {blocks}, so there are no intervals"])
+        scores.intervals = {average: dict(zip(scores.measures, ends))
+                            for average, ends in zip(("micro", "macro"), low_and_high) if ends}
+    return scores
 
 
-def _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels, threads,
-              name, prefix):
-    matrix = square_matrix(distances)
+def _confidence(confidence: Any) -> float:
+    value = finite_number(confidence, "confidence")
+    if not 0.5 <= value <= 0.9999:
+        raise InputError(f"confidence is {value}; it must be from 0.5 to 0.9999")
+    return value
+
+
+def _distances_of(distances: Any, distance: Optional[str], rectangular: bool, threads: int) -> _numpy.ndarray:
+    if distance is None:
+        return matrix_of(distances, "distances") if rectangular else square_matrix(distances)
+    features = matrix_of(distances, "features").astype(_numpy.float32)
+    return _native.feature_distances(features, word(distance, "distance"), number_of_threads(threads))
+
+
+def _grades(relevance: Any, shape: tuple[int, ...]) -> _numpy.ndarray:
+    grades = array_of(_numpy.asarray(relevance) * 1, "relevance")  # True is 1
+    if grades.shape != shape:
+        raise InputError(f"relevance is {' x '.join(map(str, grades.shape))} for distances of "
+                         f"{' x '.join(map(str, shape))}")
+    if not (grades == _numpy.round(grades)).all():
+        raise InputError("relevance must be whole numbers or bools")
+    return _numpy.ascontiguousarray(grades, dtype=_numpy.int32)
+
+
+def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: str, minimum_class_size: int,
+              similarity: bool, missing_labels: str, threads: int, name: str, prefix: str, *,
+              distance: Optional[str] = None, targets: Any = None, relevance: Any = None, curve: str = "") -> Scores:
     similarity = switch(similarity, "similarity")
-    names, numbers = _class_numbers(labels, len(matrix), missing_labels)
-    native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, word(protocol, "protocol"),
-                                        word(ties, "ties"), words(measures, "measures"),
+    if distance is not None and similarity:
+        raise InputError("distance goes with features, which are no similarities: leave similarity out")
+    if labels is None and relevance is None:
+        raise InputError("labels are None; give them, or relevance in their place")
+    if labels is not None and relevance is not None:
+        raise InputError("give labels, or relevance in their place, not both")
+    rectangular = targets is not None or relevance is not None
+    matrix = _distances_of(distances, distance, rectangular, threads)
+    square = targets is None and matrix.shape[0] == matrix.shape[1]
+    names: list[Any] = []
+    numbers, columns, grades = [0] * matrix.shape[0], [0] * matrix.shape[1], None
+    if relevance is not None:
+        grades = _grades(relevance, matrix.shape)
+    elif targets is None:
+        names, numbers = _class_numbers(labels, len(matrix), missing_labels)
+    else:
+        names, both = _class_numbers(_label_list(labels) + _label_list(targets), sum(matrix.shape), missing_labels,
+                                     "labels and targets")
+        numbers, columns = both[:matrix.shape[0]], both[matrix.shape[0]:]
+    native, warnings = _native.evaluate(-matrix if similarity else matrix, numbers, None if square else columns, grades,
+                                        word(protocol, "protocol"), word(ties, "ties"), words(measures, "measures"),
+                                        word(curve, "curve"),
                                         whole_number(minimum_class_size, "minimum_class_size", 2, 1000000), similarity,
                                         number_of_threads(threads))
     warn(warnings, prefix)
-    return Scores(native, names, name)
+    return Scores(native, names or ["all"], name)
 
 
 class Comparison:
     """Methods side by side. results: settings, averages and pairs, as `shapegauge compare --format json` has them."""
 
-    def __init__(self, native):
+    def __init__(self, native: _native.ComparedMethods) -> None:
         self._native = native
         self.results = _json.loads(native.json())
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return (self._native.summary("text") + "\n" + self._native.pairs("text")).rstrip("\n")
 
-    def to_latex(self):
+    def to_latex(self) -> str:
         """The methods with intervals and marks, for a paper."""
         return self._native.summary("latex")
 
-    def to_markdown(self):
+    def to_markdown(self) -> str:
         """The methods, then all pairs."""
         return self._native.summary("markdown") + "\n" + self._native.pairs("markdown")
 
-    def to_csv(self):
+    def to_csv(self) -> str:
         """All pairs, for other programs."""
         return self._native.pairs("csv")
 
 
-def _named_methods(methods):
+def _named_methods(methods: Any) -> dict[str, Any]:
     """The methods by their names."""
     if isinstance(methods, (list, tuple)):
         methods = {f"method {number}": distances for number, distances in enumerate(methods, start=1)}
@@ -212,13 +304,14 @@ def _named_methods(methods):
     return named
 
 
-def compare(methods, labels, protocol="psb", *, measures=(), test="randomization", blocks="classes", confidence=0.95,
-            resamples=10000, seed=1, ties="index", minimum_class_size=2, similarity=False, missing_labels="error",
-            threads=0):
+def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union[str, Iterable[str]] = (),
+            test: str = "randomization", blocks: str = "classes", confidence: float = 0.95, resamples: int = 10000,
+            seed: int = 1, ties: str = "index", minimum_class_size: int = 2, similarity: bool = False,
+            missing_labels: str = "error", distance: Optional[str] = None, threads: int = 0) -> Comparison:
     """Compares methods on the same queries. methods: name -> distances, or a list of distances.
 
-    blocks: what is resampled as a whole, "classes", or "queries" as if independent. The other arguments are those of
-    evaluate(). Returns Comparison: intervals of the averages, and for each pair its difference, p-values and effect
+    blocks: what is resampled as a whole, "classes", or "queries" as if independent. distance: the methods are features.
+    The other arguments are those of evaluate(). Returns Comparison: intervals of the averages, and for each pair its difference, p-values and effect
     size.
 
     >>> sg.compare({"a": first, "b": second}, labels, measures=["FT", "DCG"])
@@ -232,7 +325,7 @@ def compare(methods, labels, protocol="psb", *, measures=(), test="randomization
         try:
             scores.append(
                 _evaluate(distances, labels, protocol, measures, ties, minimum_class_size, similarity, missing_labels,
-                          threads, name, f"{name}: "))
+                          threads, name, f"{name}: ", distance=distance))
         except InputError as error:
             raise InputError(f"{name}: {error}") from None
     native = _native.compare(list(methods), [one._native for one in scores], word(test, "test"),
@@ -243,7 +336,17 @@ def compare(methods, labels, protocol="psb", *, measures=(), test="randomization
     return Comparison(native)
 
 
-def fuse(distances, weight=None, *, scale="median", weights="given", threads=0):
+def distances(features: Any, distance: str, *, threads: int = 0) -> _numpy.ndarray:
+    """The distances between features, a row a model: n x n. distance: "l1", "l2", ... or a descriptor's name, which stands
+    for that descriptor's own.
+
+    >>> sg.distances(features, "light_field")
+    """
+    return _distances_of(features, distance, True, threads)
+
+
+def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str = "median", weights: str = "given",
+         threads: int = 0) -> _numpy.ndarray:
     """Sums distances of the same models, without labels. The result is n x n.
 
     distances: a list of n x n distances. weight: a number for each (default: 1). scale: what each is divided by first,
@@ -264,7 +367,7 @@ def fuse(distances, weight=None, *, scale="median", weights="given", threads=0):
     return _native.fuse(matrices, _json.dumps(settings), number_of_threads(threads))
 
 
-def rerank(distances, method="diffusion", *, threads=0, **settings):
+def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """Distances re-ranked by those of the whole set, without labels. The result is n x n.
 
     method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion". neighbours is a number, a list

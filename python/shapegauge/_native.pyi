@@ -1,6 +1,6 @@
 """The native functions behind the package: arrays as the package makes them, settings as JSON."""
 
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 from numpy import ndarray
 
@@ -46,13 +46,20 @@ def describe(vertices: ndarray, faces: ndarray, normals: ndarray, settings: str,
 def evaluate(
     distances: ndarray,
     labels: list[int],
+    targets: Optional[list[int]],
+    relevance: Optional[ndarray],
     protocol: str,
     ties: str,
     measures: list[str],
+    curve: str,
     minimum_class_size: int,
     negated: bool,
     threads: int,
 ) -> tuple[Evaluation, list[str]]: ...
+def intervals(
+    evaluation: Evaluation, confidence: float, blocks: str, resamples: int, seed: int, threads: int
+) -> tuple[list[tuple[float, float]], list[tuple[float, float]]]: ...
+def feature_distances(features: ndarray, distance: str, threads: int) -> ndarray: ...
 def compare(
     names: list[str],
     evaluations: list[Evaluation],
@@ -66,10 +73,44 @@ def compare(
 def fuse(distances: list[ndarray], settings: str, threads: int) -> ndarray: ...
 def rerank(distances: ndarray, method: str, settings: str, threads: int) -> ndarray: ...
 def run(
-    configuration: str,
+    document: str,
+    source: str,
+    folder: str,
     overrides: list[str],
     output: str,
     replace: bool,
     cache_folder: Optional[str],
     threads: int,
+    progress: Optional[Callable[[str, int, int], object]],
 ) -> FinishedRun: ...
+
+class WantedMethod:
+    def __init__(self, configuration: str, source: str, signature: str) -> None: ...
+
+class Index:
+    notes: list[str]
+    left_out: list[str]
+    file: str
+    signature: str
+    def models(self) -> list[tuple[str, str]]: ...
+    def failures(self) -> list[tuple[str, str]]: ...
+    def search(
+        self,
+        queries: list[Any],
+        count: int,
+        rerank: bool,
+        page_title: Optional[str],
+        threads: int,
+        progress: Optional[Callable[[str, int, int], object]],
+    ) -> tuple[list[tuple[str, Optional[int], list[int], ndarray, str]], str]: ...
+
+def open_index(
+    collection: str,
+    file: Optional[str],
+    wanted: WantedMethod,
+    configuration_file: str,
+    update: bool,
+    cache: Optional[str],
+    threads: int,
+    progress: Optional[Callable[[str, int, int], object]],
+) -> Index: ...

@@ -1,35 +1,49 @@
 """Experiments from their configurations."""
 
-import collections as _collections
+from __future__ import annotations
+
+import json as _json
 import os as _os
+from typing import Any, Iterable, Mapping, NamedTuple, Optional, Union
 
 from . import _native
-from ._arguments import number_of_threads, path_of, switch, warn, words
+from ._arguments import PathLike, Progress, number_of_threads, path_of, plain, progress_of, switch, warn, words
 
 
-class Run(_collections.namedtuple("Run", ["folder", "summary", "left_out"])):
+class Run(NamedTuple):
     """A finished experiment: the folder of its results, the summary as text, and the models it went on without."""
 
-    __slots__ = ()
+    folder: str
+    summary: str
+    left_out: list[str]
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"{self.summary}\nResults in {self.folder}"
 
 
-def run(configuration, output=None, *, settings=(), replace=False, cache=None, threads=0):
+def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[PathLike] = None, *,
+        settings: Union[str, Iterable[str]] = (), replace: bool = False, cache: Optional[PathLike] = None,
+        threads: int = 0, on_progress: Optional[Progress] = None) -> Run:
     """Runs an experiment from its configuration, as `shapegauge run`: retrieval, comparison or segmentation.
 
-    configuration: the path of its file. output: the folder for the results; by default results/<name of the file>.
-    settings: changes, as in ["signatures.0.histogram.bins=40"]. cache: its folder; "": none. Ctrl-C stops it; what is
-    done is in the cache.
+    configuration: the path of its file, or a dict, whose relative paths begin at the working directory. output: the
+    folder for the results; by default results/<name of the file, or of the experiment>. settings: changes, as in
+    ["signatures.0.histogram.bins=40"]. cache: its folder; "": none. on_progress: called with stage, done and total.
+    Ctrl-C stops it; what is done is in the cache.
 
     >>> sg.run("configs/quickstart.json")
     """
-    configuration = path_of(configuration, "configuration")
-    if output is None:
-        output = _os.path.join("results", _os.path.splitext(_os.path.basename(configuration))[0])
-    output = path_of(output, "output")
-    done = _native.run(configuration, words(settings, "settings"), output, switch(replace, "replace"),
-                       cache if cache in (None, "") else path_of(cache, "cache"), number_of_threads(threads))
+    if isinstance(configuration, Mapping):
+        document = plain(configuration, "configuration")
+        text, source, folder = _json.dumps(document), "configuration", ""
+        name = str(document.get("name", "experiment")).replace("/", "_")
+    else:
+        text, source = "", path_of(configuration, "configuration")
+        folder = _os.path.dirname(source)
+        name = _os.path.splitext(_os.path.basename(source))[0]
+    output = _os.path.join("results", name) if output is None else path_of(output, "output")
+    done = _native.run(text, source, folder, words(settings, "settings"), output, switch(replace, "replace"),
+                       "" if cache == "" else None if cache is None else path_of(cache, "cache"),
+                       number_of_threads(threads), progress_of(on_progress))
     warn(done.warnings + [f"left out {one}" for one in done.left_out])
     return Run(output, done.summary, done.left_out)

@@ -1,40 +1,61 @@
 """Shapes: files, fields, normals, parts and features."""
 
-import collections as _collections
+from __future__ import annotations
+
 import json as _json
+from typing import Any, Mapping, NamedTuple, Optional, Union
+
+import numpy as _numpy
 
 from . import _native
-from ._arguments import number_of_threads, of_shape, path_of, plain, warn, with_article, word
+from ._arguments import (PathLike, ShapeArrays, number_of_threads, path_and_shape_function, path_of, plain,
+                         shape_function, warn, with_article, word)
 from ._native import InputError
 
+Sites = Union[str, Mapping[str, int]]
 
-class Shape(_collections.namedtuple("Shape", ["vertices", "faces", "normals"])):
+
+class Shape(NamedTuple):
     """Arrays of a shape: vertices (n x 3), faces (m x 3; none: a point cloud), normals of points (n x 3, or none)."""
 
-    __slots__ = ()
+    vertices: _numpy.ndarray
+    faces: _numpy.ndarray
+    normals: _numpy.ndarray
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         if len(self.faces) == 0:
             return f"<Shape: {len(self.vertices)} points>"
         return f"<Shape: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
 
-class ScalarField(_collections.namedtuple("ScalarField", ["values", "weights"])):
+class _ValuesAndWeights(NamedTuple):
+    values: _numpy.ndarray
+    weights: _numpy.ndarray
+
+
+class ScalarField(_ValuesAndWeights):
     """The values of a field and their weights, which are areas: ``values, weights = sg.sdf(mesh)``.
 
-    values, weights: float64, one a sample; NaN where there is no value. offset: of an offset SDF the offset that it was
+    values, weights: float64, one a sample; NaN where there is no value. points: where the samples are, n x 3: centroids
+    of faces, vertices, points of a cloud, or places on the surface. offset: of an offset SDF the offset that it was
     computed with, given or chosen by "auto", as a fraction of the diagonal of the bounding box; else None. normals: of
     an offset SDF the outward unit normals, n x 3; else None.
     """
 
-    def __new__(cls, values, weights, offset=None, normals=None):
+    points: Optional[_numpy.ndarray]
+    offset: Optional[float]
+    normals: Optional[_numpy.ndarray]
+
+    def __new__(cls, values: _numpy.ndarray, weights: _numpy.ndarray, offset: Optional[float] = None,
+                normals: Optional[_numpy.ndarray] = None, points: Optional[_numpy.ndarray] = None) -> ScalarField:
         field = super().__new__(cls, values, weights)
         field.offset = offset
         field.normals = normals
+        field.points = points
         return field
 
 
-def read(path):
+def read(path: PathLike) -> Shape:
     """The shape in a file: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
 
     >>> sg.read("hand.off")
@@ -43,8 +64,8 @@ def read(path):
     return Shape(*_native.read(path_of(path, "path")))
 
 
-@of_shape(leading=1)
-def write(path, shape, normals=None):
+@path_and_shape_function
+def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
     """Writes a shape; the extension tells the format.
 
     >>> sg.write("hand.ply", *sg.read("hand.off"))
@@ -52,8 +73,9 @@ def write(path, shape, normals=None):
     _native.write(path_of(path, "path"), *shape)
 
 
-@of_shape()
-def field(shape, type="offset_sdf", *, at="faces", normals=None, threads=0, **settings):
+@shape_function
+def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None, threads: int = 0,
+          **settings: Any) -> ScalarField:
     """A scalar field of any type that configurations know (docs/configuration.md), in the units of the input.
 
     at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type.
@@ -66,14 +88,15 @@ def field(shape, type="offset_sdf", *, at="faces", normals=None, threads=0, **se
     return _scalar_field(found)
 
 
-def _field(shape, type, at, settings, threads):
+def _field(shape: ShapeArrays, type: str, at: Sites, settings: Mapping[str, Any], threads: int) -> dict[str, Any]:
     settings = {"type": type, "at": plain(at, "at"), **{name: plain(value, name) for name, value in settings.items()}}
     return _native.field(*shape, _json.dumps(settings), number_of_threads(threads))
 
 
-def _scalar_field(found):
+def _scalar_field(found: dict[str, Any]) -> ScalarField:
     normals = found["normals"]
-    return ScalarField(found["values"], found["weights"], found["offset"], normals if len(normals) > 0 else None)
+    return ScalarField(found["values"], found["weights"], found["offset"], normals if len(normals) > 0 else None,
+                       found["points"])
 
 
 # The settings of each method: the argument's name, and that in configurations.
@@ -83,9 +106,11 @@ _SDF_SETTINGS = {
 }
 
 
-@of_shape()
-def sdf(shape, method="offset", offset=None, *, accuracy=None, at="faces", rays=None, opening_angle=None, engine=None,
-        normals=None, threads=0):
+@shape_function
+def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, str] = None, *,
+        accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
+        opening_angle: Optional[float] = None, engine: Optional[str] = None, normals: Any = None,
+        threads: int = 0) -> ScalarField:
     """The shape diameter function, in the units of the input.
 
     method: "offset" (of the offset surface: noise, cracks and point clouds do no harm) or "cone" (the conventional one,
@@ -102,7 +127,7 @@ def sdf(shape, method="offset", offset=None, *, accuracy=None, at="faces", rays=
     if not isinstance(method, str) or method not in _SDF_SETTINGS:
         shown = repr(method) if isinstance(method, str) else with_article(type(method).__name__)
         raise InputError(f'method must be "offset" or "cone", not {shown}')
-    given = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle, "engine": engine}
+    given: dict[str, Any] = {"offset": offset, "accuracy": accuracy, "rays": rays, "opening_angle": opening_angle, "engine": engine}
     given = {name: value for name, value in given.items() if value is not None}
     own = _SDF_SETTINGS[method]
     for name in given:
@@ -119,8 +144,9 @@ def sdf(shape, method="offset", offset=None, *, accuracy=None, at="faces", rays=
     return _scalar_field(found)
 
 
-@of_shape()
-def normals(shape, offset="auto", *, at="vertices", threads=0):
+@shape_function
+def normals(shape: ShapeArrays, offset: Union[float, str] = "auto", *, at: Sites = "vertices",
+            threads: int = 0) -> _numpy.ndarray:
     """Outward unit normals by the offset surface, n x 3, however noisy, cracked or turned the input is.
 
     The `normals` of what sdf() returns are the same, with the offset that "auto" chose beside them.
@@ -133,7 +159,7 @@ def normals(shape, offset="auto", *, at="vertices", threads=0):
     return found["normals"]
 
 
-def _with_settings(function, own, settings):
+def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str, Any]) -> str:
     """The settings and the function's own ones as JSON."""
     for name in own:
         if name in settings:
@@ -141,8 +167,9 @@ def _with_settings(function, own, settings):
     return _json.dumps({**{name: plain(value, name) for name, value in settings.items()}, **own})
 
 
-@of_shape()
-def segment(shape, method="best", *, normals=None, threads=0, **settings):
+@shape_function
+def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, threads: int = 0,
+            **settings: Any) -> _numpy.ndarray:
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
     method: "best", or the paper's pipeline, "paper". settings: those of a method in a configuration
@@ -152,21 +179,22 @@ def segment(shape, method="best", *, normals=None, threads=0, **settings):
     >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
     >>> labels = sg.segment(mesh, "paper")
     """
-    settings = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)
-    labels, warnings = _native.segment(*shape, settings, number_of_threads(threads))
+    document = _with_settings("segment", {"name": "parts", "method": word(method, "method")}, settings)
+    labels, warnings = _native.segment(*shape, document, number_of_threads(threads))
     warn(warnings)
     return labels
 
 
-@of_shape()
-def describe(shape, descriptor="light_field", *, normals=None, threads=0, **settings):
+@shape_function
+def describe(shape: ShapeArrays, descriptor: str = "light_field", *, normals: Any = None, threads: int = 0,
+             **settings: Any) -> _numpy.ndarray:
     """The features of a shape under a descriptor (docs/descriptors.md), float32. The shape is scaled to unit area.
 
     >>> features = sg.describe(vertices, faces, "light_field")
     >>> features = sg.describe(mesh, "d2")
     """
-    settings = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
+    document = _with_settings("describe", {"type": word(descriptor, "descriptor")}, settings)
     try:
-        return _native.describe(*shape, settings, number_of_threads(threads))
+        return _native.describe(*shape, document, number_of_threads(threads))
     except InputError as error:
         raise InputError(str(error).replace("the descriptor: type:", "descriptor:")) from None

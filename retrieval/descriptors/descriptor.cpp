@@ -97,4 +97,9 @@ NamedDistance feature_distance(const std::string& name) {
   return distances().at(name);
 }
 
+DistanceMatrix feature_distances(const std::string& name, const Signatures& features) {
+  const Descriptor* const known = descriptors().find(name);
+  return known != nullptr ? descriptor_distances(*known, features) : distance_matrix(features, name);
+}
+
 }  // namespace shapegauge

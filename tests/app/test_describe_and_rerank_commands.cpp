@@ -42,6 +42,29 @@ class DescribeCommand : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(DescribeCommand, DistancesBetweenItsFeaturesAreTheDescriptorsOwn) {
+  ASSERT_EQ(describe(fmt::format("--descriptor d2 -o '{}'", at("f.csv").string())).status, 0);
+  const auto distances = [&](const std::string& output, const std::string& distance) {
+    return run_executable(
+        fmt::format("distances '{}' -o '{}' --distance {}", at("f.csv").string(), at(output).string(), distance));
+  };
+  ASSERT_EQ(distances("d.csv", "d2").status, 0);
+  ASSERT_EQ(distances("d.npy", "d2").status, 0);
+  const LabelledDistances with_ids = read_distance_matrix(at("d.csv"));
+  EXPECT_EQ(with_ids.ids, (std::vector<std::string>{"sphere", "box", "capsule"}));
+  EXPECT_EQ(with_ids.distances, read_distance_matrix(at("d.npy")).distances);
+  const LabelledTable features = read_number_table(at("f.csv"));
+  EXPECT_EQ(with_ids.distances, feature_distances("d2", features.numbers.cast<float>()));
+  EXPECT_GT(with_ids.distances(0, 1), 0);
+  expect_error_lines(
+      {{fmt::format("distances '{}' -o '{}' --distance d2", at("f.csv").string(), at("d.npy").string()), "exists"},
+       {fmt::format("distances '{}' -o '{}' --distance d2", at("f.csv").string(), at("d.txt").string()), "d.txt"},
+       {fmt::format("distances '{}' -o '{}' --distance light_field", at("f.csv").string(), at("e.npy").string()),
+        "f.csv"},
+       {fmt::format("distances '{}' -o '{}' --distance l3", at("f.csv").string(), at("e.npy").string()),
+        "--distance"}});
+}
+
 TEST_F(DescribeCommand, WritesARowAShape) {
   const std::string output = at("x.npy").string();
   const Outcome outcome = describe(fmt::format("--descriptor d2 --set bins=8 --set points=64 -o '{}'", output));

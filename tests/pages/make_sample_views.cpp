@@ -1,4 +1,4 @@
-// make_sample_views FOLDER: writes the sample page for a browser to open, and for tests of scripts its shapes with the
+// make_sample_views FOLDER: writes the sample pages for a browser to open, and for tests of scripts its shapes with the
 // corners of the splats.
 #include <filesystem>
 #include <iostream>
@@ -17,6 +17,8 @@ int main(int argument_count, char** arguments) {
   const std::filesystem::path folder = arguments[1];
   std::filesystem::create_directories(folder);
   shapegauge::write_file_atomically(folder / "two.html", shapegauge::view_page(shapegauge::test_view::page()));
+  shapegauge::write_file_atomically(folder / "search.html",
+                                    shapegauge::search_page(shapegauge::test_view::sample_search()));
   const shapegauge::ShapeView cloud = shapegauge::test_view::cloud();
   nlohmann::ordered_json corners = nlohmann::ordered_json::array();
   const shapegauge::Shape hexagons = shapegauge::splats(cloud.shape);

@@ -31,4 +31,16 @@ ShapeView cloud() {
 
 ViewPage page() { return {.title = "Balls & <clouds>", .shapes = {balls(), cloud()}, .missing = {"broken<i>.off"}}; }
 
+SearchPage sample_search() {
+  return {.title = "<b>title</b> {{script}}",
+          .facts = {"2 queries", "3 shapes in the collection"},
+          .shapes = {{.name = "query </script>.off", .view = balls()},
+                     {.name = "near.off", .view = cloud()},
+                     {.name = "far.off", .view = balls()},
+                     {.name = "lost.off", .view = {}},
+                     {.name = "broken.off", .view = {}}},
+          .answers = {{.query = 0, .nearest = {{1, 0.25}, {2, 0.5}, {3, 0.75}}},
+                      {.query = 4, .nearest = {}, .failure = "line 3: <nothing>"}}};
+}
+
 }  // namespace shapegauge::test_view

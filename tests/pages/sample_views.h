@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shapegauge/pages/search_page.h"
 #include "shapegauge/pages/shape_view.h"
 
 namespace shapegauge::test_view {
@@ -13,5 +14,8 @@ ShapeView cloud();
 
 /// Both, and a name of a shape that is missing.
 ViewPage page();
+
+/// The page of a search: one answer of three shapes, of which the last has no view, and a query without an answer.
+SearchPage sample_search();
 
 }  // namespace shapegauge::test_view

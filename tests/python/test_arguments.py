@@ -101,7 +101,7 @@ CALLS = [
     (lambda: sg.sdf(np.eye(4), [[0, 1, 2, 3]]), "n x 3"),
     (lambda: sg.sdf(np.eye(3), [[0, 1, 2, 3]]), "triangles"),
     (lambda: sg.sdf(types.SimpleNamespace(points=VERTICES, faces=[4, 0, 1, 2, 3])), "triangles"),
-    (lambda: sg.sdf(types.SimpleNamespace(points=VERTICES, cells=[])), "cells"),
+    (lambda: sg.sdf(types.SimpleNamespace(points=VERTICES, cells=np.array([4, 0, 1, 2, 3]))), "cells"),
     # Settings.
     (lambda: sg.sdf(MESH, threads=-1), "threads is -1"),
     (lambda: sg.sdf(MESH, threads=True), "threads"),
@@ -160,7 +160,8 @@ CALLS = [
     (lambda: sg.rerank(DISTANCES - 1), "negative"),
     # Experiments.
     (lambda: sg.run("no such file.json"), "no such file.json"),
-    (lambda: sg.run({"signatures": []}), "path"),
+    (lambda: sg.run({"signatures": []}), "signatures"),
+    (lambda: sg.run(3), "configuration must be the path"),
     (lambda: sg.run("no such file.json", settings={"a": "b"}), "settings"),
 ]
 

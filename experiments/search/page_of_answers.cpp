@@ -1,0 +1,120 @@
+#include "shapegauge/experiments/search/page_of_answers.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/io/shape_file.h"
+#include "shapegauge/core/preparation/prepare_shape.h"
+#include "shapegauge/experiments/configuration/field_settings.h"
+#include "shapegauge/pages/coarse_view.h"
+#include "shapegauge/pages/search_page.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The faces of each shape on a page that has so many.
+Eigen::Index faces_of_each(std::size_t shapes) {
+  constexpr Eigen::Index of_all = 600'000;
+  return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(shapes, 1)), Eigen::Index{600},
+                    Eigen::Index{6000});
+}
+
+/// The thickness at the vertices of a shape, where it has one.
+void add_thickness(ShapeView& view) {
+  const Samples samples = sample_shape(view.shape, view.site);
+  FieldSource source(view.shape);
+  const Field field = read_field({{"type", "offset_sdf"}, {"offset", "auto"}});
+  FieldValues computed = field.compute(source, samples, false);
+  const auto range = central_range({.values = computed.values, .weights = samples.weights});
+  if (!range) return;
+  view.fields.push_back({.name = "Thickness", .values = std::move(computed.values), .colours = *range});
+}
+
+ShapeView view_of(const Shape& shape, Eigen::Index faces) {
+  ShapeView view{
+      .name = "", .shape = coarse_shape(prepare_shape(shape, {}).shape, faces), .site = SampleSite::vertices};
+  try {
+    add_thickness(view);
+  } catch (const InputError&) {
+    view.fields.clear();  // shown in one colour
+  }
+  return view;
+}
+
+/// The shapes of a page, each once.
+class PageShapes {
+ public:
+  explicit PageShapes(const OpenIndex& index) : index_(&index) {}
+
+  std::size_t add_model(std::size_t model) {
+    const auto [place, is_new] = places_.try_emplace(model, shapes_.size());
+    if (!is_new) return place->second;
+    const IndexedFile& file = index_->contents.models[model];
+    shapes_.push_back({.name = file.id, .file = index_->collection.file(file.path)});
+    return place->second;
+  }
+
+  std::size_t add_query(const SearchQuery& query) {
+    shapes_.push_back(query);
+    if (!query.file.empty()) shapes_.back().name = query.file.filename().string();
+    return shapes_.size() - 1;
+  }
+
+  [[nodiscard]] std::vector<SearchPageShape> drawn(const RunControl& control) const {
+    std::vector<SearchPageShape> drawn(shapes_.size());
+    std::vector<std::size_t> all(shapes_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const Eigen::Index faces = faces_of_each(shapes_.size());
+    for (std::size_t i = 0; i < shapes_.size(); ++i) drawn[i].name = shapes_[i].name;
+    for_each_model(all, "pictures", false, control, [&](std::size_t i) {
+      drawn[i].view = view_of(shapes_[i].shape ? *shapes_[i].shape : read_shape(shapes_[i].file), faces);
+    });  // one that fails has no picture
+    return drawn;
+  }
+
+ private:
+  const OpenIndex* index_;
+  std::vector<SearchQuery> shapes_;
+  std::map<std::size_t, std::size_t> places_;  ///< by model
+};
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+}  // namespace
+
+std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
+                            std::span<const SearchAnswer> answers, const std::string& title,
+                            const RunControl& control) {
+  PageShapes shapes(index);
+  SearchPage page{.title = title, .facts = {}, .shapes = {}, .answers = {}};
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const SearchAnswer& answer = answers[i];
+    SearchPageAnswer& shown = page.answers.emplace_back();
+    shown.query = answer.member ? shapes.add_model(*answer.member) : shapes.add_query(queries[i]);
+    shown.failure = answer.failure;
+    for (const RankedModel& one : answer.nearest) {
+      shown.nearest.emplace_back(shapes.add_model(static_cast<std::size_t>(one.model)), one.distance);
+    }
+  }
+  page.facts = {counted(answers.size(), "query", "queries"),
+                counted(index.contents.models.size(), "shape", "shapes") + " in the collection",
+                fmt::format("compared by \u201c{}\u201d", index.method.name)};
+  std::string html;
+  with_threads(control, [&] {
+    page.shapes = shapes.drawn(control);
+    html = search_page(page);
+  });
+  return html;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "shapegauge/experiments/search/search.h"
+
+namespace shapegauge {
+
+/// The page of answers (search_page()): each query and each shape found is read from its file, brought to unit area,
+/// simplified, and coloured by its thickness, the offset SDF. A shape whose file cannot be read has no picture. Throws
+/// Interrupted.
+std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
+                            std::span<const SearchAnswer> answers, const std::string& title, const RunControl& control);
+
+}  // namespace shapegauge

@@ -1,0 +1,60 @@
+// A query beside one of the shapes that were found, both to be turned together.
+
+import { byId, make } from '../common/elements.mjs';
+import { tooltip } from '../common/tooltip.mjs';
+import { number } from '../common/words.mjs';
+import { ShapeView } from '../view/shape_view.mjs';
+
+const note = 'Both shapes are simplified, and scaled to unit area.';
+
+export class ComparisonDialog {
+  constructor(shapes) {
+    this.shapes = shapes;
+    this.dialog = byId('comparison');
+    this.view = null;
+    this.dialog.onclose = () => this.closeView();
+  }
+
+  // rank: that of the shape, from 0 on; -1: the query alone.
+  open(answer, rank) {
+    this.answer = answer;
+    this.rank = rank;
+    this.draw('.close');
+    if (!this.dialog.open) this.dialog.showModal();
+    this.dialog.scrollTop = 0;
+  }
+
+  step(by) {
+    this.rank += by;
+    this.draw(by > 0 ? '.next' : '.previous');
+  }
+
+  closeView() {
+    if (this.view) this.view.destroy();
+    this.view = null;
+  }
+
+  draw(focus) {
+    const { shapes, answer: { query, nearest }, rank } = this;
+    tooltip.hide();
+    this.closeView();
+    const found = rank < 0 ? null : nearest[rank];
+    const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
+    const words = found ? `, rank ${rank + 1}, distance ${number(found[1])}` : '';
+    const button = (kind, text, click, disabled) => make('button', { type: 'button', class: kind, click, disabled }, text);
+    const place = make('div');
+    this.dialog.replaceChildren(
+      make('div', { class: 'dialog-head' },
+        make('h2', { id: 'comparison-title' }, shown[shown.length - 1].name, make('span', { class: 'count' }, words)),
+        button('previous', 'Nearer', () => this.step(-1), rank < 1),
+        button('next', 'Farther', () => this.step(1), rank + 1 >= nearest.length),
+        button('close', 'Close', () => this.dialog.close())),
+      make('div', { class: 'dialog-body' }, place));
+    const drawn = shown.filter((shape) => shape.vertices);
+    if (drawn.length === 0) place.append(make('p', {}, 'The file cannot be read any more.'));
+    const packed = drawn.map((shape) => ({ ...shape, picture: `data:image/png;base64,${shape.picture}` }));
+    if (packed.length > 0) this.view = new ShapeView(place, packed, { note });
+    const wanted = this.dialog.querySelector(focus);
+    (wanted.disabled ? this.dialog.querySelector('.close') : wanted).focus({ preventScroll: true });
+  }
+}

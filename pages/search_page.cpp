@@ -1,0 +1,62 @@
+#include "shapegauge/pages/search_page.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/version.h"
+#include "shapegauge/pages/html_page.h"
+#include "shapegauge/pages/palette.h"
+
+namespace shapegauge {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json packed_shape(const SearchPageShape& shape) {
+  constexpr int picture_pixels = 240;
+  if (!shape.view) return {{"name", shape.name}};
+  Json json = shape_view_json(*shape.view);
+  json["name"] = shape.name;
+  json["picture"] = base64(shape_view_picture(*shape.view, picture_pixels));
+  return json;
+}
+
+Json packed_answer(const SearchPageAnswer& answer) {
+  constexpr int digits = 7;
+  Json nearest = Json::array();
+  for (const auto& [shape, distance] : answer.nearest) nearest.push_back({shape, rounded(distance, digits)});
+  return {{"query", answer.query}, {"failure", answer.failure}, {"nearest", std::move(nearest)}};
+}
+
+}  // namespace
+
+std::string search_page(const SearchPage& page) {
+  std::vector<Json> shapes(page.shapes.size());
+  parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) { shapes[i] = packed_shape(page.shapes[i]); });
+  Json answers = Json::array();
+  for (const SearchPageAnswer& answer : page.answers) answers.push_back(packed_answer(answer));
+  const std::string title = html_text(page.title);
+  const std::string data = script_data({{"version", version()},
+                                        {"title", page.title},
+                                        {"facts", page.facts},
+                                        {"shapes", std::move(shapes)},
+                                        {"answers", std::move(answers)}});
+  const std::string style = palette_style()
+                                .append(page_files::common_style())
+                                .append(page_files::view_style())
+                                .append(page_files::search_style());
+  const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
+  const std::array<std::pair<std::string_view, std::string_view>, 5> marks{
+      {{"{{title}}", title},
+       {"{{style}}", style},
+       {"{{libraries}}", libraries},
+       {"{{data}}", data},
+       {"{{script}}", page_files::search_script()}}};
+  return filled_page(page_files::search_page(), marks);
+}
+
+}  // namespace shapegauge

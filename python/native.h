@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <pybind11/eigen.h>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "python/interruptible.h"
+#include "shapegauge/core/shape/shape.h"
+#include "shapegauge/experiments/engine/run_control.h"
+
+/// What the sources of the native module share.
+
+namespace shapegauge {
+
+/// Told what is being done and how far it is: stage, done, total. None: nobody is.
+using PythonProgress = std::optional<std::function<void(std::string, std::size_t, std::size_t)>>;
+
+/// The control of a run that Ctrl-C stops. The progress is told with the interpreter's lock; an exception of its own
+/// stops the run as well.
+RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress);
+
+/// Runs the work without the interpreter's lock on at most so many threads (0: all). Ctrl-C stops it.
+template <typename Work>
+auto compute(int threads, const Work& work) {
+  std::optional<decltype(work())> result;
+  Cancellation cancellation;
+  const RunControl control{.threads = threads, .cancellation = &cancellation};
+  run_interruptibly(cancellation, [&] { with_threads(control, [&] { result.emplace(work()); }); });
+  return std::move(*result);
+}
+
+/// A NumPy array that owns the matrix: nothing is copied.
+template <typename Matrix>
+pybind11::array array_of(Matrix&& matrix) {
+  auto owned = std::make_unique<std::decay_t<Matrix>>(std::forward<Matrix>(matrix));
+  const auto* values = owned.get();
+  const pybind11::capsule owner(owned.release(),
+                                [](void* pointer) { delete static_cast<std::decay_t<Matrix>*>(pointer); });
+  using Scalar = typename std::decay_t<Matrix>::Scalar;
+  if constexpr (std::decay_t<Matrix>::ColsAtCompileTime == 1) {
+    return pybind11::array_t<Scalar>({values->rows()}, {sizeof(Scalar)}, values->data(), owner);
+  } else {
+    const std::size_t row = std::decay_t<Matrix>::IsRowMajor ? static_cast<std::size_t>(values->cols()) : 1;
+    const std::size_t column = std::decay_t<Matrix>::IsRowMajor ? 1 : static_cast<std::size_t>(values->rows());
+    return pybind11::array_t<Scalar>({values->rows(), values->cols()}, {row * sizeof(Scalar), column * sizeof(Scalar)},
+                                     values->data(), owner);
+  }
+}
+
+/// The shape of arrays. Throws InputError for one that is of no use.
+Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
+               const Eigen::Ref<const Points>& normals);
+
+/// Adds the functions of searches to the module.
+void bind_search(pybind11::module_& module);
+
+}  // namespace shapegauge

@@ -1,0 +1,141 @@
+// Searches, as shapegauge/_search.py uses them.
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "python/native.h"
+#include "shapegauge/experiments/cache/cache_folder.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/search/page_of_answers.h"
+#include "shapegauge/experiments/search/search.h"
+
+namespace py = pybind11;
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a search compares by: the recommended method, or a configuration's.
+struct WantedMethod {
+  std::string configuration;  ///< as JSON; empty: that in the file `source`
+  std::string source;         ///< what messages call it; empty: the recommended method
+  std::string signature;      ///< empty: the last one
+};
+
+/// An open index, its cache, and what the last call had to say.
+struct NativeIndex {
+  OpenIndex index;
+  std::unique_ptr<Cache> cache;
+  std::vector<std::string> notes;
+  std::vector<std::string> left_out;
+};
+
+SearchMethod method_of(const WantedMethod& wanted) {
+  if (wanted.source.empty()) return recommended_search_method();
+  if (wanted.configuration.empty()) return read_search_method(wanted.source, {}, wanted.signature);
+  return search_method(parse_json(wanted.configuration, wanted.source), wanted.source, wanted.signature);
+}
+
+std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optional<fs::path>& file,
+                                  const WantedMethod& wanted, const fs::path& configuration_file, bool update,
+                                  const std::optional<fs::path>& cache, int threads, const PythonProgress& progress) {
+  auto opened = std::make_unique<NativeIndex>();
+  opened->cache = std::make_unique<Cache>(cache.value_or(default_cache_folder()));
+  const fs::path place = file.value_or(usual_index_path(collection, configuration_file));
+  Cancellation cancellation;
+  const RunControl control = interruptible_control(threads, cancellation, progress);
+  run_interruptibly(cancellation, [&] {
+    SearchMethod method = method_of(wanted);
+    if (!update) {
+      opened->index = open_index_as_it_is(std::move(method), collection, place);
+      return;
+    }
+    IndexUpdate done;
+    opened->index = open_index(std::move(method), collection, place, control, *opened->cache, done);
+    opened->notes = std::move(done.notes);
+    for (const LeftOutShape& one : done.left_out) opened->left_out.push_back(one.id + ": " + one.message);
+  });
+  return opened;
+}
+
+/// A path, or the arrays of a shape.
+SearchQuery query_of(const py::handle& given, std::size_t number) {
+  if (!py::isinstance<py::tuple>(given)) {
+    const auto file = given.cast<fs::path>();
+    return {.name = file.string(), .file = file};
+  }
+  const auto arrays = given.cast<py::tuple>();
+  return {.name = "query " + std::to_string(number),
+          .file = {},
+          .shape = shape_of(arrays[0].cast<Points>(), arrays[1].cast<Triangles>(), arrays[2].cast<Points>())};
+}
+
+std::vector<SearchQuery> queries_of(const py::list& given) {
+  std::vector<SearchQuery> queries;
+  for (const py::handle& one : given) queries.push_back(query_of(one, queries.size()));
+  return queries;
+}
+
+/// By query its name, the model that it is (or None), the models found, their distances, and why there are none. With a
+/// page: the page's text behind them.
+py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
+                 const std::optional<std::string>& page_title, int threads, const PythonProgress& progress) {
+  const std::vector<SearchQuery> queries = queries_of(given);
+  std::vector<SearchAnswer> answers;
+  std::string page;
+  Cancellation cancellation;
+  const RunControl control = interruptible_control(threads, cancellation, progress);
+  opened.notes.clear();
+  run_interruptibly(cancellation, [&] {
+    answers = search(opened.index, queries, {.count = count, .rerank = rerank}, control, *opened.cache, opened.notes);
+    if (page_title) page = page_of_answers(opened.index, queries, answers, *page_title, control);
+  });
+  py::list found;
+  for (const SearchAnswer& one : answers) {
+    std::vector<Eigen::Index> models;
+    Eigen::VectorXd distances(std::ssize(one.nearest));
+    for (const RankedModel& model : one.nearest) {
+      distances[std::ssize(models)] = model.distance;
+      models.push_back(model.model);
+    }
+    found.append(py::make_tuple(one.query, one.member, models, array_of(std::move(distances)), one.failure));
+  }
+  return py::make_tuple(found, page);
+}
+
+std::vector<std::pair<std::string, std::string>> named_failures(const NativeIndex& opened) {
+  std::vector<std::pair<std::string, std::string>> failures;
+  for (const IndexedFile& file : opened.index.contents.failures) failures.emplace_back(file.id, file.failure);
+  return failures;
+}
+
+/// The names of the models and their files.
+std::vector<std::pair<std::string, std::string>> named_files(const NativeIndex& opened) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const IndexedFile& model : opened.index.contents.models) {
+    files.emplace_back(model.id, opened.index.collection.file(model.path).string());
+  }
+  return files;
+}
+
+}  // namespace
+
+void bind_search(py::module_& module) {
+  py::class_<WantedMethod>(module, "WantedMethod").def(py::init<std::string, std::string, std::string>());
+  py::class_<NativeIndex>(module, "Index")
+      .def_readonly("notes", &NativeIndex::notes)
+      .def_readonly("left_out", &NativeIndex::left_out)
+      .def_property_readonly("file", [](const NativeIndex& opened) { return opened.index.file.string(); })
+      .def_property_readonly("signature", [](const NativeIndex& opened) { return opened.index.method.name; })
+      .def("models", &named_files)
+      .def("failures", &named_failures)
+      .def("search", &answer);
+  module.def("open_index", &open);
+}
+
+}  // namespace shapegauge

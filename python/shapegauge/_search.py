@@ -1,0 +1,183 @@
+"""Searches: the shapes of a collection that are most like one."""
+
+from __future__ import annotations
+
+import collections.abc as _abc
+import json as _json
+import os as _os
+from typing import TYPE_CHECKING, Any, Iterator, NamedTuple, Optional, Sequence, Union
+
+import numpy as _numpy
+
+from . import _native
+from ._arguments import (Progress, is_shape_object, number_of_threads, path_of, plain, progress_of, shape_arrays, switch,
+                         warn, whole_number, word)
+from ._native import InputError
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._arguments import PathLike
+
+
+class Found(NamedTuple):
+    """A shape that was found: its name in the collection, its file, and its distance from the query."""
+
+    name: str
+    file: str
+    distance: float
+
+
+class Answer(_abc.Sequence):
+    """The answer to a query: a sequence of Found, nearest first.
+
+    query: its name. member: its name in the collection, where it is of it; else None. names, distances: of what was
+    found. failure: why there is no answer, or "".
+    """
+
+    def __init__(self, query: str, member: Optional[str], found: Sequence[Found], failure: str = "") -> None:
+        self.query = query
+        self.member = member
+        self.failure = failure
+        self._found = list(found)
+
+    @property
+    def names(self) -> list[str]:
+        return [one.name for one in self._found]
+
+    @property
+    def distances(self) -> _numpy.ndarray:
+        return _numpy.array([one.distance for one in self._found])
+
+    def __getitem__(self, rank: Any) -> Any:
+        return self._found[rank]
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __iter__(self) -> Iterator[Found]:
+        return iter(self._found)
+
+    def __repr__(self) -> str:
+        if self.failure:
+            return f"<Answer to {self.query}: {self.failure}>"
+        width = max((len(one.name) for one in self._found), default=0)
+        lines = [f"{rank:>4}  {one.name:<{width}}  {one.distance:.4g}" for rank, one in enumerate(self._found, start=1)]
+        return "\n".join([f"<Answer to {self.query}>", *lines])
+
+    def to_frame(self) -> pandas.DataFrame:
+        """A pandas frame with a row for each shape found, by rank: name, file, distance."""
+        import pandas
+        ranks = pandas.RangeIndex(1, len(self) + 1, name="rank")
+        return pandas.DataFrame(self._found, columns=list(Found._fields), index=ranks)
+
+
+class Index:
+    """The index of a collection of shape files, as `shapegauge search` has it (docs/search.md).
+
+    collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: the file of the index; by
+    default beside the collection. method: the path of a configuration, or a dict; by default the recommended method.
+    signature: the name of one of its signatures. update: whether files that are new, changed or gone are noticed; the
+    first time all are described. cache: its folder; "": none. on_progress: called with stage, done and total.
+
+    >>> index = sg.Index("models")
+    >>> index.search("chair.obj", k=3).names
+    ['chairs/a.off', 'chairs/c.off', 'stools/b.off']
+    """
+
+    def __init__(self, collection: PathLike, index: Optional[PathLike] = None, *,
+                 method: Union[None, PathLike, _abc.Mapping[str, Any]] = None, signature: str = "", update: bool = True,
+                 cache: Optional[PathLike] = None, threads: int = 0, on_progress: Optional[Progress] = None) -> None:
+        wanted, method_file = _wanted_method(method, word(signature, "signature"))
+        self._threads = number_of_threads(threads)
+        self._native = _native.open_index(path_of(collection, "collection"),
+                                          None if index is None else path_of(index, "index"), wanted, method_file,
+                                          switch(update, "update"),
+                                          "" if cache == "" else None if cache is None else path_of(cache, "cache"),
+                                          self._threads, progress_of(on_progress))
+        warn(self._native.notes + [f"left out {one}" for one in self._native.left_out])
+        self._models = self._native.models()
+
+    @property
+    def names(self) -> list[str]:
+        """The names of the shapes, in their order."""
+        return [name for name, _ in self._models]
+
+    @property
+    def files(self) -> list[str]:
+        """The files of the shapes."""
+        return [file for _, file in self._models]
+
+    @property
+    def left_out(self) -> dict[str, str]:
+        """By the name of a shape that cannot be described, why."""
+        return dict(self._native.failures())
+
+    @property
+    def signature(self) -> str:
+        """The name of the signature that shapes are compared by."""
+        return self._native.signature
+
+    @property
+    def file(self) -> str:
+        """The file of the index."""
+        return self._native.file
+
+    def __len__(self) -> int:
+        return len(self._models)
+
+    def __repr__(self) -> str:
+        return f"<Index: {len(self)} shapes by {self.signature!r} in {self.file}>"
+
+    def search(self, query: Any, k: int = 10, *, rerank: bool = False, page: Optional[PathLike] = None,
+               on_progress: Optional[Progress] = None) -> Any:
+        """The k shapes that are most like the query: an Answer; of a list of queries a list of them.
+
+        query: the path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of
+        the collection is left out of its own answer. rerank: by diffusion over the collection. page: a file for an HTML
+        page with pictures. A single query that cannot be used raises InputError; of several, its Answer says why.
+        """
+        several = isinstance(query, list)
+        given = [_query(one) for one in (query if several else [query])]
+        title = f"{len(given)} {'query' if len(given) == 1 else 'queries'}"
+        answers, html = self._native.search(given, whole_number(k, "k", 1, 10**6), switch(rerank, "rerank"),
+                                            None if page is None else title, self._threads, progress_of(on_progress))
+        found = [self._answer(*answer) for answer in answers]
+        warn(self._native.notes)
+        if not several and found[0].failure:
+            raise InputError(found[0].failure)
+        if page is not None:
+            with open(path_of(page, "page"), "w", encoding="utf-8") as file:
+                file.write(html)
+        return found if several else found[0]
+
+    def _answer(self, query: str, member: Optional[int], models: list[int], distances: _numpy.ndarray,
+                failure: str) -> Answer:
+        found = [Found(*self._models[model], distance) for model, distance in zip(models, distances.tolist())]
+        return Answer(query, None if member is None else self._models[member][0], found, failure)
+
+
+def _wanted_method(method: Any, signature: str) -> tuple[_native.WantedMethod, str]:
+    """The method, and the file whose name its index has."""
+    if method is None:
+        if signature:
+            raise InputError("signature goes with a method")
+        return _native.WantedMethod("", "", ""), ""
+    if isinstance(method, _abc.Mapping):
+        document = plain(method, "method")
+        name = document.get("name", "method")
+        return (_native.WantedMethod(_json.dumps(document), "method", signature),
+                f"{_os.path.basename(word(name, 'method.name'))}.json")
+    file = path_of(method, "method")
+    return _native.WantedMethod("", file, signature), file
+
+
+def _query(query: Any) -> Any:
+    """A path, or the arrays of a shape."""
+    if is_shape_object(query) or hasattr(query, "__array__"):
+        return shape_arrays(query, None, None)
+    if isinstance(query, tuple):
+        if not 1 <= len(query) <= 3:
+            raise InputError(f"a query of arrays has vertices, faces and normals, not {len(query)} entries")
+        return shape_arrays(*query, *[None] * (3 - len(query)))
+    return path_of(query, "query")

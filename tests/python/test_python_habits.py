@@ -1,0 +1,170 @@
+"""What Python users expect of results: pickles, frames, plots, intervals; and objects of other packages."""
+
+import copy
+import json
+import pickle
+import subprocess
+import types
+
+import numpy as np
+import pytest
+
+import shapegauge as sg
+from support import CONFIGS, PROGRAM, bumpy_torus, toy
+
+
+def same_scores(a, b):
+    assert repr(a) == repr(b)
+    assert a.to_latex() == b.to_latex()
+    assert a.per_class == b.per_class
+    assert a.intervals == b.intervals
+    for measure in a:
+        assert a.per_query[measure].tobytes() == b.per_query[measure].tobytes()
+    assert a.precision.tobytes() == b.precision.tobytes()
+
+
+def test_scores_pickle_and_copy():
+    scores = sg.evaluate(*toy(), confidence=0.9, name="toy")
+    for other in (pickle.loads(pickle.dumps(scores)), copy.deepcopy(scores), copy.copy(scores)):
+        same_scores(other, scores)
+    copied = copy.deepcopy(scores)
+    copied.micro["FT"] = 0
+    assert scores["FT"] != 0
+
+
+def test_fields_pickle_and_say_where_their_samples_are():
+    vertices, faces = bumpy_torus()
+    field = sg.sdf(vertices, faces)
+    np.testing.assert_allclose(field.points, vertices[faces].mean(axis=1), atol=1e-12)
+    np.testing.assert_array_equal(sg.field(vertices, faces, "centricity", at="vertices", sources=4).points, vertices)
+    back = pickle.loads(pickle.dumps(field))
+    assert back.offset == field.offset == 0.05
+    np.testing.assert_array_equal(back.points, field.points)
+    np.testing.assert_array_equal(back.values, field.values)
+
+
+def test_frame_has_a_row_for_each_query():
+    pandas = pytest.importorskip("pandas")
+    distances, labels = toy()
+    scores = sg.evaluate(distances, labels)
+    frame = scores.to_frame()
+    assert isinstance(frame, pandas.DataFrame)
+    assert list(frame["class"]) == labels
+    assert list(frame.columns) == ["class", *scores.measures]
+    assert frame["FT"].mean() == pytest.approx(scores["FT"])
+
+
+def test_plot_draws_the_curve():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    scores = sg.evaluate(*toy(), name="toy")
+    axes = scores.plot(color="red")
+    assert scores.plot(axes) is axes
+    first, second = axes.lines
+    assert first.get_color() == "red" and second.get_label() == "toy"
+    np.testing.assert_array_equal(first.get_xdata(), scores.recall)
+    np.testing.assert_array_equal(first.get_ydata(), scores.precision)
+
+
+def test_intervals_are_those_of_the_command_line(tmp_path):
+    distances, labels = toy()
+    np.save(tmp_path / "d.npy", distances)
+    (tmp_path / "labels.csv").write_text("".join(f"{label}\n" for label in labels))
+    command = [PROGRAM, "evaluate", tmp_path / "d.npy", "--labels", tmp_path / "labels.csv", "--format", "json",
+               "--confidence", "0.9", "--blocks", "queries", "--resamples", "500", "--seed", "7"]
+    printed = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    scores = sg.evaluate(distances, labels, confidence=0.9, blocks="queries", resamples=500, seed=7)
+    low, high = scores.intervals["micro"]["FT"]
+    assert low < scores["FT"] < high
+    assert [low, high] in _lists_in(printed)
+
+
+def _lists_in(json_value):
+    if isinstance(json_value, list):
+        yield json_value
+    for part in json_value.values() if isinstance(json_value, dict) else json_value if isinstance(json_value, list) else ():
+        yield from _lists_in(part)
+
+
+def test_features_are_compared_by_a_distance():
+    features = np.random.default_rng(1).random((7, 5)).astype(np.float32)
+    labels = list("aaabbbb")
+    distances = sg.distances(features, "l1")
+    np.testing.assert_allclose(distances, np.abs(features[:, None] - features[None]).sum(axis=-1), rtol=1e-6)
+    assert repr(sg.evaluate(features, labels, distance="l1")) == repr(sg.evaluate(distances, labels))
+    assert sg.distances(features, "d2").shape == (7, 7)
+    with pytest.raises(sg.InputError, match="l3"):
+        sg.distances(features, "l3")
+    with pytest.raises(sg.InputError, match="leave similarity out"):
+        sg.evaluate(features, labels, distance="l1", similarity=True)
+
+
+def test_relevance_takes_the_place_of_labels():
+    distances, labels = toy()
+    same = np.equal.outer(labels, labels)
+    by_labels = sg.evaluate(distances, labels, protocol="trec")
+    by_relevance = sg.evaluate(distances, relevance=same)
+    assert by_relevance.protocol == "trec"
+    assert by_relevance.micro == by_labels.micro
+    same[0] = False  # nothing is relevant to it: no query
+    assert list(sg.evaluate(distances, relevance=same).queries) == [1, 2, 3, 4, 5, 6]
+    for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers")]:
+        with pytest.raises(sg.InputError, match=words):
+            sg.evaluate(distances, relevance=wrong)
+    with pytest.raises(sg.InputError, match="give them, or relevance"):
+        sg.evaluate(distances)
+
+
+def test_rows_may_be_queries_to_other_models():
+    places, others = np.array([0.0, 10]), np.array([1.0, 2, 9, 12])
+    scores = sg.evaluate(np.abs(np.subtract.outer(places, others)), ["a", "b"], targets=["a", "b", "b", "a"])
+    assert scores.per_query["NN"].tolist() == [1, 1]
+    assert scores.per_query["FT"].tolist() == [0.5, 0.5]
+    with pytest.raises(sg.InputError, match="labels and targets"):
+        sg.evaluate(np.zeros((2, 4)), ["a", "b"], targets=["a"])
+
+
+def test_run_takes_a_dict_and_tells_how_far_it_is(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with open(f"{CONFIGS}/quickstart.json", encoding="utf-8") as file:
+        configuration = json.load(file)
+    configuration["dataset"] = {"generate": {"classes": 2, "models_per_class": 2, "faces": 1000}}
+    configuration.pop("$schema", None)
+    told = []
+    run = sg.run(configuration, "out", cache="", on_progress=lambda *how_far: told.append(how_far))
+    assert run.left_out == [] and "NN" in run.summary
+    assert {stage for stage, _, _ in told} >= {"signatures"}
+
+    def stop(stage, done, total):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        sg.run(configuration, "stopped", cache="", on_progress=stop)
+    with pytest.raises(sg.InputError, match="configuration: .*nonsense"):
+        sg.run({**configuration, "nonsense": 1})
+
+
+def test_objects_of_other_packages_are_shapes(tmp_path):
+    vertices, faces = bumpy_torus()
+    expected = sg.sdf(vertices, faces).values
+    block = types.SimpleNamespace(type="triangle", data=faces)
+    line = types.SimpleNamespace(type="line", data=faces[:, :2])
+    meshio = types.SimpleNamespace(points=vertices, cells=[line, block])
+    array = lambda values: types.SimpleNamespace(cpu=lambda: types.SimpleNamespace(numpy=lambda: values))
+    tensors = types.SimpleNamespace(vertex={"positions": array(vertices)}, triangle={"indices": array(faces)})
+    mesh = types.SimpleNamespace(vertices=vertices, faces=faces)
+    scene = types.SimpleNamespace(geometry={"torus": mesh}, dump=lambda concatenate: mesh)
+    for shape in (meshio, tensors, scene):
+        assert sg.sdf(shape).values.tobytes() == expected.tobytes()
+    cloud = types.SimpleNamespace(points=vertices, cells=[types.SimpleNamespace(type="vertex", data=faces[:, :1])])
+    assert len(sg.sdf(cloud, offset=0.05).values) == len(vertices)
+    quads = types.SimpleNamespace(points=vertices, cells=[types.SimpleNamespace(type="quad", data=faces)])
+    with pytest.raises(sg.InputError, match="kind quad"):
+        sg.sdf(quads)
+
+
+def test_real_objects_of_meshio():
+    meshio = pytest.importorskip("meshio")
+    vertices, faces = bumpy_torus()
+    mesh = meshio.Mesh(vertices, [("triangle", faces)])
+    assert sg.sdf(mesh).values.tobytes() == sg.sdf(vertices, faces).values.tobytes()

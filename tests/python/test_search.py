@@ -1,0 +1,134 @@
+"""Index and search: the same as the command line."""
+
+import json
+import subprocess
+
+import numpy as np
+import pytest
+
+import shapegauge as sg
+from support import PROGRAM, bumpy_torus, mesh_object
+
+METHOD = {"name": "quick", "signatures": [{"name": "d2", "descriptor": {"type": "d2"}}]}
+
+
+@pytest.fixture
+def models(tmp_path):
+    """Boxes and tori of several proportions, and one file that is broken."""
+    folder = tmp_path / "models"
+    folder.mkdir()
+    vertices, faces = bumpy_torus()
+    for i in range(4):
+        sg.write(folder / f"torus{i}.off", vertices * [1, 1, 1 + 0.2 * i], faces)
+        sg.write(folder / f"flat{i}.off", vertices * [1, 1, 0.1 + 0.02 * i], faces)
+    (folder / "broken.off").write_text("OFF\n1 0 0\n")
+    return folder
+
+
+def opened(models, **settings):
+    with pytest.warns(UserWarning, match="left out broken.off"):
+        return sg.Index(models, method=METHOD, cache="", **settings)
+
+
+def test_index_knows_its_shapes(models):
+    index = opened(models)
+    assert len(index) == 8
+    assert index.names == sorted(index.names)
+    assert [str(models / name) for name in index.names] == index.files
+    assert list(index.left_out) == ["broken.off"]
+    assert index.signature == "d2"
+    assert index.file == str(models) + ".quick.search-index"
+    assert len(sg.Index(models, method=METHOD, cache="")) == 8  # described before: no warning
+    assert len(sg.Index(models, method=METHOD, cache="", update=False)) == 8
+
+
+def test_answers_are_those_of_the_command_line(models, tmp_path):
+    index = opened(models)
+    method = tmp_path / "quick.json"
+    method.write_text(json.dumps({**METHOD, "dataset": {"layout": "folders", "root": "."}}))
+    command = [PROGRAM, "search", models / "flat1.off", models, "-k", "5", "--format", "json", "--method", method,
+               "--cache", tmp_path / "cache"]
+    printed = json.loads(subprocess.run(command, capture_output=True, text=True).stdout)["queries"][0]
+    answer = index.search(models / "flat1.off", k=5)
+    assert answer.member == printed["name"] == "flat1.off"
+    assert answer.names == [one["name"] for one in printed["results"]]
+    assert answer.distances.tolist() == [one["distance"] for one in printed["results"]]
+    assert set(answer.names[:3]) == {"flat0.off", "flat2.off", "flat3.off"}
+    assert [found.file for found in answer] == [str(models / name) for name in answer.names]
+
+
+def test_a_query_is_a_file_an_object_or_arrays(models, tmp_path):
+    index = opened(models)
+    vertices, faces = bumpy_torus()
+    vertices = vertices * [1, 1, 0.15]
+    sg.write(tmp_path / "query.off", vertices, faces)
+    expected = index.search(tmp_path / "query.off", k=3)
+    read = sg.read(tmp_path / "query.off")
+    for query in (read, mesh_object(read.vertices, read.faces), (read.vertices, read.faces)):
+        answer = index.search(query, k=3)
+        assert answer.names == expected.names
+        assert answer.distances.tolist() == expected.distances.tolist()
+    assert expected.member is None
+
+
+def test_several_queries_have_answers_of_their_own(models, tmp_path):
+    index = opened(models)
+    answers = index.search([models / "flat0.off", models / "broken.off", models / "torus0.off"], k=2)
+    assert [len(answer) for answer in answers] == [2, 0, 2]
+    assert "broken.off" in answers[1].failure
+    with pytest.raises(sg.InputError, match="broken.off"):
+        index.search(models / "broken.off")
+
+
+def test_reranked_answers_and_pages(models, tmp_path):
+    index = opened(models)
+    plain = index.search(models / "flat0.off")
+    told = []
+    reranked = index.search(models / "flat0.off", rerank=True, page=tmp_path / "page.html",
+                            on_progress=lambda stage, done, total: told.append((stage, done, total)))
+    assert sorted(plain.names) == sorted(reranked.names)
+    assert plain.distances.tolist() != reranked.distances.tolist()
+    assert "flat0.off" in (tmp_path / "page.html").read_text()
+    assert {stage for stage, _, _ in told} >= {"queries", "pictures"}
+    assert all(0 <= done <= total for _, done, total in told)
+
+
+def test_follows_files_and_keeps_to_its_own_method(models):
+    opened(models)
+    (models / "broken.off").unlink()
+    index = sg.Index(models, method=METHOD, cache="")
+    assert index.left_out == {}
+    with pytest.warns(UserWarning, match="of another method or program"):
+        other = {**METHOD, "signatures": [{"name": "d2", "descriptor": {"type": "d2", "bins": 20}}]}
+        assert sg.Index(models, method=other, cache="").signature == "d2"
+
+
+def test_frame_of_an_answer(models):
+    pytest.importorskip("pandas")
+    frame = opened(models).search(models / "flat0.off", k=4).to_frame()
+    assert list(frame.columns) == ["name", "file", "distance"]
+    assert list(frame.index) == [1, 2, 3, 4]
+    assert np.all(np.diff(frame["distance"]) >= 0)
+
+
+@pytest.mark.parametrize("arguments, words", [
+    ({"k": 0}, "k is 0"),
+    ({"rerank": "yes"}, "rerank must be True or False"),
+    ({"query": 7}, "query must be the path"),
+    ({"query": "absent.off"}, "absent.off"),
+    ({"on_progress": 3}, "on_progress must be a function"),
+])
+def test_wrong_arguments_are_errors(models, arguments, words):
+    index = opened(models)
+    with pytest.raises(sg.InputError, match=words):
+        index.search(**{"query": models / "flat0.off", **arguments})
+
+
+def test_wrong_collections_and_methods_are_errors(models, tmp_path):
+    for arguments, words in [((tmp_path / "absent", ), "absent"), ((models / "flat0.off", ), "is not a collection")]:
+        with pytest.raises(sg.InputError, match=words):
+            sg.Index(*arguments)
+    with pytest.raises(sg.InputError, match="signature goes with a method"):
+        sg.Index(models, signature="d2")
+    with pytest.raises(sg.InputError, match="signatures"):
+        sg.Index(models, method={"name": "x", "signatures": 3})
