@@ -465,7 +465,8 @@ struct FinishedRun {
   std::vector<std::string> left_out;
 };
 
-/// `document`: the configuration as JSON, or empty: that in the file `source`, which is what messages call it; relative paths begin at `folder`.
+/// `document`: the configuration as JSON, or empty: that in the file `source`, which is what messages call it; relative
+/// paths begin at `folder`.
 FinishedRun run_configuration(const std::string& document, const std::string& source, const fs::path& folder,
                               const std::vector<std::string>& overrides, const fs::path& output, bool replace,
                               const std::optional<fs::path>& cache_folder, int threads,

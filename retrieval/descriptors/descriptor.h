@@ -89,8 +89,8 @@ std::vector<std::string> feature_distance_names();
 /// InputError, naming those there are.
 NamedDistance feature_distance(const std::string& name);
 
-/// All distances between features, a row a model, by the distance of that name. Throws InputError as feature_distance(),
-/// and for features that the distance does not take.
+/// All distances between features, a row a model, by the distance of that name. Throws InputError as
+/// feature_distance(), and for features that the distance does not take.
 DistanceMatrix feature_distances(const std::string& name, const Signatures& features);
 
 }  // namespace shapegauge
