@@ -41,7 +41,8 @@ export class ComparisonDialog {
     const found = rank < 0 ? null : nearest[rank];
     const shown = (found ? [query, found[0]] : [query]).map((index) => shapes[index]);
     const words = found ? `, rank ${rank + 1}, distance ${number(found[1])}` : '';
-    const button = (kind, text, click, disabled) => make('button', { type: 'button', class: kind, click, disabled }, text);
+    const button = (kind, text, click, disabled) =>
+      make('button', { type: 'button', class: kind, click, disabled }, text);
     const place = make('div');
     this.dialog.replaceChildren(
       make('div', { class: 'dialog-head' },
