@@ -27,25 +27,19 @@ struct DescribedQuery {
   std::optional<std::size_t> member;
 };
 
-/// Where to find models by what they are.
-struct ModelLookup {
-  std::map<fs::path, std::size_t> by_file;
-  std::map<std::string, std::size_t> by_contents;
+/// What tells whether two files are the same shape.
+std::string contents_key(const std::string& sha256, const fs::path& file) {
+  return sha256 + lower_case(file.extension().string());
+}
 
-  explicit ModelLookup(const OpenIndex& index) {
-    const std::vector<IndexedFile>& models = index.contents.models;
-    for (std::size_t i = 0; i < models.size(); ++i) {
-      std::error_code gone;
-      const fs::path file = fs::weakly_canonical(index.collection.file(models[i].path), gone);
-      if (!gone) by_file.emplace(file, i);
-      by_contents.emplace(contents_key(models[i].sha256, models[i].path), i);
-    }
+/// The models by their contents.
+std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& index) {
+  std::multimap<std::string, std::size_t> models;
+  for (std::size_t i = 0; i < index.models.size(); ++i) {
+    models.emplace(contents_key(index.models[i].sha256, index.models[i].path), i);
   }
-
-  static std::string contents_key(const std::string& sha256, const fs::path& file) {
-    return sha256 + lower_case(file.extension().string());
-  }
-};
+  return models;
+}
 
 /// Describes a shape that is not in a file.
 ModelDescription description_of(const Shape& shape, const Configuration& configuration,
@@ -74,20 +68,18 @@ class QueryDescriber {
   QueryDescriber(const OpenIndex& index, Cache& cache)
       : index_(&index),
         cache_(&cache),
-        lookup_(index),
+        by_contents_(models_by_contents(index.contents)),
         plan_(plan_fields(index.method.configuration.signatures)),
         descriptors_(plan_descriptors(index.method.configuration.signatures, plan_)) {}
 
   [[nodiscard]] DescribedQuery described(const SearchQuery& query, bool alone) const {
     if (query.shape) return from(description_of(*query.shape, configuration(), plan_));
-    std::error_code absent;
-    const auto member = lookup_.by_file.find(fs::weakly_canonical(query.file, absent));
-    const std::string contents = ModelLookup::contents_key(sha256_of_file(query.file), query.file);
-    const auto same = lookup_.by_contents.find(contents);
-    if (same != lookup_.by_contents.end()) {
-      DescribedQuery found{.signatures = rows_of_model(same->second), .member = {}};
-      if (member != lookup_.by_file.end() && has_contents(member->second, contents)) found.member = member->second;
-      return found;
+    const auto [first, last] = by_contents_.equal_range(contents_key(sha256_of_file(query.file), query.file));
+    if (first != last) {
+      const auto itself =
+          std::find_if(first, last, [&](const auto& one) { return is_file_of(one.second, query.file); });
+      if (itself == last) return {.signatures = rows_of_model(first->second), .member = {}};
+      return {.signatures = rows_of_model(itself->second), .member = itself->second};
     }
     const Dataset one{.models = {{.id = query.name, .file = query.file, .label = 0}}, .classes = {"query"}};
     return from(describe_through_cache(one, 0, configuration(), plan_, alone, *cache_));
@@ -96,9 +88,9 @@ class QueryDescriber {
  private:
   [[nodiscard]] const Configuration& configuration() const { return index_->method.configuration; }
 
-  [[nodiscard]] bool has_contents(std::size_t model, const std::string& contents) const {
-    const IndexedFile& file = index_->contents.models[model];
-    return ModelLookup::contents_key(file.sha256, file.path) == contents;
+  [[nodiscard]] bool is_file_of(std::size_t model, const fs::path& file) const {
+    std::error_code gone;
+    return fs::equivalent(index_->collection.file(index_->contents.models[model].path), file, gone) && !gone;
   }
 
   [[nodiscard]] std::vector<Eigen::RowVectorXf> rows_of_model(std::size_t model) const {
@@ -126,7 +118,7 @@ class QueryDescriber {
 
   const OpenIndex* index_;
   Cache* cache_;
-  ModelLookup lookup_;
+  std::multimap<std::string, std::size_t> by_contents_;
   std::vector<PlannedField> plan_;
   std::vector<PlannedDescriptor> descriptors_;
 };
