@@ -9,12 +9,16 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/nearest_word.h"
+#include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/results/evaluation_plots.h"
+#include "shapegauge/experiments/results/evaluation_report.h"
 #include "shapegauge/experiments/results/method_comparison_tables.h"
 
 namespace shapegauge {
@@ -34,6 +38,19 @@ struct CompareArguments {
   std::string format = "table";
   std::string unit = "percent";
   int digits = 2;
+  fs::path plot;
+  fs::path score_plot;
+  fs::path curves;
+  fs::path report;
+  bool replace = false;
+};
+
+// What is compared, and what curves and reports need besides scores.
+struct ComparedInputs {
+  std::vector<MethodScores> methods;
+  std::vector<NamedCurve> curves;         // none of tables of scores
+  std::vector<EvaluatedFiles> evaluated;  // of matrices, where a report is asked for
+  std::vector<std::string> warnings;
 };
 
 // The methods of a table, under one protocol: the only one that there is, else the one asked for.
@@ -51,20 +68,103 @@ std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareAr
   return methods;
 }
 
-// The methods of one input; what a user should know of it is added to the warnings.
-std::vector<MethodScores> methods_of(const fs::path& path, const CompareArguments& arguments,
-                                     std::vector<std::string>& warnings) {
-  if (is_folder(path)) return methods_of_table(path / "per_query.csv", arguments);
+// Whether curves are asked for.
+bool wants_curves(const CompareArguments& arguments) { return !arguments.plot.empty() || !arguments.curves.empty(); }
+
+// The curves of a run's folder, under the protocol of its scores.
+void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments, const std::string& protocol,
+                       ComparedInputs& compared) {
+  if (!wants_curves(arguments)) return;
+  for (NamedCurve& curve : read_curves(folder / "precision_recall.csv", average_of(arguments.average).value())) {
+    if (curve.protocol == protocol) compared.curves.push_back(std::move(curve));
+  }
+}
+
+// Adds the methods of one input, and what a user should know of it.
+void add_methods(const fs::path& path, const CompareArguments& arguments, ComparedInputs& compared) {
+  const auto add = [&](std::vector<MethodScores> methods) {
+    std::ranges::move(methods, std::back_inserter(compared.methods));
+  };
+  if (is_folder(path)) {
+    add(methods_of_table(path / "per_query.csv", arguments));
+    return add_curves_of_run(path, arguments, compared.methods.back().protocol, compared);
+  }
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
-  if (!matrix) return methods_of_table(path, arguments);
-  const EvaluatedFiles evaluated = evaluate_with_progress(path, arguments.evaluation);
+  if (!matrix) {
+    if (wants_curves(arguments)) {
+      throw InputError(
+          fmt::format("{}: a table of scores has no curves; give the folder of the run, or distances with "
+                      "--labels",
+                      path.string()));
+    }
+    return add(methods_of_table(path, arguments));
+  }
+  EvaluatedFiles evaluated = evaluate_with_progress(path, arguments.evaluation);
+  std::vector<std::string>& warnings = compared.warnings;
   for (const std::string& warning : evaluated.warnings) {
     warnings.push_back(fmt::format("{}: {}", path.string(), warning));
   }
   if (const auto tied = ties_warning(evaluated.evaluation, evaluated.findings)) {
     warnings.push_back(fmt::format("{}: {}", path.string(), *tied));
   }
-  return {method_scores(method_name(path, evaluated.data), path.string(), evaluated.data.task, evaluated.evaluation)};
+  const std::string name = method_name(path, evaluated.data);
+  add({method_scores(name, path.string(), evaluated.data.task, evaluated.evaluation)});
+  compared.curves.push_back(
+      named_curve({.method = name, .evaluation = &evaluated.evaluation}, average_of(arguments.average).value()));
+  if (arguments.report.empty()) return;
+  if (!is_fit_for_report(evaluated.data.task)) {
+    throw InputError(
+        fmt::format("{}: --report takes square matrices of models that are all queries and targets, each "
+                    "with a class",
+                    path.string()));
+  }
+  compared.evaluated.push_back(std::move(evaluated));
+}
+
+void check_compare_outputs(const CompareArguments& arguments) {
+  for (const fs::path& plot : {arguments.plot, arguments.score_plot}) {
+    if (!plot.empty()) check_drawing_file(plot);
+  }
+  const bool matrices = !arguments.evaluation.files.labels.empty();
+  if (!arguments.report.empty() && !matrices) throw InputError("--report takes distance matrices, and --labels");
+  const std::vector<OutputFile> outputs{
+      {.path = arguments.plot, .what = "--plot"},
+      {.path = arguments.score_plot, .what = "--plot-scores"},
+      {.path = arguments.curves, .what = "--pr", .extensions = {".csv"}},
+      {.path = arguments.report, .what = "--report", .extensions = {".html", ".htm"}}};
+  check_output_files(arguments.inputs, outputs, arguments.replace);
+}
+
+// The curves as `evaluate --pr` writes one.
+Table curves_table(const std::vector<NamedCurve>& curves) {
+  Table table{.header = {"method", "protocol", "recall", "precision"}, .rows = {}, .text_columns = 2};
+  for (const NamedCurve& named : curves) {
+    for (std::size_t i = 0; i < named.curve.recall.size(); ++i) {
+      table.rows.push_back({named.method, named.protocol, fmt::format("{}", named.curve.recall[i]),
+                            fmt::format("{:.6f}", named.curve.precision[i])});
+    }
+  }
+  return table;
+}
+
+void write_compared(const CompareArguments& arguments, ComparedInputs& compared, const AlignedMethods& aligned,
+                    const std::vector<MethodComparison>& comparisons) {
+  if (compared.curves.size() == aligned.methods.size()) {
+    for (std::size_t i = 0; i < compared.curves.size(); ++i) compared.curves[i].method = aligned.methods[i];
+  }
+  if (!arguments.plot.empty()) write_drawing(arguments.plot, curves_plot(compared.curves));
+  if (!arguments.curves.empty()) write_file_atomically(arguments.curves, to_csv(curves_table(compared.curves)));
+  if (!arguments.score_plot.empty()) {
+    write_drawing(arguments.score_plot,
+                  scores_plot(aligned.methods, aligned.measures, comparisons, arguments.resampling.confidence));
+  }
+  if (arguments.report.empty()) return;
+  std::vector<ReportedEvaluation> reported;
+  for (std::size_t i = 0; i < compared.evaluated.size(); ++i) {
+    reported.push_back({.named = {.method = aligned.methods[i], .evaluation = &compared.evaluated[i].evaluation},
+                        .data = &compared.evaluated[i].data});
+  }
+  write_file_atomically(arguments.report, evaluation_report_page(reported));
 }
 
 ComparisonOptions options_of(const CompareArguments& arguments, const std::vector<std::string>& methods) {
@@ -119,13 +219,11 @@ void warn_of_same_files(std::span<const fs::path> inputs, std::vector<std::strin
 }
 
 int run(const CompareArguments& arguments) {
-  std::vector<MethodScores> methods;
-  std::vector<std::string> warnings;
-  for (const fs::path& input : arguments.inputs) {
-    std::vector<MethodScores> more = methods_of(input, arguments, warnings);
-    std::ranges::move(more, std::back_inserter(methods));
-  }
-  const AlignedMethods aligned = align_methods(methods, arguments.evaluation.measures, arguments.names);
+  check_compare_outputs(arguments);
+  ComparedInputs compared;
+  for (const fs::path& input : arguments.inputs) add_methods(input, arguments, compared);
+  std::vector<std::string>& warnings = compared.warnings;
+  const AlignedMethods aligned = align_methods(compared.methods, arguments.evaluation.measures, arguments.names);
   const ComparisonOptions options = options_of(arguments, aligned.methods);
   std::vector<MethodComparison> comparisons;
   {
@@ -138,6 +236,7 @@ int run(const CompareArguments& arguments) {
   if (const auto few = few_units_warning(comparisons.front(), options, Audience::command_line)) {
     warnings.push_back(*few);
   }
+  write_compared(arguments, compared, aligned, comparisons);
   print_output("{}", formatted_comparison(aligned, comparisons, options, arguments));
   print_warnings(warnings);
   return exit_success;
@@ -154,6 +253,11 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
                      "Compare this method with each other one (default: all pairs)");
   command.add_option("--names", arguments.names, "Names of the methods, in their order, as in ours,theirs")
       ->delimiter(',');
+  command.add_option("--plot", arguments.plot, "Chart of the precision-recall curves: .svg, .pdf or .png");
+  command.add_option("--plot-scores", arguments.score_plot, "Chart of the scores with intervals: .svg, .pdf or .png");
+  command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves");
+  command.add_option("--report", arguments.report, "HTML file for a page that shows all methods, of distance matrices");
+  add_replace_option(command, arguments.replace);
   command.add_option("--format", arguments.format, "Format of the result; csv has the pairs, latex the methods")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();

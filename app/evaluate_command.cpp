@@ -18,6 +18,7 @@
 #include "shapegauge/core/version.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/experiments/results/evaluation_plots.h"
 #include "shapegauge/experiments/results/evaluation_report.h"
 #include "shapegauge/experiments/results/evaluation_tables.h"
 
@@ -40,6 +41,8 @@ struct EvaluateArguments {
   fs::path class_curves;
   fs::path per_query;
   fs::path per_class;
+  fs::path plot;
+  fs::path class_plot;
   bool each_query = false;
   bool replace = false;
 };
@@ -159,8 +162,13 @@ void check_outputs(const EvaluateArguments& arguments) {
       {.path = arguments.class_curves, .what = "--pr-per-class", .extensions = csv},
       {.path = arguments.per_query, .what = "--per-query", .extensions = csv},
       {.path = arguments.per_class, .what = "--per-class", .extensions = csv},
+      {.path = arguments.plot, .what = "--plot"},
+      {.path = arguments.class_plot, .what = "--plot-classes"},
       {.path = arguments.report, .what = "--report", .extensions = {".html", ".htm"}},
   };
+  for (const fs::path& plot : {arguments.plot, arguments.class_plot}) {
+    if (!plot.empty()) check_drawing_file(plot);
+  }
   check_output_files(inputs, outputs, arguments.replace);
 }
 
@@ -192,6 +200,12 @@ int run(const EvaluateArguments& arguments) {
   const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);
   if (tied && arguments.format != "json") warnings.push_back(*tied);  // JSON has their number
   write_files(named, task, arguments);
+  const NamedCurve curve = named_curve(named);
+  if (!arguments.plot.empty()) write_drawing(arguments.plot, curves_plot({&curve, 1}));
+  if (!arguments.class_plot.empty()) {
+    const std::string& measure = evaluated.evaluation.measures.front();
+    write_drawing(arguments.class_plot, class_plot({&named, 1}, task.class_names, measure));
+  }
   if (!arguments.report.empty()) {
     write_file_atomically(arguments.report, evaluation_report_page(named, evaluated.data));
   }
@@ -225,6 +239,8 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
                          })
       ->group("");  // not in the help
   command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
+  command.add_option("--plot", arguments.plot, "Chart of the precision-recall curve: .svg, .pdf or .png");
+  command.add_option("--plot-classes", arguments.class_plot, "Chart of the first measure by class: .svg, .pdf or .png");
   command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
   add_replace_option(command, arguments.replace);
 }

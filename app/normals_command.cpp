@@ -19,16 +19,16 @@ namespace {
 struct NormalsArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string site = "vertices";
-  std::string offset = "auto";
+  OffsetArguments offset;
   bool denoise = false;
 };
 
-void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, std::optional<double> given_offset,
+void write_normals(const NormalsArguments& arguments, const NormalFileWriter& write, const GivenOffset& given_offset,
                    const Shape& given, const ShapeJob& job, Remarks& remarks) {
   try {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
     const Samples samples = sample_shape(shape, arguments.site == "faces" ? SampleSite::faces : SampleSite::vertices);
-    const ChosenOffset chosen = choose_offset(given_offset, shape);
+    const ChosenOffset chosen = choose_offset(given_offset.fraction_of(shape), shape);
     FieldSettings settings = field_settings("offset_sdf");
     settings.values.set("offset", chosen.offset);
     FieldSource source(shape);
@@ -63,7 +63,7 @@ void add_normals_command(CLI::App& app, int& status) {
   add_offset_option(*command, arguments->offset);
   add_denoise_option(*command, arguments->denoise);
   command->callback([arguments, &status] {
-    const std::optional<double> given = parse_offset(arguments->offset);
+    const GivenOffset given = parse_offset(arguments->offset);
     const NormalFileWriter write = normal_file_writer(output_name(arguments->files));
     status = for_each_shape(arguments->files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
       write_normals(*arguments, write, given, shape, job, remarks);

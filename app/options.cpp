@@ -3,13 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/length.h"
 #include "shapegauge/core/base/parameter.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/core/base/text.h"
+#include "shapegauge/core/preparation/cavities.h"
 #include "shapegauge/core/preparation/denoise.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/experiments/cache/cache_folder.h"
@@ -36,11 +39,28 @@ void add_denoise_option(CLI::App& command, bool& denoise) {
   command.add_flag("--denoise", denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
 }
 
-CLI::Option* add_offset_option(CLI::App& command, std::string& text) {
+CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
+  command.add_option("--unit", arguments.unit, "Unit of the files' coordinates, which STL and OBJ do not say")
+      ->check(CLI::IsMember(length_unit_names()));
   return command
-      .add_option("--offset", text,
-                  "Offset distance as a fraction of the bounding-box diagonal, or auto: by the gaps and the noise")
+      .add_option(
+          "--offset", arguments.offset,
+          "Offset distance as a fraction of the bounding-box diagonal, as a length (0.5mm, with --unit), or auto: "
+          "by the gaps and the noise")
       ->capture_default_str();
+}
+
+void add_colour_options(CLI::App& command, ColourArguments& arguments) {
+  command
+      .add_option("--range", arguments.range,
+                  "Values at the ends of the colours, as in 0,4 or 0.5mm,4mm (default: without the thinnest and the "
+                  "thickest 2 % of the area)")
+      ->type_name("LOW,HIGH");
+  command.add_option("--scale", arguments.scale, "Scale of the colours")
+      ->check(CLI::IsMember({"linear", "log"}))
+      ->capture_default_str();
+  command.add_option("--below", arguments.below, "Threshold, as in 2 or 2mm: what is thinner is painted red")
+      ->type_name("LENGTH");
 }
 
 void add_cache_option(CLI::App& command, CacheOption& option) {
@@ -53,14 +73,64 @@ std::filesystem::path chosen_cache(const CacheOption& option) {
   return option.named.empty() ? default_cache_folder() : option.named;
 }
 
-std::optional<double> parse_offset(const std::string& text) {
-  if (text == "auto") return std::nullopt;
-  const std::optional<double> number = parse_number(text);
-  if (!number) {
-    throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, or auto", quoted_word(text)));
+GivenOffset parse_offset(const OffsetArguments& arguments) {
+  if (arguments.offset == "auto") return {};
+  const std::optional<Length> length = parse_length(arguments.offset);
+  if (!length) {
+    throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, a length as in 0.5mm, or auto",
+                                 quoted_word(arguments.offset)));
   }
-  require_in_bounds("--offset", *number, OffsetSdfOptions::offset_bounds);
-  return number;
+  if (!length->unit.empty()) {
+    const double in_units = in_file_units("--offset", *length, arguments.unit);
+    if (!(in_units > 0)) throw InputError(fmt::format("--offset is {}; it must be above 0", arguments.offset));
+    return {.fraction = {}, .length = in_units};
+  }
+  require_in_bounds("--offset", length->value, OffsetSdfOptions::offset_bounds);
+  return {.fraction = length->value};
+}
+
+std::optional<double> GivenOffset::fraction_of(const Shape& shape) const {
+  if (!length) return fraction;
+  const double diagonal = bounding_box_diagonal(shape);
+  if (!(diagonal > 0)) throw InputError("the shape has no extent");
+  require_in_bounds("--offset, as a fraction of the shape's diagonal,", *length / diagonal,
+                    OffsetSdfOptions::offset_bounds);
+  return *length / diagonal;
+}
+
+double parse_length_option(std::string_view name, const std::string& text, const std::string& unit) {
+  const std::optional<Length> length = parse_length(text);
+  if (length) return in_file_units(name, *length, unit);
+  throw InputError(fmt::format("{} has {}: it must be a length, as in 2 or 2mm (units: {})", name, quoted_word(text),
+                               fmt::join(length_unit_names(), ", ")));
+}
+
+ColourChoice parse_colours(const ColourArguments& arguments, const std::string& unit) {
+  ColourChoice choice{.range = {}, .logarithmic = arguments.scale == "log"};
+  if (!arguments.below.empty()) choice.threshold = parse_length_option("--below", arguments.below, unit);
+  if (arguments.range.empty()) return choice;
+  const std::size_t comma = arguments.range.find(',');
+  if (comma == std::string::npos) {
+    throw InputError(fmt::format("--range is {}: it must be two lengths, as in 0,4", quoted_word(arguments.range)));
+  }
+  const Interval range{parse_length_option("--range", arguments.range.substr(0, comma), unit),
+                       parse_length_option("--range", arguments.range.substr(comma + 1), unit)};
+  if (!(range.low < range.high)) throw InputError("--range: the first length must be less than the second");
+  if (choice.logarithmic && !(range.low > 0)) throw InputError("--range: with --scale log it must begin above 0");
+  choice.range = range;
+  return choice;
+}
+
+void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks) {
+  const std::size_t cavities = cavity_count(shape);
+  if (cavities == 0) return;
+  const std::string found = fmt::format("the shape is hollow ({} inner surface{})", cavities, cavities > 1 ? "s" : "");
+  if (measures_hull) {
+    remarks.warnings.push_back(
+        found + ": offset_sdf measures its hull, as if it were solid; inscribed_ball and cone_sdf measure its wall");
+  } else {
+    remarks.notes.push_back(found + ": values are the thickness of its wall, not of the hull");
+  }
 }
 
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {

@@ -29,6 +29,7 @@
 #include "shapegauge/experiments/engine/result_folder.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/kinds/experiment_kinds.h"
+#include "shapegauge/experiments/results/evaluation_plots.h"
 
 namespace shapegauge {
 
@@ -56,6 +57,7 @@ struct RequestedRun {
 struct RunArguments {
   RunSource source;
   fs::path output;
+  fs::path plot;
   int threads = 0;
   bool force = false;
   bool replace = false;
@@ -240,16 +242,25 @@ RunOutcome run_with_cache(const RunArguments& arguments, const Experiment& exper
 }
 
 /// Prints what a run has to say at its end; returns the exit status.
-int report_run(const RunOutcome& outcome, const RequestedRun& request, const fs::path& folder) {
+int report_run(const RunOutcome& outcome, const RunArguments& arguments, const RequestedRun& request,
+               const fs::path& folder) {
   print_output("{}\n{}Results in {}\n", outcome.summary, cache_text(outcome.cache), printable(folder.string()));
   if (std::ranges::find(outcome.files, report_name) != outcome.files.end()) {
     print_output("Report: {}\n", printable((folder / report_name).string()));
+  }
+  if (!arguments.plot.empty()) {
+    constexpr const char* curves = "precision_recall.csv";
+    if (std::ranges::find(outcome.files, curves) == outcome.files.end()) {
+      throw InputError("--plot: the results of this run have no precision-recall curves; the run itself is done");
+    }
+    write_drawing(arguments.plot, curves_plot(read_curves(folder / curves)));
   }
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
   return std::max(replayed, report_flaws(outcome));
 }
 
 int run_request(const RunArguments& arguments, Communicator& ranks) {
+  if (!arguments.plot.empty()) check_drawing_file(arguments.plot);
   RequestedRun request;
   Experiment experiment;
   fs::path folder;
@@ -265,7 +276,7 @@ int run_request(const RunArguments& arguments, Communicator& ranks) {
   const RunOutcome outcome = run_with_cache(arguments, experiment, folder, progress, ranks);
   if (ranks.rank() != 0) return exit_success;
   progress.clear();
-  return report_run(outcome, request, folder);
+  return report_run(outcome, arguments, request, folder);
 }
 
 // Runs of several processes.
@@ -349,8 +360,12 @@ void add_run_command(CLI::App& app, int& status) {
       command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
   add_threads_option(*command, arguments->threads);
-  command->add_option("--set", arguments->source.overrides, "Change a value of the configuration: dotted.key=value")
+  command
+      ->add_option(
+          "--set", arguments->source.overrides,
+          "Change a value of the configuration: dotted.key=value, where signatures[Sum] is the one of that name")
       ->allow_extra_args(false);
+  command->add_option("--plot", arguments->plot, "Chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");
   command->add_flag("--force", arguments->force, "So too, and compute everything anew");
   add_cache_option(*command, arguments->cache);

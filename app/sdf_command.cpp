@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,12 +14,17 @@
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
+#include "app/standard_streams.h"
+#include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/fields/field.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/experiments/results/field_files.h"
+#include "shapegauge/experiments/results/thickness_summary.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
+#include "shapegauge/pages/plots/charts.h"
+#include "shapegauge/pages/shape_view.h"
 
 namespace shapegauge {
 
@@ -25,18 +32,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 2> methods{"offset_sdf", "cone_sdf"};
+constexpr std::array<std::string_view, 3> methods{"offset_sdf", "cone_sdf", "inscribed_ball"};
 
 struct SdfArguments {
   ShapeFiles files{.output_format = "csv"};
   std::string method;
   std::string site = "faces";
-  std::string offset = "0.05";
+  OffsetArguments offset{.offset = "0.05"};
   ParameterTexts settings;  ///< of the method, but for the offset
   bool denoise = false;
   fs::path timings;
   std::string picture_size = "640x480";
   std::string view = "0.6,0.45,1";
+  ColourArguments colours;
+  bool no_legend = false;
+  bool summary = false;
+  std::string format = "table";
+  fs::path plot;
 };
 
 /// The numbers between the separators; none where a word is no number.
@@ -51,8 +63,19 @@ std::vector<double> numbers_in(const std::string& text, char separator) {
   return numbers;
 }
 
+std::string name_of_values(const SdfArguments& arguments) {
+  return arguments.method == "inscribed_ball" ? "inscribed ball" : "SDF";
+}
+
 FieldPicture picture_of(const SdfArguments& arguments) {
   FieldPicture picture;
+  const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
+  const std::string& unit = arguments.offset.unit;
+  picture.label = name_of_values(arguments) + (unit.empty() ? "" : fmt::format(" ({})", unit));
+  picture.range = colours.range;
+  picture.logarithmic = colours.logarithmic;
+  picture.threshold = colours.threshold;
+  picture.legend = !arguments.no_legend;
   const std::vector<double> size = numbers_in(arguments.picture_size, 'x');
   constexpr double largest = 16384;
   if (size.size() != 2 || !(size[0] >= 1 && size[0] <= largest && size[1] >= 1 && size[1] <= largest)) {
@@ -96,11 +119,11 @@ struct Computed {
 };
 
 /// Errors name the input.
-Computed compute(const SdfArguments& arguments, std::optional<double> given_offset, const Shape& shape,
+Computed compute(const SdfArguments& arguments, const GivenOffset& given_offset, const Shape& shape,
                  const std::string& input) {
   try {
     Computed computed;
-    if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset, shape);
+    if (is_offset_sdf(arguments)) computed.chosen = choose_offset(given_offset.fraction_of(shape), shape);
     const Field field =
         wanted_field(arguments, computed.chosen ? std::optional(computed.chosen->offset) : std::nullopt);
     computed.samples = take_samples(shape, field.settings.samples);
@@ -126,7 +149,7 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
-/// Adds an option for each parameter of the two methods.
+/// Adds an option for each parameter of the methods.
 void add_settings(CLI::App& command, SdfArguments& arguments) {
   for (const std::string_view method : methods) {
     for (const Parameter& parameter : field_types().at(method).parameters) {
@@ -139,48 +162,147 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
   }
 }
 
-int run(SdfArguments& arguments) {
+/// What --summary and --plot need of a shape that could be measured.
+struct Measured {
+  std::string name;
+  ScalarField field;
+};
+
+void print_summaries(const SdfArguments& arguments, const std::vector<NamedSummary>& summaries,
+                     const SummaryWords& words) {
+  if (arguments.format == "json") {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const NamedSummary& summary : summaries) all.push_back(summary_json(summary, words));
+    print_output("{}\n", (arguments.files.inputs.size() > 1 ? all : all.front()).dump(2));
+    return;
+  }
+  const Table table = summary_table(summaries, words);
+  if (arguments.format == "csv") return print_output("{}", to_csv(table));
+  if (arguments.format == "markdown") return print_output("{}", to_markdown(table));
+  print_output("{}", arguments.format == "latex" ? to_latex(table) : to_plain_text(table));
+}
+
+/// Shares of the area by value, in bins over one range for all shapes.
+Drawing histogram_plot(const SdfArguments& arguments, const std::vector<Measured>& shapes,
+                       const FieldPicture& picture) {
+  constexpr std::size_t bins = 48;
+  Interval range{std::numeric_limits<double>::infinity(), 0};
+  for (const Measured& shape : shapes) {
+    const Interval values = central_range(shape.field).value_or(Interval{});
+    range = {std::min(range.low, values.low), std::max(range.high, values.high)};
+  }
+  range.low = 0;
+  if (picture.range) range = *picture.range;
+  HistogramChart chart{.title = shapes.size() == 1 ? fs::path(shapes[0].name).filename().string() : "",
+                       .x = {.label = picture.label, .low = range.low, .high = range.high},
+                       .histograms = {}};
+  for (const Measured& shape : shapes) {
+    const double total = shape.field.weights.sum();
+    std::vector<double> shares(bins, 0);
+    for (Eigen::Index i = 0; i < shape.field.values.size(); ++i) {
+      const double part = chart.x.part(shape.field.values[i]) * bins;
+      if (part >= 0 && part <= bins) {
+        shares[std::min(bins - 1, static_cast<std::size_t>(part))] += shape.field.weights[i] / total;
+      }
+    }
+    chart.histograms.push_back({.name = fs::path(shape.name).filename().string(), .shares = std::move(shares)});
+  }
+  if (!picture.threshold) return draw_chart(chart);
+  chart.mark = picture.threshold;
+  chart.mark_label =
+      fmt::format("{:g}{}", *picture.threshold, arguments.offset.unit.empty() ? "" : " " + arguments.offset.unit);
+  return draw_chart(chart);
+}
+
+void check_outputs(SdfArguments& arguments) {
+  if (arguments.files.output.empty() && !arguments.summary && arguments.plot.empty()) {
+    throw InputError("--output is required, or --summary or --plot");
+  }
   if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
     throw InputError("--timings goes with one shape; leave it out for several");
   }
+  if (arguments.summary && is_standard_stream(arguments.files.output)) {
+    throw InputError("--summary is printed to standard output, where --output already goes");
+  }
+  if (!arguments.plot.empty()) check_drawing_file(arguments.plot);
+  arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}},
+                            {.path = arguments.plot, .what = "--plot"}};
+}
+
+int run(SdfArguments& arguments) {
+  check_outputs(arguments);
   const FieldPicture picture = picture_of(arguments);
-  const std::optional<double> given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : std::nullopt;
-  wanted_field(arguments, given_offset);  // reports wrong settings before any file is read
-  const FieldFileWriter write = field_file_writer(output_name(arguments.files), picture);
-  arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}}};
-  return for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
+  const GivenOffset given_offset = is_offset_sdf(arguments) ? parse_offset(arguments.offset) : GivenOffset{};
+  wanted_field(arguments, given_offset.fraction);  // reports wrong settings before any file is read
+  FieldFileWriter write;
+  if (!arguments.files.output.empty()) write = field_file_writer(output_name(arguments.files), picture);
+  std::vector<std::optional<Measured>> measured(arguments.files.inputs.size());
+  const int status = for_each_shape(arguments.files, [&](const Shape& given, const ShapeJob& job, Remarks& remarks) {
     const Shape shape = arguments.denoise ? denoised_with_remark(given, remarks) : given;
-    const Computed computed = compute(arguments, given_offset, shape, job.input);
-    write(job.output, shape, computed.samples, computed.field.values);
-    remark_on_polygons(shape, computed.samples.site, remarks);
+    Computed computed = compute(arguments, given_offset, shape, job.input);
+    if (write) {
+      write(job.output, shape, computed.samples, computed.field.values);
+      remark_on_polygons(shape, computed.samples.site, remarks);
+    }
     if (!arguments.timings.empty()) write_timings(arguments.timings, shape, job.read_seconds, computed);
     if (computed.chosen) remark_on(*computed.chosen, remarks);
+    remark_on_cavities(shape, is_offset_sdf(arguments), remarks);
     remark_on(computed.field.outcomes, remarks);
+    if (!arguments.summary && arguments.plot.empty()) return;
+    measured[job.index] = {
+        .name = job.input,
+        .field = {.values = std::move(computed.field.values), .weights = std::move(computed.samples.weights)}};
   });
+  std::vector<Measured> shapes;
+  std::vector<NamedSummary> summaries;
+  for (std::optional<Measured>& shape : measured) {
+    if (!shape) continue;
+    summaries.push_back({.name = shape->name, .summary = summarise(shape->field, picture.threshold)});
+    shapes.push_back(std::move(*shape));
+  }
+  if (shapes.empty()) return status;
+  if (arguments.summary) {
+    print_summaries(arguments, summaries, {.unit = arguments.offset.unit, .threshold = picture.threshold});
+  }
+  if (!arguments.plot.empty()) write_drawing(arguments.plot, histogram_plot(arguments, shapes, picture));
+  return status;
 }
 
 }  // namespace
 
 void add_sdf_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("sdf", "Compute the shape diameter function of shapes, in the files' units");
+  CLI::App* command =
+      app.add_subcommand("sdf", "Compute the thickness of shapes: the shape diameter function or inscribed balls");
   command->footer(
       "Example: shapegauge sdf bunny.off --method offset_sdf --offset 0.03 -o bunny.ply\n"
-      "         shapegauge sdf models/*.off --method cone_sdf -o sdf/");
+      "         shapegauge sdf models/*.off --method cone_sdf -o sdf/\n"
+      "         shapegauge sdf bracket.stl --method inscribed_ball --unit mm --summary --below 2mm\n"
+      "Values are in the units of the files.");
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
   command
       ->add_option("--method", arguments->method,
-                   "offset_sdf (or offset): of the offset surface; cone_sdf (or cone): conventional")
+                   "offset_sdf (or offset): SDF of the offset surface; cone_sdf (or cone): conventional SDF; "
+                   "inscribed_ball (or ball): largest ball inside")
       ->required()
-      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "offset", "cone"}));
+      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball", "offset", "cone", "ball"}));
   add_shape_outputs(*command, arguments->files,
-                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)");
+                    ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
+      ->required(false);
+  command->add_flag("--summary", arguments->summary,
+                    "Print least, percentiles, greatest and mean thickness, and the area below --below");
+  command->add_option("--format", arguments->format, "Format of the summary")
+      ->check(CLI::IsMember({"table", "csv", "markdown", "latex", "json"}))
+      ->capture_default_str();
+  command->add_option("--plot", arguments->plot, "Histogram of the values: .svg, .pdf or .png");
   command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
+  add_colour_options(*command, arguments->colours);
+  command->add_flag("--no-legend", arguments->no_legend, "Leave the colours' legend out of a .png");
   command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png in pixels")
       ->capture_default_str();
   command
@@ -190,7 +312,8 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, offset] {
-    if (!arguments->method.ends_with("_sdf")) arguments->method += "_sdf";
+    if (arguments->method == "ball") arguments->method = "inscribed_ball";
+    if (arguments->method == "offset" || arguments->method == "cone") arguments->method += "_sdf";
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not go with --method " + arguments->method);
     }

@@ -36,7 +36,7 @@ struct SegmentArguments {
   std::string method = "best";
   int parts = 0;
   std::string field = "offset";
-  std::string offset = "0.05";
+  OffsetArguments offset{.offset = "0.05"};
   bool denoise = false;
 };
 
@@ -74,7 +74,7 @@ Labels paper_labels(const Shape& given, const SegmentArguments& arguments, Remar
   if (arguments.field == "cone") {
     field.values = cone_sdf(shape, graph.samples, {}).values;
   } else {
-    const ChosenOffset chosen = choose_offset(parse_offset(arguments.offset), shape);
+    const ChosenOffset chosen = choose_offset(parse_offset(arguments.offset).fraction_of(shape), shape);
     field.values = offset_sdf(shape, graph.samples, {.offset = chosen.offset}).values;
     remark_on(chosen, remarks);
   }

@@ -84,6 +84,9 @@ Shape read_input(const fs::path& input, const std::string& format) {
                                  : read_shape_source(input);
   if (!format.empty()) return read_shape(source, "." + format);
   if (is_recognised_shape(source)) return read_shape(source);
+  if (const auto advice = unread_format_advice(input)) {
+    throw InputError(fmt::format("{}: {}", source.name, *advice));
+  }
   throw InputError(
       fmt::format("{}: unknown format: neither the name nor the content identifies it; use --input-format ({})",
                   source.name, fmt::join(input_formats(), ", ")));
@@ -122,14 +125,16 @@ void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
   add_threads_option(command, files.threads);
 }
 
-void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description) {
-  command
-      .add_option("-o,--output", files.output,
-                  "Result: " + description + "; a folder, as in out/, for several; -: standard output")
-      ->required();
+CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description) {
+  CLI::Option* const output =
+      command
+          .add_option("-o,--output", files.output,
+                      "Result: " + description + "; a folder, as in out/, for several; -: standard output")
+          ->required();
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();
   command.add_flag("--replace", files.replace, "Overwrite existing files, inputs too");
+  return output;
 }
 
 void remark_on_polygons(const Shape& shape, SampleSite site, Remarks& remarks) {

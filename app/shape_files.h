@@ -12,7 +12,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 /// The files of commands that do the same to one shape or to many: `sdf`, `normals`, `info`, `perturb`, `convert`.
 
@@ -33,8 +34,8 @@ struct ShapeFiles {
 void add_shape_inputs(CLI::App& command, ShapeFiles& files);
 
 /// Adds -o, --output-format and --replace. `description`: what the formats are; the usual format is the one already in
-/// `files.output_format`.
-void add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description);
+/// `files.output_format`. Returns -o, which is required.
+CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description);
 
 /// A name with the format of the outputs, to find their writer before anything is read.
 std::filesystem::path output_name(const ShapeFiles& files);

@@ -21,6 +21,7 @@
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/results/field_files.h"
 #include "shapegauge/pages/coarse_view.h"
 #include "shapegauge/pages/shape_view.h"
 #include "shapegauge/segmentation/part_segmentation.h"
@@ -37,11 +38,13 @@ struct ViewArguments {
   ShapeFiles files;
   fs::path output;
   std::vector<std::string> fields;
-  std::string offset = "auto";
+  OffsetArguments offset;
+  ColourArguments colours;
   int parts = 0;
   bool no_parts = false;
   Eigen::Index most_faces = 200'000;
   std::string title;
+  std::string up = "auto";
   bool denoise = false;
 };
 
@@ -103,25 +106,50 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
 }
 
 /// Adds a field to the view, and the normals of the first one that estimates them.
-void add_field(const WantedField& wanted, std::optional<double> offset, FieldSource& source, const Samples& samples,
-               ShapeView& view, Remarks& remarks) {
+void add_field(const WantedField& wanted, const GivenOffset& offset, const ColourChoice& colours, FieldSource& source,
+               const Samples& samples, ShapeView& view, Remarks& remarks) {
   FieldSettings settings = wanted.settings;
   if (wanted.chooses_offset) {
-    const ChosenOffset chosen = choose_offset(offset, source.shape());
+    const ChosenOffset chosen = choose_offset(offset.fraction_of(source.shape()), source.shape());
     settings.values.set("offset", chosen.offset);
     remark_on(chosen, remarks);
     view.note = fmt::format("offset {:.3g} % of the diagonal", 100 * chosen.offset);
   }
-  FieldValues computed = make_field(std::move(settings)).compute(source, samples, true);
-  const auto range = central_range({.values = computed.values, .weights = samples.weights});
+  const Field field = make_field(std::move(settings));
+  FieldValues computed = field.compute(source, samples, true);
+  // Thresholds and ranges are lengths.
+  const bool is_length = field.dimension == FieldDimension::length;
+  const ColourScale scale = colour_scale_of({.values = computed.values, .weights = samples.weights},
+                                            {.range = is_length ? colours.range : std::nullopt,
+                                             .logarithmic = colours.logarithmic,
+                                             .threshold = is_length ? colours.threshold : std::nullopt});
   const auto missing = computed.values.array().isNaN().count();
   if (missing > 0) {
     remarks.warnings.push_back(
         fmt::format("{}: {} of {} samples missing", wanted.name, missing, samples.points.rows()));
   }
-  view.fields.push_back(
-      {.name = wanted.name, .values = std::move(computed.values), .colours = range.value_or(Interval{})});
+  view.fields.push_back({.name = wanted.name,
+                         .values = std::move(computed.values),
+                         .colours = {scale.low, scale.high},
+                         .set_range = is_length && colours.range.has_value(),
+                         .logarithmic = scale.logarithmic,
+                         .threshold = scale.threshold});
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
+}
+
+/// What is up in a shape: what --up says or, where that is "auto", what files of its kind usually have: z in those of
+/// CAD, printing and scanning (STL, PLY, 3MF, lines of points), y in the others. Nothing for "principal".
+std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string& input) {
+  if (word == "principal") return std::nullopt;
+  std::string axis = word;
+  if (word == "auto") {
+    const std::string extension = lower_case(fs::path(input).extension().string());
+    const bool y_is_up = extension == ".obj" || extension == ".off" || extension == ".gltf" || extension == ".glb";
+    axis = y_is_up ? "y" : "z";
+  }
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  up[axis.back() - 'x'] = axis.starts_with('-') ? -1 : 1;
+  return up;
 }
 
 /// The parts as `shapegauge segment` cuts them; without them where a shape cannot be cut.
@@ -139,11 +167,12 @@ void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   }
 }
 
-ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields, std::optional<double> offset,
-                   const Shape& given, const ShapeJob& job, Remarks& remarks) {
+ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField>& fields, const GivenOffset& offset,
+                   const ColourChoice& colours, const Shape& given, const ShapeJob& job, Remarks& remarks) {
   ShapeView view{.name = fs::path(job.input).filename().string(),
                  .shape = arguments.denoise ? denoised_with_remark(given, remarks) : given};
   const bool cloud = is_cloud(view.shape);
+  view.up = up_of(arguments.up, job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
   if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent: there is nothing to show");
   const Samples samples = sample_shape(view.shape, view.site);
@@ -151,8 +180,11 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   for (const WantedField& field : fields) {
     // Nobody asked for what a cloud cannot have.
     if (cloud && arguments.fields.empty() && field.settings.type == "cone_sdf") continue;
-    add_field(field, offset, source, samples, view, remarks);
+    add_field(field, offset, colours, source, samples, view, remarks);
   }
+  const bool measures_hull =
+      std::ranges::any_of(fields, [](const WantedField& field) { return field.settings.type == "offset_sdf"; });
+  remark_on_cavities(view.shape, measures_hull, remarks);
   if (view.normals.rows() == 0) view.normals = samples.normals;
   if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);
   const Eigen::Index count = samples.points.rows();
@@ -181,18 +213,24 @@ void check_output(const fs::path& output) {
 int run(ViewArguments& arguments, bool offset_given) {
   check_output(arguments.output);
   const std::vector<WantedField> fields = wanted_fields(arguments, offset_given);
-  const std::optional<double> offset = parse_offset(arguments.offset);
+  const GivenOffset offset = parse_offset(arguments.offset);
+  const ColourChoice colours = parse_colours(arguments.colours, arguments.offset.unit);
   arguments.files.others = {{.path = arguments.output, .what = "--output", .takes_stream = true}};
   std::vector<std::optional<ShapeView>> views(arguments.files.inputs.size());
+  std::vector<std::vector<std::string>> warnings(views.size());
   const int status = for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& remarks) {
     try {
-      views[job.index] = measured(arguments, fields, offset, shape, job, remarks);
+      views[job.index] = measured(arguments, fields, offset, colours, shape, job, remarks);
+      warnings[job.index] = remarks.warnings;
     } catch (const std::exception& error) {
       throw InputError(fmt::format("{}: {}", job.input, error.what()));
     }
   });
-  ViewPage page;
+  ViewPage page{.title = {}, .shapes = {}, .missing = {}, .warnings = {}, .unit = arguments.offset.unit};
   for (std::size_t i = 0; i < views.size(); ++i) {
+    for (const std::string& warning : warnings[i]) {
+      page.warnings.push_back(fmt::format("{}: {}", arguments.files.inputs[i].filename().string(), warning));
+    }
     if (views[i])
       page.shapes.push_back(std::move(*views[i]));
     else
@@ -236,6 +274,14 @@ void add_view_command(CLI::App& app, int& status) {
       ->add_option("--max-faces", arguments->most_faces,
                    "Meshes with more faces, and clouds with more points, are measured whole and shown simplified")
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
+      ->capture_default_str();
+  add_colour_options(*command, arguments->colours);
+  command
+      ->add_option(
+          "--up", arguments->up,
+          "Axis that is up at first; auto: z of STL, PLY, 3MF and lines of points, y of others; principal: the "
+          "shape's own axes")
+      ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();
   command->add_option("--title", arguments->title, "Title of the page (default: the names of the shapes)");
   add_denoise_option(*command, arguments->denoise);

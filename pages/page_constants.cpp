@@ -52,6 +52,7 @@ std::string page_constants_script() {
   add("Colours of no value, and of a shape without colours.", "unknownColour",
       fmt::format("'{}'", css_colour(colour_of(std::numeric_limits<double>::quiet_NaN()))));
   script += fmt::format("export const plainColour = '{}';\n", css_colour(plain_colour));
+  add("Colour of values below a threshold.", "belowColour", fmt::format("'{}'", css_colour(below_threshold)));
   add("The colour map, from 0 to 1.", "ramp", fmt::format("[\n{}]", ramp_lines()));
   return script;
 }

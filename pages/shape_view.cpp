@@ -81,12 +81,16 @@ Json packed_field(const ViewField& field, const std::vector<std::int32_t>& place
   }
   if (low > high) low = high = 0;
   const Eigen::VectorXd values = field.values(places);
-  return {{"name", field.name},
-          {"low", low},
-          {"high", high},
-          {"from", field.colours.low},
-          {"to", field.colours.high},
-          {"values", packed_values(values, low, high > low ? high - low : 1)}};
+  Json packed{{"name", field.name},
+              {"low", low},
+              {"high", high},
+              {"from", field.colours.low},
+              {"to", field.colours.high},
+              {"values", packed_values(values, low, high > low ? high - low : 1)}};
+  if (field.set_range) packed["set"] = true;
+  if (field.logarithmic) packed["log"] = true;
+  if (field.threshold) packed["below"] = *field.threshold;
+  return packed;
 }
 
 Json packed_parts(const ShapeView& view, const std::vector<std::int32_t>& places) {
@@ -119,9 +123,21 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
       {"step", rounded(step, digits)}, {"values", base64(bytes)}, {"directions", packed_directions(normals, places)}};
 }
 
+/// How the shape is seen at first.
+RenderOptions first_look(const ShapeView& view, RenderOptions look = {}) {
+  if (!view.up) return principal_view(view.shape, look);
+  // The front of a shape whose z is up looks along -y, of one whose y is up along z.
+  const Eigen::Vector3d up = view.up->normalized();
+  const Eigen::Vector3d front =
+      std::abs(up.z()) > 0.5 ? Eigen::Vector3d(-Eigen::Vector3d::UnitY()) : Eigen::Vector3d::UnitZ();
+  look.up = up;
+  look.towards_viewer = front + 0.6 * up.cross(front) + 0.45 * up;
+  return look;
+}
+
 /// To the right, upwards and towards the viewer of the shape's picture.
-Json first_axes(const Shape& shape) {
-  const RenderOptions look = principal_view(shape);
+Json first_axes(const ShapeView& view) {
+  const RenderOptions look = first_look(view);
   const Eigen::Vector3d towards = look.towards_viewer.normalized();
   const Eigen::Vector3d right = look.up.cross(towards).normalized();
   const Eigen::Vector3d up = towards.cross(right);
@@ -166,7 +182,7 @@ Json shape_view_json(const ShapeView& view) {
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to show: the shape has no finite extent");
   const bool cloud = is_cloud(shape);
-  Json json{{"name", view.name}, {"note", view.note}, {"axes", first_axes(shape)}};
+  Json json{{"name", view.name}, {"note", view.note}, {"axes", first_axes(view)}};
   std::vector<std::int32_t> places;
   if (cloud) {
     places = counted_up(shape.vertices.rows());
@@ -193,13 +209,16 @@ std::string shape_view_picture(const ShapeView& view, int pixels) {
   std::vector<Colour> colours(static_cast<std::size_t>(places), plain_colour);
   if (!view.fields.empty()) {
     const ViewField& field = view.fields.front();
-    colours = colours_of(field.values, field.colours.low, field.colours.high);
+    colours = colours_of(field.values, ColourScale{.low = field.colours.low,
+                                                   .high = field.colours.high,
+                                                   .logarithmic = field.logarithmic,
+                                                   .threshold = field.threshold});
   }
   RenderOptions look{.width = pixels, .height = pixels};
   look.rays_per_side = 2;
   look.transparent = true;
-  return encode_png(render_shape(view.shape, colours, faces ? SampleSite::faces : SampleSite::vertices,
-                                 principal_view(view.shape, look)));
+  return encode_png(
+      render_shape(view.shape, colours, faces ? SampleSite::faces : SampleSite::vertices, first_look(view, look)));
 }
 
 std::string view_page(const ViewPage& page) {
@@ -216,8 +235,12 @@ std::string view_page(const ViewPage& page) {
                           html_text(page.shapes[i].name), picture_pixels, base64(pictures[i]));
   }
   const std::string title = html_text(page.title);
-  const std::string data =
-      script_data({{"version", version()}, {"title", page.title}, {"missing", page.missing}, {"shapes", shapes}});
+  const std::string data = script_data({{"version", version()},
+                                        {"title", page.title},
+                                        {"missing", page.missing},
+                                        {"warnings", page.warnings},
+                                        {"unit", page.unit},
+                                        {"shapes", shapes}});
   const std::string style = palette_style().append(page_files::common_style()).append(page_files::view_style());
   const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
   const std::array<std::pair<std::string_view, std::string_view>, 6> marks{{{"{{title}}", title},

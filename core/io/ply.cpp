@@ -383,6 +383,7 @@ struct SampleProperties {
   SampleSite site;
   std::string declaration;
   std::function<void(std::string& bytes, Eigen::Index sample)> append;
+  std::string comment = {};
 };
 
 constexpr std::string_view normal_declaration = "property double nx\nproperty double ny\nproperty double nz\n";
@@ -392,9 +393,10 @@ std::string header_of(const Shape& shape, const SampleProperties* samples) {
     return samples && samples->site == site ? samples->declaration : std::string();
   };
   std::string header = fmt::format(
-      "ply\nformat binary_little_endian 1.0\n"
+      "ply\nformat binary_little_endian 1.0\n{}"
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n{}{}",
-      shape.vertices.rows(), has_cloud_normals(shape) ? normal_declaration : "", properties_at(SampleSite::vertices));
+      samples && !samples->comment.empty() ? "comment " + samples->comment + "\n" : "", shape.vertices.rows(),
+      has_cloud_normals(shape) ? normal_declaration : "", properties_at(SampleSite::vertices));
   if (!is_cloud(shape)) {
     header += fmt::format("element face {}\nproperty list uchar int vertex_indices\n{}", shape.triangles.rows(),
                           properties_at(SampleSite::faces));
@@ -446,7 +448,8 @@ void check_ply_header(const std::string& bytes, const std::string& name) {
 void write_ply(const std::filesystem::path& path, const Shape& shape) { write(path, shape, nullptr); }
 
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name) {
+               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name,
+               std::string_view comment) {
   const Eigen::Index samples = sample_count(shape, site);
   if (values.size() != samples || colours.size() != static_cast<std::size_t>(samples)) {
     throw InputError(fmt::format("cannot write {}: {} values and {} colours for {} samples", path.string(),
@@ -456,10 +459,13 @@ void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite
       .site = site,
       .declaration = fmt::format("property uchar red\nproperty uchar green\nproperty uchar blue\nproperty double {}\n",
                                  value_name),
-      .append = [&](std::string& bytes, Eigen::Index i) {
-        for (const std::uint8_t channel : colours[static_cast<std::size_t>(i)]) append_little_endian(bytes, channel);
-        append_little_endian(bytes, values[i]);
-      }};
+      .append =
+          [&](std::string& bytes, Eigen::Index i) {
+            for (const std::uint8_t channel : colours[static_cast<std::size_t>(i)])
+              append_little_endian(bytes, channel);
+            append_little_endian(bytes, values[i]);
+          },
+      .comment = std::string(comment)};
   write(path, shape, &coloured);
 }
 

@@ -36,9 +36,12 @@ void write_ply(const std::filesystem::path& path, const Shape& shape);
 /// element `face` or `vertex`, as the site says, has the properties `red`, `green`, `blue` and one of the given name (a
 /// double, written exactly; NaN where a value is). A point cloud has values at its vertices.
 ///
+/// `comment`: a line of the header, without line ends; empty: none.
+///
 /// Throws InputError as above, and where the numbers of values or colours are not the site's number of samples.
 void write_ply(const std::filesystem::path& path, const Shape& shape, SampleSite site, const Eigen::VectorXd& values,
-               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name = "sdf");
+               const std::vector<std::array<std::uint8_t, 3>>& colours, std::string_view value_name = "sdf",
+               std::string_view comment = {});
 
 /// Writes a shape with a normal at each of its triangles or vertices: the element `face` or `vertex`, as the site says,
 /// has the properties `nx`, `ny`, `nz` (doubles, written exactly). Those of the cloud itself are left out.

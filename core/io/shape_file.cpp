@@ -1,13 +1,16 @@
 #include "shapegauge/core/io/shape_file.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
+#include <optional>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/core/io/gltf.h"
 #include "shapegauge/core/io/obj.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/ply.h"
@@ -21,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::vector<ShapeFormat> own_formats() {
-  return {off_format(), obj_format(), ply_format(), stl_format(), xyz_format()};
+  return {off_format(), obj_format(), ply_format(), stl_format(), gltf_format(), xyz_format()};
 }
 
 std::vector<std::string_view> extensions_of(const ShapeFormat& format) {
@@ -55,6 +58,7 @@ const ShapeFormat* find_format(std::string extension, std::string_view bytes) {
 
 const ShapeFormat& format_of(std::string_view name, const std::string& extension, std::string_view bytes) {
   if (const ShapeFormat* const format = find_format(extension, bytes)) return *format;
+  if (const auto advice = unread_format_advice("x" + extension)) throw InputError(fmt::format("{}: {}", name, *advice));
   throw InputError(fmt::format("{}: unknown shape format \"{}\"; known are {}", name, extension,
                                fmt::join(shape_extensions(), ", ")));
 }
@@ -116,6 +120,47 @@ ShapeWriter shape_writer(const fs::path& path) {
 Registry<ShapeFormat>& shape_formats() {
   static Registry<ShapeFormat> all("format of shapes", own_formats(), check_format);
   return all;
+}
+
+std::optional<std::string> unread_format_advice(const fs::path& file) {
+  struct UnreadFormat {
+    std::string_view extension;
+    std::string_view advice;
+  };
+  constexpr std::string_view solid = "a CAD model has no triangles; export it as STL";
+  constexpr std::string_view scene = "export the model as glTF, PLY or OBJ";
+  static constexpr std::array unread{UnreadFormat{".step", solid},
+                                     UnreadFormat{".stp", solid},
+                                     UnreadFormat{".iges", solid},
+                                     UnreadFormat{".igs", solid},
+                                     UnreadFormat{".brep", solid},
+                                     UnreadFormat{".sldprt", solid},
+                                     UnreadFormat{".f3d", solid},
+                                     UnreadFormat{".fcstd", solid},
+                                     UnreadFormat{".fbx", scene},
+                                     UnreadFormat{".blend", scene},
+                                     UnreadFormat{".3ds", scene},
+                                     UnreadFormat{".max", scene},
+                                     UnreadFormat{".dae", scene},
+                                     UnreadFormat{".usd", scene},
+                                     UnreadFormat{".usdz", scene},
+                                     UnreadFormat{".usda", scene},
+                                     UnreadFormat{".usdc", scene},
+                                     UnreadFormat{".wrl", scene},
+                                     UnreadFormat{".x3d", scene},
+                                     UnreadFormat{".skp", scene},
+                                     UnreadFormat{".3dm", scene},
+                                     UnreadFormat{".3mf", "export the model as STL or PLY"},
+                                     UnreadFormat{".amf", "export the model as STL or PLY"},
+                                     UnreadFormat{".las", "export the points as PLY or as lines of x y z"},
+                                     UnreadFormat{".laz", "export the points as PLY or as lines of x y z"},
+                                     UnreadFormat{".e57", "export the points as PLY or as lines of x y z"},
+                                     UnreadFormat{".pcd", "export the points as PLY or as lines of x y z"},
+                                     UnreadFormat{".vtk", "export the surface as PLY or STL"},
+                                     UnreadFormat{".msh", "export the surface as PLY or STL"}};
+  const auto* const found = std::ranges::find(unread, lower_case(extension_of(file)), &UnreadFormat::extension);
+  if (found == unread.end()) return std::nullopt;
+  return fmt::format("{} files are not read: {}", found->extension, found->advice);
 }
 
 std::vector<std::string_view> shape_extensions() {

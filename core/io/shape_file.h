@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -70,6 +71,9 @@ struct ShapeFormat {
 /// All formats of shapes: those of this folder, one file each and one line in shape_file.cpp, then those that were
 /// added. An entry has extensions that no other has.
 Registry<ShapeFormat>& shape_formats();
+
+/// What to do with a file of a format that is common, but not read (.step, .fbx): a sentence; nothing for other files.
+std::optional<std::string> unread_format_advice(const std::filesystem::path& file);
 
 /// The extensions of all files that read_shape() knows by their names.
 std::vector<std::string_view> shape_extensions();

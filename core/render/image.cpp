@@ -67,6 +67,21 @@ std::vector<Colour> colours_of(const Eigen::VectorXd& values, double lowest, dou
   return colours;
 }
 
+std::vector<Colour> colours_of(const Eigen::VectorXd& values, const ColourScale& scale) {
+  const auto on_map = [&](const Eigen::ArrayXd& mapped, double low, double high) {
+    return colours_of(Eigen::VectorXd(mapped), low, high);
+  };
+  std::vector<Colour> colours =
+      scale.logarithmic ? on_map(values.array().max(scale.low * 1e-9).log(), std::log(scale.low), std::log(scale.high))
+                        : on_map(values.array(), scale.low, scale.high);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const double value = values[static_cast<Eigen::Index>(i)];
+    if (std::isnan(value)) colours[i] = no_value;  // the largest of it and a number may be the number
+    if (scale.threshold && value < *scale.threshold) colours[i] = below_threshold;
+  }
+  return colours;
+}
+
 std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0 || image.pixels.size() != byte_count(image.width, image.height)) {
     throw ArgumentError(

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,20 @@ Colour colour_of(double t);
 /// Colours of values on the map whose ends are `lowest` and `highest`. Where these are equal, values below, at and
 /// above them have the colours of 0, 1/2 and 1.
 std::vector<Colour> colours_of(const Eigen::VectorXd& values, double lowest, double highest);
+
+/// How values become colours.
+struct ColourScale {
+  double low = 0;                        ///< the value at the lower end of the map
+  double high = 1;                       ///< the value at its upper end
+  bool logarithmic = false;              ///< even steps of the logarithm; both ends are then above 0
+  std::optional<double> threshold = {};  ///< what is less has the colour `below_threshold`
+};
+
+/// Colour of values below a threshold: a red that is not on the map.
+inline constexpr Colour below_threshold = {214, 39, 40};
+
+/// Colours of values on the scale.
+std::vector<Colour> colours_of(const Eigen::VectorXd& values, const ColourScale& scale);
 
 /// 8-bit sRGB with opacity (not premultiplied): four bytes a pixel, row by row from the top.
 struct Image {

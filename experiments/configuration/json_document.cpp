@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -82,6 +83,65 @@ nlohmann::json& element(nlohmann::json& array, std::string_view index, std::stri
   return array[position];
 }
 
+/// The element of an array of objects that has the name.
+nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std::string_view assignment) {
+  std::vector<std::string> names;
+  if (parent.is_array()) {
+    for (nlohmann::json& one : parent) {
+      if (!one.is_object() || !one.contains("name") || !one["name"].is_string()) continue;
+      if (one["name"] == name) return one;
+      names.push_back(one["name"]);
+    }
+  }
+  fail(assignment, fmt::format("nothing there is called \"{}\"{}", printable(name, 60),
+                               names.empty() ? "" : fmt::format("; there are: {}", fmt::join(names, ", "))));
+}
+
+/// A step on the way to a value: a key or an index or, in brackets, a name or an index.
+struct OverrideStep {
+  std::string_view text;
+  bool bracketed = false;
+};
+
+/// The next step; takes it, and the dot behind it, off the front of the keys.
+OverrideStep take_step(std::string_view& keys, std::string_view assignment) {
+  OverrideStep step;
+  if (keys.starts_with('[')) {
+    const bool quoted = keys.starts_with("[\"");
+    const std::size_t begin = quoted ? 2 : 1;
+    const std::size_t end = keys.find(quoted ? "\"]" : "]", begin);
+    if (end == std::string_view::npos) fail(assignment, "a bracket is not closed");
+    step = {keys.substr(begin, end - begin), true};
+    keys.remove_prefix(end + begin);
+    if (!keys.empty() && keys.front() != '.' && keys.front() != '[')
+      fail(assignment, "expected a dot behind the bracket");
+  } else {
+    step = {keys.substr(0, keys.find_first_of(".["))};
+    keys.remove_prefix(step.text.size());
+  }
+  if (step.text.empty()) fail(assignment, "a key between the dots is empty");
+  if (keys.starts_with('.')) {
+    keys.remove_prefix(1);
+    if (keys.empty()) fail(assignment, "a key between the dots is empty");
+  }
+  return step;
+}
+
+/// Where the first `=` outside brackets is.
+std::size_t place_of_equals(std::string_view assignment) {
+  bool in_brackets = false;
+  for (std::size_t i = 0; i < assignment.size(); ++i) {
+    if (assignment[i] == '[') in_brackets = true;
+    if (assignment[i] == ']') in_brackets = false;
+    if (assignment[i] == '=' && !in_brackets) return i;
+  }
+  return std::string_view::npos;
+}
+
+bool is_index(std::string_view text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 nlohmann::json& child(nlohmann::json& parent, std::string_view key, std::string_view assignment) {
   if (parent.is_array()) return element(parent, key, assignment);
   if (parent.is_null()) parent = nlohmann::json::object();
@@ -152,23 +212,18 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
 
 void apply_override(nlohmann::json& document, std::string_view assignment) {
   if (!is_utf8(assignment)) fail(assignment, "the bytes are not UTF-8");
-  const std::size_t equals = assignment.find('=');
+  const std::size_t equals = place_of_equals(assignment);
   if (equals == std::string_view::npos || equals == 0) {
     fail(assignment, "expected dotted.key=value, for example signatures.0.histogram.bins=40");
   }
   constexpr auto most_keys = 100;
-  if (std::ranges::count(assignment.substr(0, equals), '.') >= most_keys) {
-    fail(assignment, fmt::format("more than {} keys", most_keys));
-  }
   nlohmann::json* target = &document;
   std::string_view keys = assignment.substr(0, equals);
-  while (true) {
-    const std::size_t dot = keys.find('.');
-    const std::string_view key = keys.substr(0, dot);
-    if (key.empty()) fail(assignment, "a key between the dots is empty");
-    target = &child(*target, key, assignment);
-    if (dot == std::string_view::npos) break;
-    keys.remove_prefix(dot + 1);
+  for (int depth = 0; !keys.empty(); ++depth) {
+    if (depth >= most_keys) fail(assignment, fmt::format("more than {} keys", most_keys));
+    const OverrideStep step = take_step(keys, assignment);
+    const bool by_name = step.bracketed && !is_index(step.text);
+    target = by_name ? &named_element(*target, step.text, assignment) : &child(*target, step.text, assignment);
   }
   const std::string_view value = assignment.substr(equals + 1);
   *target = parse_if_json(value, "--set " + printable(assignment, 100)).value_or(nlohmann::json(value));

@@ -50,10 +50,11 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
                                  const std::filesystem::path& folder);
 
 /// Changes one value of a document as `--set` says it: `dotted.key=value`, where a key of an array is an index
-/// (`signatures.0.histogram.bins=40`). The value is JSON where it parses as JSON, else a string. Objects that are
-/// absent on the way are made. Throws InputError for an assignment without key or `=`, an index beyond the array, a key
-/// that leads into something that is neither object nor array, bytes that are not UTF-8, or a value in JSON that
-/// parse_json would refuse.
+/// (`signatures.0.histogram.bins=40`), or the name of its element in brackets (`signatures["Sum"].scale=local`; the
+/// quotation marks may be left out). The value is JSON where it parses as JSON, else a string. Objects that are absent
+/// on the way are made. Throws InputError for an assignment without key or `=`, an index beyond the array, a name that
+/// no element has, a key that leads into something that is neither object nor array, bytes that are not UTF-8, or a
+/// value in JSON that parse_json would refuse.
 void apply_override(nlohmann::json& document, std::string_view assignment);
 
 }  // namespace shapegauge

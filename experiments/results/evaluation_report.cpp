@@ -1,23 +1,44 @@
 #include "shapegauge/experiments/results/evaluation_report.h"
 
+#include <deque>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 
-std::string evaluation_report_page(const NamedEvaluation& named, const EvaluationData& data) {
-  const DistanceOverview distances = overview_of(whole_matrix(data.distances), data.task.retrieval.query_classes);
+std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods) {
+  const EvaluationTask& task = methods.front().data->task;
+  std::deque<DistanceOverview> overviews;
   Report report;
-  report.title = named.method;
-  report.classes = data.task.class_names;
-  report.ids = data.task.query_ids;
-  report.labels = data.task.retrieval.query_classes;
-  report.methods.push_back({.name = named.method,
-                            .description = {},
-                            .distances = &distances,
-                            .evaluations = {named.evaluation, 1},
-                            .histograms = {}});
+  report.classes = task.class_names;
+  report.ids = task.query_ids;
+  report.labels = task.retrieval.query_classes;
+  std::vector<std::string> names;
+  for (const auto& [named, data] : methods) {
+    if (data->task.query_ids != task.query_ids || data->task.retrieval.query_classes != task.retrieval.query_classes) {
+      throw InputError(
+          fmt::format("a report takes matrices of the same models in the same order, which those of {} and "
+                      "{} are not",
+                      methods.front().named.method, named.method));
+    }
+    overviews.push_back(overview_of(whole_matrix(data->distances), data->task.retrieval.query_classes));
+    report.methods.push_back({.name = named.method,
+                              .description = {},
+                              .distances = &overviews.back(),
+                              .evaluations = {named.evaluation, 1},
+                              .histograms = {}});
+    names.push_back(named.method);
+  }
+  report.title = fmt::format("{}", fmt::join(names, ", "));
   return report_page(report);
+}
+
+std::string evaluation_report_page(const NamedEvaluation& named, const EvaluationData& data) {
+  return evaluation_report_page({{.named = named, .data = &data}});
 }
 
 }  // namespace shapegauge

@@ -1,7 +1,9 @@
 #include "shapegauge/experiments/results/field_files.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "shapegauge/core/render/render_shape.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/pages/plots/charts.h"
 #include "shapegauge/pages/shape_view.h"
 #include "shapegauge/retrieval/histogram.h"
 
@@ -22,9 +25,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<Colour> colours(const Samples& samples, const Eigen::VectorXd& values) {
-  const Interval range = central_range({.values = values, .weights = samples.weights}).value_or(Interval{});
-  return colours_of(values, range.low, range.high);
+/// What the colours of a file mean, in words.
+std::string words_of(const ColourScale& scale, const std::string& label) {
+  return fmt::format("{}: colours (viridis) from {:.6g} to {:.6g}{}{}", label, scale.low, scale.high,
+                     scale.logarithmic ? ", logarithmic" : "",
+                     scale.threshold ? fmt::format("; less than {:.6g} is red", *scale.threshold) : "");
+}
+
+/// Puts an image over another one, its upper left corner at a place within it.
+void overlay(Image& image, const Image& front, int left, int top) {
+  for (int y = 0; y < std::min(front.height, image.height - top); ++y) {
+    for (int x = 0; x < std::min(front.width, image.width - left); ++x) {
+      const auto* const from = &front.pixels[4 * static_cast<std::size_t>(y * front.width + x)];
+      auto* const to = &image.pixels[4 * static_cast<std::size_t>((top + y) * image.width + left + x)];
+      for (int k = 0; k < 3; ++k)
+        to[k] = static_cast<std::uint8_t>((from[k] * from[3] + to[k] * (255 - from[3])) / 255);
+    }
+  }
+}
+
+/// The shape, and beside it the legend where both have room.
+Image picture_with_legend(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
+                          const FieldPicture& picture) {
+  const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
+  RenderOptions view = picture.principal ? principal_view(shape, picture.render) : picture.render;
+  const std::vector<Colour> colours = colours_of(values, scale);
+  const double pixels_per_point = std::max(1.0, view.height / 480.0);
+  const ColourBar bar{
+      .axis = {.label = picture.label, .low = scale.low, .high = scale.high, .logarithmic = scale.logarithmic},
+      .height = 0.6 * view.height / pixels_per_point,
+      .below = scale.threshold,
+      .below_colour = below_threshold};
+  const Image legend = to_image(draw_chart(bar), pixels_per_point, true);
+  const bool has_room = view.height >= 160 && 3 * legend.width <= view.width;
+  if (!picture.legend || !has_room) return render_shape(shape, colours, samples.site, view);
+  const int width = view.width;
+  view.width -= legend.width;
+  const Image drawn = render_shape(shape, colours, samples.site, view);
+  Image image{.width = width, .height = view.height, .pixels = {}};
+  image.pixels.assign(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(view.height), 255);
+  overlay(image, drawn, 0, 0);
+  overlay(image, legend, view.width, (view.height - legend.height) / 2);
+  return image;
 }
 
 /// Whether rows of samples name the polygons of the file that they lie on.
@@ -47,11 +89,6 @@ void write_csv(const fs::path& path, const Shape& shape, const Samples& samples,
 void write_values(const fs::path& path, const Shape& /*shape*/, const Samples& /*samples*/,
                   const Eigen::VectorXd& values) {
   write_npy_vector(path, values);
-}
-
-void write_coloured_shape(const fs::path& path, const Shape& shape, const Samples& samples,
-                          const Eigen::VectorXd& values) {
-  write_ply(path, shape, samples.site, values, colours(samples, values));
 }
 
 void write_normals_csv(const fs::path& path, const Shape& shape, const Samples& samples, const Points& normals) {
@@ -87,15 +124,33 @@ void write_normals_xyz(const fs::path& path, const Shape& /*shape*/, const Sampl
 
 }  // namespace
 
+ColourScale colour_scale_of(const ScalarField& field, const FieldPicture& picture) {
+  const Interval range = picture.range ? *picture.range : central_range(field).value_or(Interval{});
+  ColourScale scale{
+      .low = range.low, .high = range.high, .logarithmic = picture.logarithmic, .threshold = picture.threshold};
+  if (!scale.logarithmic || scale.low > 0) return scale;
+  scale.low = std::numeric_limits<double>::infinity();
+  for (const double value : field.values) {
+    if (value > 0) scale.low = std::min(scale.low, value);
+  }
+  scale.logarithmic = scale.low < scale.high;
+  if (!scale.logarithmic) scale.low = range.low;
+  return scale;
+}
+
 FieldFileWriter field_file_writer(const fs::path& path, const FieldPicture& picture) {
   const std::string extension = lower_case(path.extension().string());
   if (extension == ".csv") return write_csv;
   if (extension == ".npy") return write_values;
-  if (extension == ".ply") return write_coloured_shape;
+  if (extension == ".ply") {
+    return [picture](const fs::path& file, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
+      const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
+      write_ply(file, shape, samples.site, values, colours_of(values, scale), "sdf", words_of(scale, picture.label));
+    };
+  }
   if (extension == ".png") {
     return [picture](const fs::path& file, const Shape& shape, const Samples& samples, const Eigen::VectorXd& values) {
-      const RenderOptions view = picture.principal ? principal_view(shape, picture.render) : picture.render;
-      write_png(file, render_shape(shape, colours(samples, values), samples.site, view));
+      write_png(file, picture_with_legend(shape, samples, values, picture));
     };
   }
   throw InputError(fmt::format("cannot write {}: the name must end in .csv, .npy, .ply or .png", path.string()));

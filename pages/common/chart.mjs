@@ -17,11 +17,13 @@ export function drawing(place, { width, height, left, right, top, bottom, label 
 export const rampColour = (part) => ramp[Math.round((ramp.length - 1) * Math.max(0, Math.min(1, part)))];
 
 // The values at parts of a range; root: of a scale of square roots, so that small values have more of it.
-export const scaleTicks = ({ from, to, root }) =>
-  (root ? [0, 0.04, 0.16, 0.36, 0.64, 1] : [0, 0.25, 0.5, 0.75, 1]).map((part) => from + part * (to - from));
+export const scaleTicks = ({ from, to, root, log }) => (log
+  ? [0, 0.25, 0.5, 0.75, 1].map((part) => from * (to / from) ** part)
+  : (root ? [0, 0.04, 0.16, 0.36, 0.64, 1] : [0, 0.25, 0.5, 0.75, 1]).map((part) => from + part * (to - from)));
 
 // Where a value is on a scale, from 0 to 1 within it.
-export function scalePart({ from, to, root }, value) {
+export function scalePart({ from, to, root, log }, value) {
+  if (log && to > from) return value > 0 ? Math.log(value / from) / Math.log(to / from) : -1;
   const part = to > from ? (value - from) / (to - from) : 0.5;
   return root ? Math.sqrt(Math.max(0, part)) : part;
 }

@@ -19,6 +19,8 @@ export const shading = {
 // Colours of no value, and of a shape without colours.
 export const unknownColour = '#a0a0a0';
 export const plainColour = '#c6c6c2';
+// Colour of values below a threshold.
+export const belowColour = '#d62728';
 // The colour map, from 0 to 1.
 export const ramp = [
   '#440154', '#440355', '#450457', '#450658', '#45075a', '#45085b', '#460a5c', '#460b5e',

@@ -13,15 +13,18 @@ export function channelsOf(shapes) {
 }
 
 // The scale of a channel's colours on a shape { from, to, root } and the range of its values { low, high }: a given
-// one, or from the least to the greatest of the shapes that share it. Null where the shape has no values.
+// one, the one that the field has set, or from the least to the greatest of the shapes that share it; log: by the
+// logarithm; below: what is less is painted. Null where the shape has no values.
 export function scaleOf(channel, shape, sharing, given) {
   const field = channel.of(shape);
   if (channel.kind !== 'values' || !field) return null;
   if (given) return { low: field.low, high: field.high, ...given };
+  const { log, below } = field;
+  if (field.set) return { from: field.from, to: field.to, low: field.low, high: field.high, log, below };
   const fields = sharing.map((other) => channel.of(other)).filter(Boolean);
   const least = (key) => Math.min(...fields.map((one) => one[key]));
   const greatest = (key) => Math.max(...fields.map((one) => one[key]));
-  return { from: least('from'), to: greatest('to'), low: least('low'), high: greatest('high') };
+  return { from: least('from'), to: greatest('to'), low: least('low'), high: greatest('high'), log, below };
 }
 
 // What DrawnShape.show() is to show.

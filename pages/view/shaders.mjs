@@ -1,6 +1,6 @@
 // The shaders of shapes: colours by value, by normal or none, with the light of the program's own pictures.
 
-import { plainColour, shading, unknownColour } from '../common/constants.mjs';
+import { belowColour, plainColour, shading, unknownColour } from '../common/constants.mjs';
 
 const glsl = (value) => (Number.isInteger(value) ? value.toFixed(1) : String(value));
 const vector = (parts) => `vec3(${parts.map(glsl).join(', ')})`;
@@ -30,6 +30,8 @@ export const fragmentShader = `
   uniform vec2 range;
   uniform bool root;
   uniform int what;
+  uniform bool marking;
+  uniform float below;
   uniform bool lighting;
   uniform vec2 lit;
   uniform vec3 unlit;
@@ -43,6 +45,7 @@ export const fragmentShader = `
       float place = clamp((vValue - range.x) / (range.y - range.x), 0.0, 1.0);
       if (root) place = sqrt(place);
       colour = texture2D(colours, vec2((place * (levels - 1.0) + 0.5) / levels, 0.5)).rgb;
+      if (marking && vValue < below) colour = ${channels(belowColour)};
     } else if (what == ${channelNumbers.normals} && dot(vDirection, vDirection) > 0.01) {
       colour = 0.5 + 0.5 * normalize(vDirection);
     } else if (what == ${channelNumbers.plain}) {

@@ -1,6 +1,7 @@
 // Draws shapes with WebGL. One context draws all of them, one after the other, and each is copied to its own canvas:
 // browsers allow few contexts.
 
+import { scalePart } from '../common/chart.mjs';
 import { ramp } from '../common/constants.mjs';
 import { channelNumbers, fragmentShader, vertexShader } from './shaders.mjs';
 import { cornerNormals } from './surface.mjs';
@@ -60,7 +61,7 @@ function geometryOf(shape) {
 function shapeMaterial() {
   const uniforms = {
     colours: null, levels: ramp.length, range: new THREE.Vector2(0, 1), root: false, what: channelNumbers.plain,
-    lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
+    marking: false, below: 0, lighting: false, lit: new THREE.Vector2(0, 1), unlit: new THREE.Color(0.6, 0.6, 0.6),
   };
   for (const name of Object.keys(uniforms)) uniforms[name] = { value: uniforms[name] };
   return new THREE.ShaderMaterial({ vertexShader, fragmentShader, side: THREE.DoubleSide, uniforms });
@@ -107,7 +108,7 @@ export class DrawnShape {
     this.caster = new THREE.Raycaster();
   }
 
-  // Shows { kind: 'values' (with values, from, to, root, colours), 'normals' or 'plain' }.
+  // Shows { kind: 'values' (with values, from, to, root, log, below, colours), 'normals' or 'plain' }.
   show(shown) {
     const { uniforms } = this.material;
     uniforms.what.value = channelNumbers[shown.kind];
@@ -115,8 +116,7 @@ export class DrawnShape {
     if (shown.kind !== 'values') return;
     const { value, known } = this.mesh.geometry.attributes;
     // As parts of the range of colours: single precision suffices then, whatever the unit.
-    const width = shown.to > shown.from ? shown.to - shown.from : 1;
-    this.part = (x) => (x - shown.from) / width;
+    this.part = shown.to > shown.from ? (x) => scalePart({ ...shown, root: false }, x) : (x) => x - shown.from;
     this.shape.placeOf.forEach((place, corner) => {
       const x = shown.values[place];
       known.array[corner] = Number.isNaN(x) ? 0 : 1;
@@ -125,6 +125,8 @@ export class DrawnShape {
     value.needsUpdate = known.needsUpdate = true;
     uniforms.range.value.set(...(shown.to > shown.from ? [0, 1] : [-0.5, 0.5]));
     uniforms.root.value = Boolean(shown.root);
+    uniforms.marking.value = shown.below !== undefined;
+    if (shown.below !== undefined) uniforms.below.value = this.part(shown.below);
     if (uniforms.colours.value) uniforms.colours.value.dispose();
     uniforms.colours.value = colourTexture(shown.colours || ramp, !shown.colours);
     uniforms.levels.value = (shown.colours || ramp).length;

@@ -2,6 +2,7 @@
 
 import { colourScale, rampColour, scalePart, scaleTicks } from '../common/chart.mjs';
 import { choice, make } from '../common/elements.mjs';
+import { belowColour } from '../common/constants.mjs';
 import { tipHead, tipLine, tooltip } from '../common/tooltip.mjs';
 import { number } from '../common/words.mjs';
 import { binsOf, channelsOf, scaleOf, shownBy } from './channels.mjs';
@@ -23,11 +24,13 @@ const legendWords = {
 };
 
 export class ShapeView {
-  // scales: by the name of a field { from, to, root }, where its colours have a scale that is set; note: said below.
-  constructor(place, packed, { scales = {}, note = '' } = {}) {
+  // scales: by the name of a field { from, to, root }, where its colours have a scale that is set;
+  // note: said below; unit: of lengths.
+  constructor(place, packed, { scales = {}, note = '', unit = '' } = {}) {
     this.place = place;
     this.shapes = packed.map(unpackShape);
     this.scales = scales;
+    this.unit = unit;
     this.channels = channelsOf(this.shapes);
     this.channel = this.channels[0];
     this.together = true;
@@ -152,8 +155,23 @@ export class ShapeView {
       return;
     }
     const ticks = scale.to > scale.from ? scaleTicks(scale) : [scale.from];
-    this.legend.replaceChildren(colourScale(`${this.channel.name}:`, ticks, (value) => scalePart(scale, value),
+    const unit = this.unit ? ` (${this.unit})` : '';
+    this.legend.replaceChildren(colourScale(`${this.channel.name}${unit}:`, ticks, (value) => scalePart(scale, value),
       (value) => number(value, 3)));
+    if (scale.below !== undefined) this.legend.append(make('p', { class: 'stamp' }, this.thinWords()));
+  }
+
+  // How much of each shape is thinner than the threshold.
+  thinWords() {
+    const words = this.shapes.map((shape) => {
+      const { below } = this.scale(shape) || {};
+      const field = this.channel.of(shape);
+      if (below === undefined || !field) return '';
+      const thin = d3.sum(shape.weights, (weight, place) => (field.values[place] < below ? weight : 0));
+      const name = this.shapes.length > 1 ? `${shape.name}: ` : '';
+      return `${name}${(100 * thin).toFixed(2)} % of the area below ${number(below)}${this.unit && ` ${this.unit}`}`;
+    });
+    return `Red: ${words.filter(Boolean).join('; ')}.`;
   }
 
   showBars(cell) {
@@ -171,10 +189,15 @@ export class ShapeView {
       shares: cell.shares, low, high,
       width: Math.max(260, cell.bars.clientWidth || 420),
       label: `${this.channel.name} of ${shape.name}: share of the area`,
-      colourOf: (bin) => (colours ? colours[bin] : rampColour(scalePart(shown, edge(bin + 0.5)))),
+      colourOf: (bin) => (colours ? colours[bin] : this.colourOf(shown, edge(bin + 0.5))),
+      unit: colours ? '' : this.unit, mark: shown.below,
       ticks: colours && d3.range(0, bins, Math.ceil(bins / 12)),
       chosen: (first, last) => this.choose(cell, first, last),
     });
+  }
+
+  colourOf(shown, value) {
+    return shown.below !== undefined && value < shown.below ? belowColour : rampColour(scalePart(shown, value));
   }
 
   // Bins of one histogram: of all of them, where they have the same ones.

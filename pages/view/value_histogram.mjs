@@ -25,10 +25,10 @@ export function selectionAfter(selected, { key, shiftKey }, bins) {
 }
 
 // Draws the bars and axes. Returns the drawing, its bars and the scale of the values.
-function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ticks }) {
+function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ticks, unit, mark }) {
   const bins = shares.length;
   const { svg, area, width, height } =
-    drawing(place, { width: wanted, height: 170, left: 44, right: 12, top: 8, bottom: 26, label });
+    drawing(place, { width: wanted, height: 170, left: 44, right: 12, top: 8, bottom: unit ? 40 : 26, label });
   const x = d3.scaleLinear([low, high > low ? high : low + 1], [0, width]);
   const y = d3.scaleLinear([0, Math.max(...shares) || 1], [height, 0]).nice(3);
   y.domain([0, Math.min(1, y.domain()[1])]);
@@ -40,6 +40,14 @@ function drawBars(place, { shares, low, high, label, width: wanted, colourOf, ti
   if (ticks) axis.tickValues(ticks).tickFormat((value) => String(value + 1));
   area.append('g').attr('class', 'axis').attr('transform', `translate(0,${height})`).call(axis);
   area.append('g').attr('class', 'axis').call(d3.axisLeft(y).ticks(3, '%'));
+  if (unit) {
+    area.append('text').attr('class', 'unit').attr('x', width / 2).attr('y', height + 36).attr('text-anchor', 'middle')
+      .text(unit);
+  }
+  if (mark >= low && mark <= high) {
+    area.append('line').attr('class', 'level threshold').attr('y1', 0).attr('y2', height)
+      .attr('x1', x(mark)).attr('x2', x(mark));
+  }
   return { svg, area, width, height, bars, x };
 }
 

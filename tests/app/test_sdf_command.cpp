@@ -137,6 +137,54 @@ TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
+  const auto json =
+      nlohmann::json::parse(sdf("--method inscribed_ball --summary --format json --unit cm --below 210mm").output);
+  EXPECT_NEAR(json["percentiles"]["50"].get<double>(), 20, 0.5);
+  EXPECT_NEAR(json["area"].get<double>(), 4 * 3.14159 * 100, 15);
+  EXPECT_DOUBLE_EQ(json["below"]["threshold"], 21);
+  EXPECT_EQ(json["below"]["percent"], 100);
+  EXPECT_EQ(json["unit"], "cm");
+  const std::string csv = sdf("--method ball --summary --format csv --below 1").output;
+  const std::vector<CsvRow> rows = parse_csv(csv, "summary");
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[1].cells.back(), "0.00");
+  EXPECT_THAT(sdf("--method cone --summary --unit mm").output, HasSubstr("median (mm)"));
+}
+
+TEST_F(SdfCommand, AnOffsetMayBeALength) {
+  const double diagonal = bounding_box_diagonal(shape);
+  ASSERT_EQ(sdf("--method offset --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
+  ASSERT_EQ(sdf(fmt::format("--method offset --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
+  EXPECT_TRUE(text_of(at("length.npy")) == text_of(at("fraction.npy")));
+}
+
+TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
+  const std::string picture = "--method cone --picture-size 640x480 -o '";
+  ASSERT_EQ(sdf(picture + at("with.png") + "' --unit mm").status, 0);
+  ASSERT_EQ(sdf(picture + at("without.png") + "' --no-legend").status, 0);
+  EXPECT_NE(text_of(at("with.png")), text_of(at("without.png")));
+  ASSERT_EQ(sdf("--method cone --unit mm --range 1,40 --scale log --below 1cm -o '" + at("x.ply") + "'").status, 0);
+  EXPECT_THAT(text_of(at("x.ply")),
+              HasSubstr("comment SDF (mm): colours (viridis) from 1 to 40, logarithmic; less than 10 is red\n"));
+  EXPECT_EQ(read_shape(at("x.ply")).triangles, shape.triangles);
+}
+
+TEST_F(SdfCommand, PlotsAHistogram) {
+  ASSERT_EQ(sdf("--method cone --unit mm --below 3 --plot '" + at("x.svg") + "'").status, 0);
+  EXPECT_THAT(text_of(at("x.svg")),
+              testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
+}
+
+TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
+  write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
+  EXPECT_THAT(sdf("--method offset -o '" + at("x.csv") + "'").errors,
+              testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
+  const Outcome outcome = sdf("--method ball --summary --format json");
+  EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("wall"), testing::Not(HasSubstr("warning"))));
+  EXPECT_NEAR(nlohmann::json::parse(outcome.output)["percentiles"]["50"].get<double>(), 2, 0.2);
+}
+
 TEST_F(SdfCommand, MissingValuesAreTold) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   const Outcome outcome = sdf("--method cone -o '" + at("x.csv") + "'");
@@ -167,6 +215,15 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone -o /nowhere/x.csv", "/nowhere/x.csv"},
       {good + "--method offset --offset 0" + out, "offset"},
       {good + "--method offset --offset nan" + out, "offset"},
+      {good + "--method offset --offset 1mm" + out, "--unit"},
+      {good + "--method offset --offset 3m --unit mm" + out, "diagonal"},
+      {good + "--method cone --below 2parsecs" + out, "--below"},
+      {good + "--method cone --range 4" + out, "--range"},
+      {good + "--method cone --range 4,1" + out, "--range"},
+      {good + "--method cone --range 0,1 --scale log" + out, "--range"},
+      {good + "--method cone --separation-angle-degrees 30" + out, "--separation-angle-degrees"},
+      {good + "--method ball --separation-angle-degrees 180" + out, "angle"},
+      {good + "--method cone --plot x.eps", ".svg, .pdf or .png"},
       {good + "--method cone --rays 0" + out, "rays"},
       {good + "--method cone --opening-angle 400" + out, "angle"},
       {good + "--method cone --engine cgal --at vertices" + out, "faces only"},

@@ -50,6 +50,40 @@ class ViewCommand : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(ViewCommand, ColoursHaveARangeAThresholdAndAUnit) {
+  const Outcome outcome =
+      view("'" + at("capsule.off") + "' --field cone_sdf --no-parts --unit cm --range 0.5,3 --scale log --below 15mm");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  const ordered_json shown = page();
+  EXPECT_EQ(shown["unit"], "cm");
+  const ordered_json& field = shown["shapes"][0]["fields"][0];
+  EXPECT_EQ(field["from"], 0.5);
+  EXPECT_EQ(field["to"], 3);
+  EXPECT_EQ(field["log"], true);
+  EXPECT_EQ(field["below"], 1.5);
+}
+
+TEST_F(ViewCommand, ShapesBeginUpright) {
+  const auto up_shown = [&](const std::string& more) {
+    EXPECT_EQ(view("'" + at("capsule.off") + "' --field cone_sdf --no-parts " + more).status, 0);
+    const ordered_json axes = page()["shapes"][0]["axes"];
+    const auto row = axes[1].get<std::vector<double>>();
+    Eigen::Index largest = 0;
+    Eigen::Map<const Eigen::Vector3d>(row.data()).cwiseAbs().maxCoeff(&largest);
+    return (row[static_cast<std::size_t>(largest)] < 0 ? "-" : "") + std::string(1, "xyz"[largest]);
+  };
+  EXPECT_EQ(up_shown(""), "y") << "of an OFF file";
+  for (const char* axis : {"x", "y", "z", "-x", "-y", "-z"}) EXPECT_EQ(up_shown(std::string("--up ") + axis), axis);
+}
+
+TEST_F(ViewCommand, ThePageHasTheWarnings) {
+  write_off(at("hollow.off"), test::joined({test::sphere(2, 2), test::flipped(test::sphere(1, 2))}));
+  const Outcome outcome = view("'" + at("hollow.off") + "' --field offset_sdf --no-parts");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  ASSERT_EQ(page()["warnings"].size(), 1U);
+  EXPECT_THAT(page()["warnings"][0].get<std::string>(), testing::AllOf(HasSubstr("hollow.off"), HasSubstr("hull")));
+}
+
 TEST_F(ViewCommand, ShowsBothSdfsPartsAndNormals) {
   const Outcome outcome = view("'" + at("capsule.off") + "' --offset 0.02");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/io/gltf.h"
 #include "shapegauge/core/io/obj.h"
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/ply.h"
@@ -47,5 +48,12 @@ bool read_off(std::string_view bytes) { return read_with(shapegauge::read_off, c
 bool read_obj(std::string_view bytes) { return read_with(shapegauge::read_obj, check_obj_header, bytes); }
 bool read_ply(std::string_view bytes) { return read_with(shapegauge::read_ply, check_ply_header, bytes); }
 bool read_stl(std::string_view bytes) { return read_with(shapegauge::read_stl, check_stl_header, bytes); }
+
+bool read_gltf(std::string_view bytes) {
+  const auto read = [](const std::string& copy, const std::string& name) {
+    return shapegauge::read_gltf({.bytes = copy, .name = name});
+  };
+  return read_with(read, check_gltf_header, bytes);
+}
 
 }  // namespace shapegauge::fuzz

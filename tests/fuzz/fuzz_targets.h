@@ -13,6 +13,7 @@ bool read_off(std::string_view bytes);
 bool read_obj(std::string_view bytes);
 bool read_ply(std::string_view bytes);
 bool read_stl(std::string_view bytes);
+bool read_gltf(std::string_view bytes);
 /// @}
 
 /// A `.cla` file: what is read is written and read again as the same.

@@ -72,8 +72,17 @@ TEST(ReadShape, UnknownFormatIsAnError) {
   const TemporaryFolder folder;
   const auto path = folder.file("notes.doc", "hello\n");
   expect_error(path, path.string() +
-                         ": unknown shape format \".doc\"; known are .off, .obj, .ply, .stl, .xyz, .pwn, "
+                         ": unknown shape format \".doc\"; known are .off, .obj, .ply, .stl, .gltf, .glb, .xyz, .pwn, "
                          ".pts, .txt");
+}
+
+TEST(ReadShape, CommonFormatsThatAreNotReadComeWithAdvice) {
+  const TemporaryFolder folder;
+  for (const char* name : {"part.STEP", "scene.fbx", "scan.las", "print.3mf"}) {
+    test::write_text(folder.path() / name, "anything");
+    EXPECT_THAT(test::input_error_of([&] { read_shape(folder.path() / name); }), ::testing::HasSubstr("export"));
+  }
+  EXPECT_FALSE(unread_format_advice("x.off"));
 }
 
 TEST(ReadShape, AbsentFileIsAnError) {

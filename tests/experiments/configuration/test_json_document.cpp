@@ -109,6 +109,23 @@ TEST(ApplyOverride, ChangesAValueWithinAnArray) {
   EXPECT_EQ(overridden("signatures.0.histogram.bins=40")["signatures"][0]["histogram"]["bins"], 40);
 }
 
+TEST(ApplyOverride, ElementsOfArraysHaveNamesInBrackets) {
+  Json document = Json::parse(R"({"signatures": [{"name": "a=b. c"}, {"name": "Sum", "scale": "none"}]})");
+  apply_override(document, R"(signatures["Sum"].scale=local)");
+  EXPECT_EQ(document["signatures"][1]["scale"], "local");
+  apply_override(document, "signatures[Sum].scale=median");
+  EXPECT_EQ(document["signatures"][1]["scale"], "median");
+  apply_override(document, R"(signatures["a=b. c"].deep.key=1)");
+  EXPECT_EQ(document["signatures"][0]["deep"]["key"], 1);
+  apply_override(document, "signatures[1].scale=local");
+  EXPECT_EQ(document["signatures"][1]["scale"], "local");
+  for (const char* wrong : {"signatures[Summ].scale=1", "signatures[Sum.scale=1", "signatures[Sum]scale=1", "[]=1"}) {
+    EXPECT_THROW(apply_override(document, wrong), InputError) << wrong;
+  }
+  const std::string message = test::input_error_of([&] { apply_override(document, "signatures[Summ].scale=1"); });
+  EXPECT_THAT(message, HasSubstr("Sum"));
+}
+
 TEST(ApplyOverride, TheValueIsJsonOrElseAString) {
   EXPECT_EQ(overridden("name=true")["name"], true);
   EXPECT_EQ(overridden("name=\"true\"")["name"], "true");

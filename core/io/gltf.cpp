@@ -1,0 +1,450 @@
+#include "shapegauge/core/io/gltf.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <exception>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <new>
+#include <optional>
+#include <tiny_gltf.h>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/shape_file.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr std::size_t most_gltf_vertices = 100'000'000;
+constexpr std::size_t most_nesting = 200;  // of JSON: the library reads it recursively
+constexpr std::string_view glb_magic = "glTF";
+
+[[noreturn]] void fail(const std::string& name, std::string_view what) {
+  throw InputError(fmt::format("{}: {}", name, what));
+}
+
+/// What the library opens beside the file.
+struct GltfFiles {
+  const ShapeSource* source = nullptr;
+  std::vector<std::string> names = {};
+  std::exception_ptr failure = nullptr;
+};
+
+bool is_picture(const std::string& file) {
+  static constexpr std::array<std::string_view, 9> extensions{".png", ".jpg", ".jpeg", ".webp", ".ktx2",
+                                                              ".gif", ".tga", ".bmp",  ".dds"};
+  const std::string extension = lower_case(std::filesystem::path(file).extension().string());
+  return std::ranges::count(extensions, extension) > 0;
+}
+
+/// The library's view of files: buffers through the source, which refuses what is not beside the file; no pictures.
+tinygltf::FsCallbacks callbacks_for(GltfFiles& files) {
+  tinygltf::FsCallbacks callbacks{};
+  callbacks.FileExists = [](const std::string& file, void*) { return !is_picture(file); };
+  callbacks.ExpandFilePath = [](const std::string& file, void*) { return file; };
+  callbacks.ReadWholeFile = [](std::vector<unsigned char>* bytes, std::string*, const std::string& file, void* user) {
+    auto& opened = *static_cast<GltfFiles*>(user);
+    try {
+      const std::string read = opened.source->read_neighbour(file);
+      bytes->assign(read.begin(), read.end());
+      opened.names.push_back(file);
+      return true;
+    } catch (...) {
+      opened.failure = std::current_exception();
+      return false;
+    }
+  };
+  callbacks.WriteWholeFile = [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+    return false;
+  };
+  callbacks.user_data = &files;
+  return callbacks;
+}
+
+bool pass_over_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                       void*) {
+  return true;
+}
+
+/// Throws InputError where brackets are nested deeper than the library can stand.
+void require_flat(std::string_view json, const std::string& name) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string && c == '\\') {
+      ++i;
+    } else if (c == '"') {
+      in_string = !in_string;
+    } else if (!in_string && (c == '{' || c == '[')) {
+      if (++depth > most_nesting) fail(name, fmt::format("its JSON is nested more than {} levels deep", most_nesting));
+    } else if (!in_string && (c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+}
+
+/// The JSON of a GLB file; the length of the first chunk is in its bytes 12 to 15.
+std::string_view json_of_glb(std::string_view bytes) {
+  constexpr std::size_t header = 20;
+  if (bytes.size() < header) return {};
+  std::uint32_t length = 0;
+  for (std::size_t k = 4; k-- > 0;) length = length * 256 + static_cast<unsigned char>(bytes[12 + k]);
+  return bytes.substr(header, length);
+}
+
+tinygltf::Model load(const ShapeSource& source, GltfFiles& files) {
+  const std::string& bytes = source.bytes;
+  if (bytes.size() > std::numeric_limits<unsigned>::max()) fail(source.name, "glTF files end at 4 GB");
+  const bool binary = bytes.starts_with(glb_magic);
+  require_flat(binary ? json_of_glb(bytes) : std::string_view(bytes), source.name);
+  tinygltf::TinyGLTF loader;
+  files.source = &source;
+  loader.SetFsCallbacks(callbacks_for(files));
+  loader.SetImageLoader(pass_over_picture, nullptr);
+  tinygltf::Model model;
+  std::string errors;
+  std::string warnings;
+  bool loaded = false;
+  const auto length = static_cast<unsigned>(bytes.size());
+  try {
+    loaded = binary ? loader.LoadBinaryFromMemory(&model, &errors, &warnings,
+                                                  reinterpret_cast<const unsigned char*>(bytes.data()), length)
+                    : loader.LoadASCIIFromString(&model, &errors, &warnings, bytes.data(), length, "");
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    errors = error.what();
+  }
+  if (files.failure) std::rethrow_exception(files.failure);
+  if (loaded) return model;
+  std::ranges::replace(errors, '\n', ' ');
+  fail(source.name, fmt::format("it is no valid glTF: {}", errors.empty() ? "it cannot be read" : printable(errors)));
+}
+
+void require_readable(const tinygltf::Model& model, const std::string& name) {
+  for (const std::string& extension : model.extensionsRequired) {
+    if (extension.find("compression") != std::string::npos) {
+      fail(name, fmt::format("its meshes are compressed ({}), which is not read; export it without compression",
+                             quoted_word(extension)));
+    }
+  }
+}
+
+template <typename Item>
+const Item& item_at(const std::vector<Item>& items, int index, const char* what, const std::string& name) {
+  if (index < 0 || static_cast<std::size_t>(index) >= items.size()) {
+    fail(name, fmt::format("it refers to {} {}, but has {}", what, index, items.size()));
+  }
+  return items[static_cast<std::size_t>(index)];
+}
+
+/// A number of a component type at a place. Whole numbers that are normalised become -1 to 1, or 0 to 1.
+template <typename Number>
+double number_at(const unsigned char* place, bool normalised) {
+  Number number;
+  std::memcpy(&number, place, sizeof number);
+  if constexpr (std::is_floating_point_v<Number>) {
+    return number;
+  } else {
+    if (!normalised) return number;
+    return std::max(-1.0, static_cast<double>(number) / std::numeric_limits<Number>::max());
+  }
+}
+
+double component_at(const unsigned char* place, int type, bool normalised) {
+  switch (type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return number_at<std::int8_t>(place, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return number_at<std::uint8_t>(place, normalised);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return number_at<std::int16_t>(place, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return number_at<std::uint16_t>(place, normalised);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return number_at<std::uint32_t>(place, normalised);
+    default:
+      return number_at<float>(place, normalised);
+  }
+}
+
+/// Items of equal size in a buffer.
+struct BufferItems {
+  const unsigned char* first = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 0;
+
+  [[nodiscard]] const unsigned char* at(std::size_t i) const { return first + i * stride; }
+};
+
+/// The items in a part of a buffer. `stride`: 0 where they follow each other.
+BufferItems items_in(const tinygltf::Model& model, int view_index, std::size_t offset, std::size_t count,
+                     std::size_t size, const std::string& name) {
+  const tinygltf::BufferView& view = item_at(model.bufferViews, view_index, "buffer view", name);
+  const tinygltf::Buffer& buffer = item_at(model.buffers, view.buffer, "buffer", name);
+  const std::size_t stride = view.byteStride > 0 ? view.byteStride : size;
+  const std::size_t available = buffer.data.size();
+  const bool view_fits = view.byteOffset <= available && view.byteLength <= available - view.byteOffset;
+  const bool fits = view_fits && count > 0 && offset <= view.byteLength && size <= view.byteLength - offset &&
+                    (count - 1) <= (view.byteLength - offset - size) / stride;
+  if (!fits) fail(name, fmt::format("buffer view {} ends before the {} items that it should hold", view_index, count));
+  return {.first = buffer.data.data() + view.byteOffset + offset, .count = count, .stride = stride};
+}
+
+std::size_t size_of_component(int type, const std::string& name) {
+  const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type));
+  if (size < 1 || size > 4) fail(name, fmt::format("numbers of type {} are not read", type));
+  return static_cast<std::size_t>(size);
+}
+
+using Positions = std::vector<Eigen::Vector3d>;
+
+/// Puts the positions that a sparse accessor replaces in their places.
+void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, Positions& positions,
+                    const std::string& name) {
+  const auto& sparse = accessor.sparse;
+  if (!sparse.isSparse || sparse.count <= 0) return;
+  const auto count = static_cast<std::size_t>(sparse.count);
+  const std::size_t size = size_of_component(accessor.componentType, name);
+  if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0) fail(name, "a sparse accessor has a wrong offset");
+  const BufferItems indices =
+      items_in(model, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
+               size_of_component(sparse.indices.componentType, name), name);
+  const BufferItems values = items_in(model, sparse.values.bufferView,
+                                      static_cast<std::size_t>(sparse.values.byteOffset), count, 3 * size, name);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double index = component_at(indices.at(i), sparse.indices.componentType, false);
+    if (!(index >= 0 && index < static_cast<double>(positions.size())))
+      fail(name, "a sparse accessor's index is out of range");
+    for (int k = 0; k < 3; ++k) {
+      positions[static_cast<std::size_t>(index)][k] =
+          component_at(values.at(i) + static_cast<std::size_t>(k) * size, accessor.componentType, accessor.normalized);
+    }
+  }
+}
+
+Positions positions_of(const tinygltf::Model& model, int accessor_index, const std::string& name) {
+  const tinygltf::Accessor& accessor = item_at(model.accessors, accessor_index, "accessor", name);
+  if (accessor.type != TINYGLTF_TYPE_VEC3) fail(name, "the positions of a mesh are no vectors of three numbers");
+  if (accessor.bufferView < 0) fail(name, "the positions of a mesh are in no buffer (it may be compressed)");
+  const std::size_t size = size_of_component(accessor.componentType, name);
+  const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, 3 * size, name);
+  Positions positions(items.count);
+  for (std::size_t i = 0; i < items.count; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      positions[i][k] =
+          component_at(items.at(i) + static_cast<std::size_t>(k) * size, accessor.componentType, accessor.normalized);
+    }
+  }
+  replace_sparse(model, accessor, positions, name);
+  return positions;
+}
+
+/// The corners of a primitive: its indices, or all of its vertices in order.
+std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                                     std::size_t vertices, const std::string& name) {
+  std::vector<std::int32_t> corners;
+  if (primitive.indices < 0) {
+    for (std::size_t i = 0; i < vertices; ++i) corners.push_back(static_cast<std::int32_t>(i));
+    return corners;
+  }
+  const tinygltf::Accessor& accessor = item_at(model.accessors, primitive.indices, "accessor", name);
+  if (accessor.bufferView < 0) fail(name, "the indices of a mesh are in no buffer (it may be compressed)");
+  const std::size_t size = size_of_component(accessor.componentType, name);
+  const BufferItems items = items_in(model, accessor.bufferView, accessor.byteOffset, accessor.count, size, name);
+  corners.reserve(items.count);
+  for (std::size_t i = 0; i < items.count; ++i) {
+    const double index = component_at(items.at(i), accessor.componentType, false);
+    if (!(index >= 0 && index < static_cast<double>(vertices))) {
+      fail(name, fmt::format("index {} of a mesh refers to vertex {}, but there are {}, numbered from 0", i, index,
+                             vertices));
+    }
+    corners.push_back(static_cast<std::int32_t>(index));
+  }
+  return corners;
+}
+
+/// The triangles of a primitive; none of points and lines.
+std::vector<std::array<std::int32_t, 3>> triangles_of(const std::vector<std::int32_t>& corners, int mode) {
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  const std::size_t count = corners.size();
+  if (mode == TINYGLTF_MODE_TRIANGLES || mode < 0) {
+    for (std::size_t i = 0; i + 2 < count; i += 3) triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+  } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+    for (std::size_t i = 0; i + 2 < count; ++i) {
+      const std::size_t odd = i % 2;
+      triangles.push_back({corners[i], corners[i + 1 + odd], corners[i + 2 - odd]});
+    }
+  } else if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+    for (std::size_t i = 1; i + 1 < count; ++i) triangles.push_back({corners[i], corners[i + 1], corners[0]});
+  }
+  return triangles;
+}
+
+Eigen::Affine3d transform_of(const tinygltf::Node& node) {
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  if (node.matrix.size() == 16) {
+    transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(node.matrix.data());  // column by column
+    transform.makeAffine();
+    return transform;
+  }
+  if (node.translation.size() == 3) transform.translate(Eigen::Map<const Eigen::Vector3d>(node.translation.data()));
+  if (node.rotation.size() == 4) {
+    const auto& q = node.rotation;
+    const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
+    if (rotation.norm() > 0) transform.rotate(rotation.normalized());
+  }
+  if (node.scale.size() == 3) transform.scale(Eigen::Map<const Eigen::Vector3d>(node.scale.data()));
+  return transform;
+}
+
+/// Collects the meshes of a scene.
+class GltfScene {
+ public:
+  GltfScene(const tinygltf::Model& model, std::string name)
+      : model_(model), name_(std::move(name)), visited_(model.nodes.size(), false) {}
+
+  Shape read() {
+    for (const int root : roots()) visit(root);
+    if (soup_.triangles() == 0) add_points();
+    if (soup_.vertices() == 0) fail(name_, "it holds no mesh");
+    return soup_.shape();
+  }
+
+ private:
+  struct WaitingNode {
+    int node;
+    Eigen::Affine3d parent;
+  };
+
+  struct PlacedPoints {
+    Positions positions;
+    Eigen::Affine3d transform;
+  };
+
+  /// Of the scene that is shown or, without scenes, of all nodes.
+  [[nodiscard]] std::vector<int> roots() const {
+    if (!model_.scenes.empty()) {
+      return item_at(model_.scenes, std::max(0, model_.defaultScene), "scene", name_).nodes;
+    }
+    std::vector<bool> has_parent(model_.nodes.size(), false);
+    for (const tinygltf::Node& node : model_.nodes) {
+      for (const int child : node.children) {
+        item_at(model_.nodes, child, "node", name_);
+        has_parent[static_cast<std::size_t>(child)] = true;
+      }
+    }
+    std::vector<int> all;
+    for (std::size_t i = 0; i < has_parent.size(); ++i) {
+      if (!has_parent[i]) all.push_back(static_cast<int>(i));
+    }
+    return all;
+  }
+
+  void visit(int root) {
+    std::vector<WaitingNode> waiting{{root, Eigen::Affine3d::Identity()}};
+    while (!waiting.empty()) {
+      const WaitingNode next = waiting.back();
+      waiting.pop_back();
+      const tinygltf::Node& node = item_at(model_.nodes, next.node, "node", name_);
+      if (visited_[static_cast<std::size_t>(next.node)]) {
+        fail(name_, fmt::format("node {} has two parents, or is its own", next.node));
+      }
+      visited_[static_cast<std::size_t>(next.node)] = true;
+      const Eigen::Affine3d transform = next.parent * transform_of(node);
+      if (node.mesh >= 0) add_mesh(item_at(model_.meshes, node.mesh, "mesh", name_), transform);
+      for (std::size_t k = node.children.size(); k-- > 0;) waiting.push_back({node.children[k], transform});
+    }
+  }
+
+  void add_mesh(const tinygltf::Mesh& mesh, const Eigen::Affine3d& transform) {
+    std::map<int, std::pair<std::size_t, std::size_t>> placed;  // by accessor: first vertex and number
+    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+      const auto found = primitive.attributes.find("POSITION");
+      if (found == primitive.attributes.end()) continue;
+      const int mode = primitive.mode;
+      if (mode == TINYGLTF_MODE_POINTS) {
+        points_.push_back({positions_of(model_, found->second, name_), transform});
+        continue;
+      }
+      if (mode != TINYGLTF_MODE_TRIANGLES && mode >= 0 && mode < TINYGLTF_MODE_TRIANGLE_STRIP) continue;  // lines
+      if (!placed.contains(found->second)) {
+        const Positions positions = positions_of(model_, found->second, name_);
+        placed[found->second] = {soup_.vertices(), positions.size()};
+        add_vertices(positions, transform);
+      }
+      const auto& [first, count] = placed[found->second];
+      const bool mirrored = transform.linear().determinant() < 0;
+      for (std::array<std::int32_t, 3> triangle : triangles_of(corners_of(model_, primitive, count, name_), mode)) {
+        if (mirrored) std::swap(triangle[1], triangle[2]);
+        soup_.begin_face();
+        for (const std::int32_t corner : triangle) soup_.add_corner(static_cast<std::int32_t>(first) + corner);
+      }
+    }
+  }
+
+  void add_vertices(const Positions& positions, const Eigen::Affine3d& transform) {
+    if (positions.size() > most_gltf_vertices - std::min(most_gltf_vertices, soup_.vertices())) {
+      fail(name_, fmt::format("its scene has more than {} vertices", most_gltf_vertices));
+    }
+    for (const Eigen::Vector3d& position : positions) {
+      const Eigen::Vector3d place = transform * position;
+      if (!place.allFinite()) fail(name_, message_not_finite(static_cast<std::int64_t>(soup_.vertices())));
+      soup_.add_vertex({place[0], place[1], place[2]});
+    }
+  }
+
+  void add_points() {
+    for (const PlacedPoints& points : points_) add_vertices(points.positions, points.transform);
+  }
+
+  const tinygltf::Model& model_;
+  std::string name_;
+  std::vector<bool> visited_;
+  SoupBuilder soup_;
+  std::vector<PlacedPoints> points_;
+};
+
+}  // namespace
+
+Shape read_gltf(const ShapeSource& source) {
+  GltfFiles files;
+  const tinygltf::Model model = load(source, files);
+  require_readable(model, source.name);
+  return GltfScene(model, source.name).read();
+}
+
+std::vector<std::string> gltf_neighbours(const ShapeSource& source) {
+  GltfFiles files;
+  load(source, files);
+  return files.names;
+}
+
+void check_gltf_header(const std::string& bytes, const std::string& name) {
+  if (bytes.starts_with(glb_magic)) return;
+  std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (bytes.starts_with("\xef\xbb\xbf")) first = bytes.find_first_not_of(" \t\r\n", 3);
+  if (first == std::string::npos || bytes[first] != '{')
+    fail(name, "not a glTF file: it is neither JSON nor binary glTF");
+}
+
+ShapeFormat gltf_format() {
+  static constexpr std::array<std::string_view, 2> extensions{".gltf", ".glb"};
+  return {.name = "glTF",
+          .description = "glTF 2.0, JSON with buffers or binary: the meshes of its scene, placed by its nodes",
+          .extensions = extensions,
+          .begins_like = [](std::string_view bytes) { return bytes.starts_with(glb_magic); },
+          .check_header = check_gltf_header,
+          .read = read_gltf,
+          .neighbours = gltf_neighbours};
+}
+
+}  // namespace shapegauge

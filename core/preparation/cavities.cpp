@@ -1,0 +1,64 @@
+#include "shapegauge/core/preparation/cavities.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "shapegauge/core/shape/connectivity.h"
+#include "shapegauge/core/shape/distinct_triangles.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// A connected part of a closed mesh.
+struct ClosedPart {
+  double volume = 0;  ///< negative where it is oriented inwards
+  Eigen::AlignedBox3d box;
+};
+
+std::vector<ClosedPart> closed_parts(const Shape& shape) {
+  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  DisjointSets sets;
+  sets.grow_to(merged.size());
+  const auto vertex = [&](Eigen::Index f, int k) { return merged[static_cast<std::size_t>(shape.triangles(f, k))]; };
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    sets.join(vertex(f, 0), vertex(f, 1));
+    sets.join(vertex(f, 0), vertex(f, 2));
+  }
+  const Eigen::Vector3d centre = bounding_box(shape).center();
+  std::map<std::int32_t, ClosedPart> parts;
+  for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
+    ClosedPart& part = parts[sets.find(vertex(f, 0))];
+    const auto corner = [&](int k) -> Eigen::Vector3d {
+      return shape.vertices.row(shape.triangles(f, k)).transpose() - centre;
+    };
+    part.volume += corner(0).dot(corner(1).cross(corner(2))) / 6;
+    for (int k = 0; k < 3; ++k) part.box.extend(corner(k));
+  }
+  std::vector<ClosedPart> result;
+  for (const auto& [vertex_of_part, part] : parts) result.push_back(part);
+  return result;
+}
+
+}  // namespace
+
+std::size_t cavity_count(const Shape& given) {
+  require_usable(given);
+  const Shape shape = without_doubles(given);
+  if (is_cloud(shape) || !is_watertight_and_oriented(shape)) return 0;
+  const std::vector<ClosedPart> parts = closed_parts(shape);
+  const auto size = [](const ClosedPart& part) { return std::abs(part.volume); };
+  const double largest = std::ranges::max_element(parts, {}, size)->volume;
+  const auto is_body = [&](const ClosedPart& part) { return part.volume * largest > 0; };
+  const auto is_cavity = [&](const ClosedPart& part) {
+    return part.volume * largest < 0 && std::ranges::any_of(parts, [&](const ClosedPart& other) {
+             return is_body(other) && size(other) > size(part) && other.box.contains(part.box);
+           });
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(parts, is_cavity));
+}
+
+}  // namespace shapegauge
