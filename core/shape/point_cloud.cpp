@@ -14,6 +14,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/core/spatial/morton_order.h"
 
 namespace shapegauge {
 
@@ -157,8 +158,12 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   result.distances.resize(n, k);
   if (k == 0) return result;
   const PointTree built(points);
+  // What a point needs of the tree, its neighbour has just read.
+  const std::vector<std::int32_t> order = points.allFinite() ? morton_order(points) : std::vector<std::int32_t>();
   parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
-    for (Eigen::Index i = block.begin(); i != block.end(); ++i) find(built.tree, points, i, result);
+    for (Eigen::Index place = block.begin(); place != block.end(); ++place) {
+      find(built.tree, points, order.empty() ? place : order[static_cast<std::size_t>(place)], result);
+    }
   });
   return result;
 }

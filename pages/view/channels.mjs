@@ -19,12 +19,12 @@ export function scaleOf(channel, shape, sharing, given) {
   const field = channel.of(shape);
   if (channel.kind !== 'values' || !field) return null;
   if (given) return { low: field.low, high: field.high, ...given };
-  const { log, below } = field;
-  if (field.set) return { from: field.from, to: field.to, low: field.low, high: field.high, log, below };
+  const marks = { ...(field.log && { log: true }), ...(field.below !== undefined && { below: field.below }) };
+  if (field.set) return { from: field.from, to: field.to, low: field.low, high: field.high, ...marks };
   const fields = sharing.map((other) => channel.of(other)).filter(Boolean);
   const least = (key) => Math.min(...fields.map((one) => one[key]));
   const greatest = (key) => Math.max(...fields.map((one) => one[key]));
-  return { from: least('from'), to: greatest('to'), low: least('low'), high: greatest('high'), log, below };
+  return { from: least('from'), to: greatest('to'), low: least('low'), high: greatest('high'), ...marks };
 }
 
 // What DrawnShape.show() is to show.

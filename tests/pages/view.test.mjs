@@ -24,6 +24,17 @@ test('corners by their distance from the next unused vertex', () => {
   assert.equal(cornersOf(Buffer.from(bytes).toString('base64'), 201)[200], 0);
 });
 
+test('a scale that is set is not shared, and keeps its logarithm and threshold', () => {
+  const field = { name: 'a', from: 1, to: 100, low: 0.5, high: 200, set: true, log: true, below: 2 };
+  const [channel] = channelsOf([{ fields: [field] }]);
+  const other = { fields: [{ name: 'a', from: 0, to: 9, low: 0, high: 9 }] };
+  assert.deepEqual(scaleOf(channel, { fields: [field] }, [{ fields: [field] }, other]),
+    { from: 1, to: 100, low: 0.5, high: 200, log: true, below: 2 });
+  near(scalePart({ from: 1, to: 100, log: true }, 10), 0.5, 1e-12);
+  assert.ok(scalePart({ from: 1, to: 100, log: true }, 0) < 0);
+  scaleTicks({ from: 1, to: 16, log: true }).forEach((tick, k) => near(tick, 2 ** k, 1e-9));
+});
+
 test('a cloud has the hexagons of splats()', () => {
   const { places, positions, radius, site } = unpackShape(sample.cloud);
   const corners = trianglesPerSplat + 2;

@@ -143,8 +143,9 @@ TEST_F(Gltf, RefusesWhatDoesNotFit) {
   EXPECT_THAT(error_of(document(R"({"mesh": 0})", R"("uri": "tetrahedron.bin", )",
                                 R"("extensionsRequired": ["KHR_draco_mesh_compression"], )")),
               HasSubstr("compress"));
-  test::write_text(folder_.path() / "tetrahedron.bin", with_change(tetrahedron_bytes(), bytes_of<std::uint16_t>({1, 2, 3}),
-                                                                bytes_of<std::uint16_t>({1, 2, 4})));
+  test::write_text(
+      folder_.path() / "tetrahedron.bin",
+      with_change(tetrahedron_bytes(), bytes_of<std::uint16_t>({1, 2, 3}), bytes_of<std::uint16_t>({1, 2, 4})));
   EXPECT_THAT(error_of(whole), HasSubstr("vertex 4"));
 }
 

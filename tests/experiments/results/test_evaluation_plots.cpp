@@ -41,7 +41,7 @@ TEST(EvaluationPlots, OtherTablesAreRefused) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "x.csv";
   const std::string header = "method,protocol,recall,precision,macro_precision\n";
-  for (const std::string text : {std::string("a,b\n1,2\n"), header + "m,psb,0.1\n", header + "m,psb,0.1,many,1\n"}) {
+  for (const std::string& text : {std::string("a,b\n1,2\n"), header + "m,psb,0.1\n", header + "m,psb,0.1,many,1\n"}) {
     test::write_text(path, text);
     EXPECT_THROW(read_curves(path), InputError) << text;
   }
