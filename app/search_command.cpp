@@ -225,7 +225,8 @@ void add_search_command(CLI::App& app, int& status) {
       "Examples: shapegauge search chair.obj models/\n"
       "          shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
       "          shapegauge search models/                (only describes the collection)\n"
-      "The first search describes every shape of the collection, which takes a second or two each. Later ones take\n"
+      "The first search describes every shape of the collection, which takes a fraction of a second each. Later ones "
+      "take\n"
       "what they need from the index; files that are new, changed or gone are noticed. Distances are comparable\n"
       "within one collection and method only.");
   const auto arguments = std::make_shared<SearchArguments>();

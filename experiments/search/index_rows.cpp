@@ -1,7 +1,10 @@
 #include "shapegauge/experiments/search/index_rows.h"
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
@@ -41,6 +44,31 @@ class TermDistances {
   DistanceMatrix whole_;  ///< or empty
 };
 
+/// What the sum of an earlier index says of the models that are still there; nothing where most are new.
+std::optional<EarlierSum> earlier_sum(const ShapeIndex& index, const ShapeIndex& before) {
+  std::map<std::pair<std::string, std::string>, Eigen::Index> place_of;
+  for (std::size_t i = 0; i < before.models.size(); ++i) {
+    place_of.emplace(std::pair(before.models[i].id, before.models[i].sha256), static_cast<Eigen::Index>(i));
+  }
+  EarlierSum earlier{.sum = before.sum, .places = {}, .unchanged = {}};
+  std::size_t fresh = 0;
+  for (const IndexedFile& model : index.models) {
+    const auto found = place_of.find({model.id, model.sha256});
+    earlier.places.push_back(found != place_of.end() ? found->second : -1);
+    fresh += found == place_of.end() ? 1 : 0;
+  }
+  if (2 * fresh > index.models.size()) return std::nullopt;
+  for (std::size_t k = 0; k < index.tables.size(); ++k) {
+    bool same = index.tables[k].cols() == before.tables[k].cols();
+    for (std::size_t i = 0; i < earlier.places.size() && same; ++i) {
+      const Eigen::Index place = earlier.places[i];
+      same = place < 0 || index.tables[k].row(static_cast<Eigen::Index>(i)) == before.tables[k].row(place);
+    }
+    earlier.unchanged.push_back(same);
+  }
+  return earlier;
+}
+
 }  // namespace
 
 std::vector<NamedDistance> distances_of(const SearchMethod& method) {
@@ -51,22 +79,28 @@ std::vector<NamedDistance> distances_of(const SearchMethod& method) {
   return distances;
 }
 
-CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control) {
+CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control,
+                     const ShapeIndex* before) {
   const std::size_t models = index.models.size();
+  const std::optional<EarlierSum> earlier = before != nullptr ? earlier_sum(index, *before) : std::nullopt;
+  const bool in_memory = !earlier && models <= most_in_memory;
   std::optional<TermDistances> now;  // one at a time
+  std::size_t term = method.terms.size();
   std::vector<RowSource> terms;
   for (std::size_t k = 0; k < method.terms.size(); ++k) {
     terms.emplace_back([&, k](Eigen::Index first, Eigen::Index count) {
       if (control.interrupted()) throw Interrupted();
-      if (first == 0) {
+      if (term != k) {
+        term = k;
         control.progress("distances", k, method.terms.size());
         now.reset();
-        now.emplace(method, k, index.tables[k], models <= most_in_memory);
+        now.emplace(method, k, index.tables[k], in_memory);
       }
       return now->rows(first, count);
     });
   }
-  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale);
+  return collection_sum(static_cast<Eigen::Index>(models), terms, method.weights, method.weight_kind, method.scale,
+                        earlier ? &*earlier : nullptr);
 }
 
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,

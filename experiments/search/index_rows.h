@@ -16,8 +16,10 @@ namespace shapegauge {
 /// By term, the distance that the method compares its signatures by.
 std::vector<NamedDistance> distances_of(const SearchMethod& method);
 
-/// The sum over the models whose tables the index has. In parallel.
-CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control);
+/// The sum over the models whose tables the index has. `before`: an earlier index by the same method, or nullptr;
+/// models of the same id and contents need no new rows then, and the result is the same. In parallel.
+CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control,
+                     const ShapeIndex* before = nullptr);
 
 /// By term, the distances from a signature to all models. `member`: its index where it is one of them, else -1. In
 /// parallel. Throws ArgumentError for signatures that the distance does not take.

@@ -105,7 +105,7 @@ Dataset dataset_of(const Collection& collection) {
 }
 
 ShapeIndex described(const SearchMethod& method, const Collection& collection, std::vector<IndexedFile> files,
-                     const RunControl& control, Cache& cache) {
+                     const ShapeIndex* before, const RunControl& control, Cache& cache) {
   ComputedSignatures computed =
       compute_signatures(dataset_of(collection), method.configuration, control, cache, *single_process());
   ShapeIndex index;
@@ -117,7 +117,7 @@ ShapeIndex described(const SearchMethod& method, const Collection& collection, s
   index.learnt = std::move(computed.learnt);
   index.field_ranges = std::move(computed.field_ranges);
   for (const std::size_t term : method.terms) index.tables.push_back(std::move(computed.signatures[term]));
-  index.sum = sum_of(method, index, control);
+  index.sum = sum_of(method, index, control, before);
   return index;
 }
 
@@ -170,7 +170,8 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
       if (take_times(index.contents, files)) write_index(index, update.notes);
       return;
     }
-    index.contents = described(index.method, index.collection, std::move(files), control, cache);
+    index.contents =
+        described(index.method, index.collection, std::move(files), before ? &*before : nullptr, control, cache);
     update.rebuilt = true;
     update.left_out = new_failures(index.contents, before ? &*before : nullptr);
     write_index(index, update.notes);

@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 /// Incremented with every change of what an index holds.
-constexpr int index_version = 1;
+constexpr int index_version = 2;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && signature.derived->key == "rerank";

@@ -76,15 +76,29 @@ void take_tables(Unpacker& unpacker, std::vector<Signatures>& tables) {
   }
 }
 
+void add(Packer& packer, const NearestModels& nearest) {
+  packer.add(nearest.indices).add(nearest.distances).add(nearest.largest);
+}
+
+void take(Unpacker& unpacker, NearestModels& nearest) {
+  unpacker.take(nearest.indices).take(nearest.distances).take(nearest.largest);
+}
+
 void add(Packer& packer, const CollectionSum& sum) {
   packer.add(sum.scale).add(sum.weights).add(sum.units).add(sum.local_scales.size());
   for (const LocalScales& scales : sum.local_scales) packer.add(scales.roots).add(scales.least);
+  packer.add(sum.nearest.size());
+  for (const NearestModels& nearest : sum.nearest) add(packer, nearest);
+  add(packer, sum.means);
 }
 
 void take(Unpacker& unpacker, CollectionSum& sum) {
   unpacker.take(sum.scale).take(sum.weights).take(sum.units);
   sum.local_scales.resize(unpacker.take_value<std::size_t>());
   for (LocalScales& scales : sum.local_scales) unpacker.take(scales.roots).take(scales.least);
+  sum.nearest.resize(unpacker.take_value<std::size_t>());
+  for (NearestModels& nearest : sum.nearest) take(unpacker, nearest);
+  take(unpacker, sum.means);
 }
 
 }  // namespace
@@ -98,7 +112,7 @@ std::string encode_index(const ShapeIndex& index, const std::string& key) {
   add(packer, index.learnt);
   packer.add(index.field_ranges);
   add(packer, index.sum);
-  packer.add(index.nearest.indices).add(index.nearest.distances).add(index.nearest.largest);
+  add(packer, index.nearest);
   const std::string content = std::move(packer).bytes();
   return fmt::format("{}{}\n{}", format_line, sha256(content), content);
 }
@@ -119,7 +133,7 @@ std::optional<ShapeIndex> decode_index(std::string_view bytes, const std::string
   take(unpacker, index.learnt);
   unpacker.take(index.field_ranges);
   take(unpacker, index.sum);
-  unpacker.take(index.nearest.indices).take(index.nearest.distances).take(index.nearest.largest);
+  take(unpacker, index.nearest);
   fault = IndexFault::none;
   return index;
 }
