@@ -186,9 +186,9 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
       std::ranges::any_of(fields, [](const WantedField& field) { return field.settings.type == "offset_sdf"; });
   remark_on_cavities(view.shape, measures_hull, remarks);
   if (view.normals.rows() == 0) view.normals = samples.normals;
-  if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);
   const Eigen::Index count = samples.points.rows();
   view = coarse_view(std::move(view), arguments.most_faces);
+  if (!arguments.no_parts) add_parts(arguments.parts, view, remarks);  // of what is shown: they would take longest
   const Eigen::Index kept = cloud ? view.shape.vertices.rows() : view.shape.triangles.rows();
   const std::string counts = fmt::format("{} {}", count, cloud ? "points" : "faces");
   view.note = fmt::format("{}{}{}", kept < count ? fmt::format("{} of which {} are shown", counts, kept) : counts,
