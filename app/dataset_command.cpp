@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "app/options.h"
@@ -29,6 +30,18 @@ struct GenerateArguments {
   GeneratorOptions options;
   int threads = 0;
 };
+
+// The data set as a configuration names it.
+std::string proposed_configuration(const DatasetLocation& location) {
+  nlohmann::ordered_json dataset{{"layout", location.layout},
+                                 {"root", fs::absolute(location.root).lexically_normal().string()}};
+  if (!location.classification.empty()) {
+    const fs::path relative = location.classification.lexically_relative(location.root);
+    const bool below = !relative.empty() && *relative.begin() != "..";
+    dataset["classification"] = below ? relative.string() : fs::absolute(location.classification).string();
+  }
+  return fmt::format("\"dataset\": {}", dataset.dump());
+}
 
 DatasetLocation location_of(const LookArguments& arguments) {
   if (arguments.layout.empty()) return recognise_dataset(arguments.folder, arguments.classification);
@@ -62,6 +75,7 @@ int show_dataset(const LookArguments& arguments) {
   for (const ModelFailure& failure : failures) {
     warn(fmt::format("model {}: {}", dataset.models[failure.model].id, failure.message));
   }
+  print_output("\nIn a configuration:\n  {}\n", printable(proposed_configuration(location)));
   if (failures.empty()) note("only the beginnings of the files were looked at; 'dataset validate' reads them whole");
   return failures.empty() ? exit_success : exit_with_failures;
 }

@@ -50,6 +50,10 @@ std::string_view search_page();
 std::string_view search_style();
 std::string_view search_script();  ///< needs both libraries
 
+std::string_view collection_page();
+std::string_view collection_style();   ///< after report_style()
+std::string_view collection_script();  ///< needs the chart library
+
 std::string_view segmentation_page();
 std::string_view segmentation_style();
 

@@ -10,8 +10,8 @@ namespace shapegauge {
 struct DatasetLocation {
   std::string layout;                    ///< a name of dataset_layouts()
   std::filesystem::path root;            ///< its folder
-  std::filesystem::path classification;  ///< shrec11: the .cla file; csv: the table; folders: not used
-  std::string split = "all";             ///< folders only: "all", "train" or "test"
+  std::filesystem::path classification;  ///< of layouts that have one: the .cla file or the table
+  std::string split = "all";             ///< of layouts with splits: "all", "train", "val" or "test"
 };
 
 /// One shape of a data set.

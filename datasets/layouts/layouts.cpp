@@ -14,6 +14,7 @@
 #include "shapegauge/datasets/files/classification.h"
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/datasets/files/model_ids.h"
+#include "shapegauge/datasets/layouts/benchmark_layouts.h"
 #include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
@@ -203,11 +204,28 @@ void require_folder(const fs::path& folder) {
 }  // namespace
 
 Registry<DatasetLayout>& dataset_layouts() {
-  static Registry<DatasetLayout> all("layout of data sets", {
-                                                                {"shrec11", find_shrec11_dataset, "test.cla"},
-                                                                {"folders", find_folders_dataset, ""},
-                                                                {"csv", find_csv_dataset, "models.csv"},
-                                                            });
+  static Registry<DatasetLayout> all(
+      "layout of data sets",
+      {
+          {.name = "shrec11", .find = find_shrec11_dataset, .usual_classification = "test.cla"},
+          {.name = "folders", .find = find_folders_dataset, .has_splits = true, .has_classification = false},
+          {.name = "csv", .find = find_csv_dataset, .usual_classification = "models.csv"},
+          {.name = "psb",
+           .find = find_psb_dataset,
+           .usual_classification = "classification/v1/base/test.cla",
+           .recognises = looks_like_psb},
+          {.name = "shapenet",
+           .find = find_shapenet_dataset,
+           .usual_classification = "all.csv",
+           .has_splits = true,
+           .recognises = looks_like_shapenet},
+          {.name = "shrec07",
+           .find = find_shrec07_dataset,
+           .has_classification = false,
+           .recognises = looks_like_shrec07},
+          {.name = "named", .find = find_named_dataset, .has_classification = false, .recognises = looks_like_named},
+          {.name = "tree", .find = find_tree_dataset, .has_classification = false, .recognises = looks_like_tree},
+      });
   return all;
 }
 
@@ -225,13 +243,14 @@ DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classifi
   require_folder(root);
   if (!classification.empty()) {
     const bool table = classification.extension() == ".csv";
-    return {.layout = table ? "csv" : "shrec11", .root = root, .classification = classification};
+    const std::string layout = table ? "csv" : looks_like_psb(root) ? "psb" : "shrec11";
+    return {.layout = layout, .root = root, .classification = classification};
   }
   for (const DatasetLayout& layout : dataset_layouts().entries()) {
-    const fs::path usual = root / layout.usual_classification;
-    if (!layout.usual_classification.empty() && fs::exists(usual)) {
-      return {.layout = std::string(layout.name), .root = root, .classification = usual};
-    }
+    const bool has_usual = !layout.usual_classification.empty();
+    const fs::path usual = has_usual ? root / layout.usual_classification : fs::path();
+    const bool recognised = layout.recognises != nullptr ? layout.recognises(root) : has_usual && fs::exists(usual);
+    if (recognised) return {.layout = std::string(layout.name), .root = root, .classification = usual};
   }
   return {.layout = "folders", .root = root, .classification = {}};
 }

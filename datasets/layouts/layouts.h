@@ -15,7 +15,11 @@ namespace shapegauge {
 struct DatasetLayout {
   std::string_view name;
   Dataset (*find)(const DatasetLocation&);
-  std::string_view usual_classification;  ///< the file beside the models that says their classes; empty: none
+  std::string_view usual_classification{};  ///< the file beside the models that says their classes; empty: none
+  bool has_splits = false;                  ///< DatasetLocation::split chooses among the models
+  bool has_classification = true;           ///< a file may say the classes; else names of files and folders do
+  /// Whether a folder looks like one of the layout; null: where the usual classification is there.
+  bool (*recognises)(const std::filesystem::path& root) = nullptr;
 };
 
 /// All layouts: those of layouts.cpp, then those that were added.
@@ -24,8 +28,9 @@ Registry<DatasetLayout>& dataset_layouts();
 /// The data set at the location. Throws InputError: a folder or a classification that is absent or wrong, no models.
 Dataset find_dataset(const DatasetLocation& location);
 
-/// The location in a folder whose layout is told by what is there: a .cla file that is named or the usual one
-/// (shrec11), a table models.csv (csv), else folders. Throws InputError where the folder is absent.
+/// The location in a folder whose layout is told by what is there: the first layout that recognises it, else folders. A
+/// classification that is named is a table (csv) or, unless the folder is one of psb, that of shrec11. Throws
+/// InputError where the folder is absent.
 DatasetLocation recognise_dataset(const std::filesystem::path& root, const std::filesystem::path& classification = {});
 
 /// Something that is wrong with one model.

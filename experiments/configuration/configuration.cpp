@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 
 namespace shapegauge {
@@ -208,7 +209,9 @@ Json to_json(const Configuration& configuration) {
 Json to_json(const DatasetLocation& location) {
   Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
   if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
-  if (location.layout == "folders") json["split"] = location.split;
+  // Segmentations have a layout of their own.
+  const DatasetLayout* const layout = dataset_layouts().find(location.layout);
+  if (layout != nullptr && layout->has_splits) json["split"] = location.split;
   return json;
 }
 

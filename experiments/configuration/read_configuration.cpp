@@ -12,6 +12,7 @@
 #include "shapegauge/core/base/nearest_word.h"
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/configuration.h"
+#include "shapegauge/experiments/configuration/dataset_files.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
@@ -271,17 +272,21 @@ DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
   DatasetLocation location;
   location.layout = dataset.at("layout");
   location.root = path_value(dataset, "root", folder);
-  if (location.layout == "folders") {
-    if (dataset.contains("classification")) {
-      throw ConfigurationError{"classification", "the layout \"folders\" has its classes in the folders' names"};
+  const DatasetLayout& layout = dataset_layouts().at(location.layout);
+  if (dataset.contains("split")) {
+    if (!layout.has_splits) {
+      throw ConfigurationError{"split", fmt::format("the layout \"{}\" has no splits", location.layout)};
     }
-    location.split = dataset.value("split", location.split);
-    return location;
+    location.split = dataset.at("split");
   }
-  if (dataset.contains("split")) throw ConfigurationError{"split", "only the layout \"folders\" has a split"};
-  location.classification = dataset.contains("classification")
-                                ? path_value(dataset, "classification", location.root)
-                                : location.root / dataset_layouts().at(location.layout).usual_classification;
+  if (!layout.has_classification) {
+    if (!dataset.contains("classification")) return location;
+    throw ConfigurationError{
+        "classification",
+        fmt::format("the layout \"{}\" has its classes in names of files or folders", location.layout)};
+  }
+  location.classification = dataset.contains("classification") ? path_value(dataset, "classification", location.root)
+                                                               : location.root / layout.usual_classification;
   return location;
 }
 
@@ -309,7 +314,9 @@ std::uint64_t read_seed(const Json& experiment) {
   return static_cast<std::uint64_t>(read_parameters(experiment_parameters(), experiment).integer("seed"));
 }
 
-Configuration configuration_from_json(const Json& document, const std::string& source, const fs::path& folder) {
+Configuration configuration_from_json(const Json& given, const std::string& source, const fs::path& folder) {
+  Json document = given;
+  read_dataset_files(document, source, folder);
   check_against_schema(document, source);
   if (is_comparison(document)) {
     throw InputError(fmt::format("{}: compares \"shapes\": it is not a retrieval experiment", source));
@@ -326,6 +333,7 @@ Configuration configuration_from_json(const Json& document, const std::string& s
 
 Json read_configuration_document(const fs::path& path, std::span<const std::string> overrides) {
   Json document = read_json(path);
+  read_dataset_files(document, path.string(), path.parent_path());  // overrides change what the files say
   for (const std::string& assignment : overrides) apply_override(document, assignment);
   return document;
 }

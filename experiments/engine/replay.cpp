@@ -88,6 +88,9 @@ Json recorded_configuration(const Json& manifest, const fs::path& root) {
   Json configuration = manifest.at("configuration");
   if (root.empty()) return configuration;
   const fs::path absolute_root = fs::absolute(root).lexically_normal();
+  if (configuration.contains("datasets")) {
+    throw InputError("--dataset-root: the run has several data sets; name each, as in --set datasets.0.root=FOLDER");
+  }
   if (configuration.contains("shapes")) {
     move_shapes(configuration["shapes"], absolute_root);
   } else {

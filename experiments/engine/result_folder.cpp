@@ -38,15 +38,21 @@ bool is_file_of(int descriptor, const fs::path& path) {
 }
 
 /// What runs write, retrieval experiments first; comparisons after them.
-constexpr std::array<std::string_view, 18> result_names{
-    "summary.csv",   "summary.json",  "summary.md",  "summary.tex", "intervals.csv",  "per_class.csv",
-    "per_query.csv", "pr_curves.csv", report_name,   "shapes.csv",  "distances",      "shape_seconds.csv",
-    "distances.csv", "errors.csv",    "normals.csv", "timings.csv", "histograms.csv", "features"};
+constexpr std::array<std::string_view, 19> result_names{
+    "summary.csv",   "summary.json",      "summary.md",    "summary.tex", "intervals.csv",
+    "per_class.csv", "per_query.csv",     "pr_curves.csv", report_name,   "shapes.csv",
+    "distances",     "shape_seconds.csv", "distances.csv", "errors.csv",  "normals.csv",
+    "timings.csv",   "histograms.csv",    "features",      "pairs.csv"};
 
 /// Whether runs write files of that name, relative to the folder.
 bool is_result(const fs::path& file) {
   if (file.parent_path() == "distances" || file.parent_path() == "features") return file.extension() == ".npy";
-  return std::ranges::find(result_names, file.string()) != result_names.end();
+  if (std::ranges::find(result_names, file.string()) != result_names.end()) return true;
+  // Of one of several data sets, in a folder of its name.
+  const std::string folder = file.empty() ? "" : file.begin()->string();
+  const fs::path below = file.lexically_relative(folder);
+  if (folder.empty() || folder != file_safe_name(folder) || file.is_absolute() || below == ".") return false;
+  return below == manifest_name || is_result(below);
 }
 
 /// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
@@ -150,7 +156,10 @@ FolderLock::~FolderLock() {
   ::close(descriptor_);
 }
 
-bool holds_timings(std::string_view file) { return file == "shape_seconds.csv" || file == "timings.csv"; }
+bool holds_timings(std::string_view file) {
+  const std::string_view name = file.substr(file.rfind('/') + 1);
+  return name == "shape_seconds.csv" || name == "timings.csv" || name == manifest_name;
+}
 
 void make_folder(const fs::path& folder) {
   std::error_code failure;

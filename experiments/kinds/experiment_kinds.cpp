@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shapegauge/experiments/collections/run_collection.h"
 #include "shapegauge/experiments/comparison/write_comparison.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
@@ -19,8 +20,8 @@ void check_kind(const ExperimentKind& kind) {
 }  // namespace
 
 Registry<ExperimentKind>& experiment_kinds() {
-  static Registry<ExperimentKind> all("kind of experiment", {retrieval_kind(), comparison_kind(), segmentation_kind()},
-                                      check_kind);
+  static Registry<ExperimentKind> all(
+      "kind of experiment", {retrieval_kind(), comparison_kind(), segmentation_kind(), collection_kind()}, check_kind);
   return all;
 }
 

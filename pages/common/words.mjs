@@ -10,8 +10,9 @@ export const number = (value, digits = 4) => (value === null ? '\u221e' : String
 
 export const shortened = (text, length) => (text.length > length ? `${text.slice(0, length - 1)}\u2026` : text);
 
-// The parts as one sentence and the hints as one each.
+// The parts as one sentence and the hints as one each. Names such as mAP keep their small letter.
 export function sentences(parts, hints = []) {
-  const sentence = (text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`;
+  const capital = (text) => (/^[a-z][A-Z]/.test(text) ? text[0] : text.charAt(0).toUpperCase());
+  const sentence = (text) => `${capital(text)}${text.slice(1)}.`;
   return [parts.join(', '), ...hints].map(sentence).join(' ');
 }

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "tests/app/program.h"
 #include "tests/support/small_dataset.h"
@@ -17,6 +18,7 @@ class DatasetCommand : public testing::Test {
  protected:
   void SetUp() override { test::write_small_dataset(folder_.path()); }
   [[nodiscard]] std::string at(const std::string& name) const { return (folder_.path() / name).string(); }
+  [[nodiscard]] std::string folder() const { return folder_.path().string(); }
   [[nodiscard]] Outcome dataset(const std::string& command) const {
     return run_executable("dataset " + command + " '" + folder_.path().string() + "'");
   }
@@ -30,6 +32,15 @@ TEST_F(DatasetCommand, InfoCountsTheClasses) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, HasSubstr("layout shrec11: 9 models in 3 classes"));
   EXPECT_THAT(outcome.output, HasSubstr("capsule       3"));
+}
+
+TEST_F(DatasetCommand, InfoProposesTheConfiguration) {
+  const std::string output = dataset("info").output;
+  const std::string key = "\"dataset\": ";
+  const std::size_t begin = output.find(key);
+  ASSERT_NE(begin, std::string::npos);
+  const auto proposed = nlohmann::json::parse(output.substr(begin + key.size()));
+  EXPECT_EQ(proposed, (nlohmann::json{{"layout", "shrec11"}, {"root", folder()}, {"classification", "test.cla"}}));
 }
 
 TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {

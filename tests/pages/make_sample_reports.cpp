@@ -1,10 +1,13 @@
-// make_sample_reports FOLDER: writes the sample reports and a leaderboard, for a browser to open.
+// make_sample_reports FOLDER: writes the sample reports, a leaderboard and a collection of data sets, for a browser to
+// open.
 #include <filesystem>
 #include <iostream>
 
 #include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/pages/collection_page.h"
 #include "shapegauge/pages/leaderboard_page.h"
 #include "shapegauge/pages/report.h"
+#include "tests/pages/sample_collection.h"
 #include "tests/pages/sample_leaderboard.h"
 #include "tests/pages/sample_reports.h"
 
@@ -20,5 +23,6 @@ int main(int argument_count, char** arguments) {
   write_file_atomically(folder / "plain.html", report_page(test_report::plain_report().report));
   write_file_atomically(folder / "crowded.html", report_page(test_report::crowded_report().report));
   write_file_atomically(folder / "leaderboard.html", leaderboard_page(test_leaderboard::sample_leaderboard().page));
+  write_file_atomically(folder / "collection.html", collection_page(test_collection::sample_collection().page));
   return 0;
 }

@@ -27,4 +27,5 @@ test('long texts end in an ellipsis and keep their length', () => {
 test('parts make one sentence, hints one each', () => {
   assert.equal(sentences(['protocol psb', 'in percent'], ['the best is bold']),
     'Protocol psb, in percent. The best is bold.');
+  assert.equal(sentences(['mAP of each class']), 'mAP of each class.');
 });

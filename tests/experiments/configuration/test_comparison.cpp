@@ -103,7 +103,7 @@ TEST(ReadComparison, TheConfigurationsOfTheFiguresAreValid) {
   setenv("SHREC11_ROOT", "/data/shrec11", 0);
   int comparisons = 0;
   for (const auto& entry : std::filesystem::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
-    if (entry.path().filename() == "experiment.schema.json") continue;
+    if (!entry.is_regular_file() || entry.path().filename() == "experiment.schema.json") continue;
     const Json read = read_configuration_document(entry.path());
     if (!is_comparison(read)) continue;
     ++comparisons;

@@ -181,8 +181,7 @@ TEST(Configuration, SettingsThatContradictEachOther) {
   EXPECT_THAT(experiment_error_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
               HasSubstr("signatures.2.field: does not go with \"concatenate\""));
   EXPECT_THAT(experiment_error_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));
-  EXPECT_THAT(experiment_error_with("/dataset/split", "train"),
-              HasSubstr("dataset.split: only the layout \"folders\""));
+  EXPECT_THAT(experiment_error_with("/dataset/split", "train"), HasSubstr("dataset.split: the layout \"shrec11\""));
   EXPECT_THAT(
       experiment_error_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),
       HasSubstr("dataset.classification: "));

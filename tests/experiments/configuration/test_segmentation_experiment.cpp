@@ -65,7 +65,7 @@ TEST(SegmentationExperiment, RefusesSettingsThatDoNotGoTogether) {
               HasSubstr("split"));
   EXPECT_THAT(refusal({{"layout", "folders"}, {"root", "r"}, {"classification", "c"}}, {{"name", "a"}}),
               HasSubstr("classification"));
-  EXPECT_THAT(refusal({{"layout", "psb"}, {"root", "r"}}, {{"name", "a"}}), HasSubstr("layout"));
+  EXPECT_THAT(refusal({{"layout", "psb_segments"}, {"root", "r"}}, {{"name", "a"}}), HasSubstr("layout"));
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ using Json = nlohmann::json;
 /// The experiments among the configurations that come with the program.
 std::vector<Json> all_experiments() {
   std::set<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) files.insert(entry.path());
+  for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
+    if (entry.is_regular_file()) files.insert(entry.path());  // data sets are in a folder
+  }
   std::vector<Json> experiments;
   for (const fs::path& file : files) {
     if (file.filename() != "experiment.schema.json") experiments.push_back(read_json(file));

@@ -53,6 +53,19 @@ class ExperimentKinds : public testing::Test {
       "segmentation": [{"name": "best"}, {"name": "paper", "method": "paper"}]})");
   }
 
+  /// Retrieval on three data sets, one of which is not there.
+  [[nodiscard]] Json collection() const {
+    Json document = retrieval();
+    Json dataset = document["dataset"];
+    document.erase("dataset");
+    dataset["name"] = "on disk";
+    document["datasets"] = {
+        dataset,
+        {{"name", "made"}, {"generate", {{"classes", 2}, {"models_per_class", 2}, {"faces", 1000}}}},
+        {{"name", "gone"}, {"layout", "folders"}, {"root", at("nowhere").string()}}};
+    return document;
+  }
+
   [[nodiscard]] RunOutcome run(const Json& document, const std::string& output, Cache& cache, Communicator& ranks,
                                const RunControl& control = {.threads = 1}) const {
     return run_into_folder(read_experiment(document, "test.json", folder_.path()), at(output), false, control, cache,
@@ -75,10 +88,11 @@ class ExperimentKinds : public testing::Test {
 };
 
 TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
-  EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation"));
+  EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "collection"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
   EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 2U);
   EXPECT_EQ(read_experiment(segmentation(), "test.json", at("")).name, "parts");
+  EXPECT_EQ(read_experiment(collection(), "test.json", at("")).configuration["datasets"].size(), 3U);
   EXPECT_THAT(test::input_error_of([&] {
                 read_experiment(Json{{"nmae", "x"}}, "test.json", at(""));
               }),
@@ -86,8 +100,10 @@ TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
 }
 
 TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
-  for (const auto& [name, document] :
-       {std::pair{"retrieval", retrieval()}, {"comparison", comparison()}, {"segmentation", segmentation()}}) {
+  for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
+                                       {"comparison", comparison()},
+                                       {"segmentation", segmentation()},
+                                       {"collection", collection()}}) {
     SCOPED_TRACE(name);
     const std::string alone = std::string(name) + "/alone";
     Cache none;
@@ -107,7 +123,8 @@ TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
 }
 
 TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
-  for (const auto& [name, document] : {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}}) {
+  for (const auto& [name, document] :
+       {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}, {"collection", collection()}}) {
     SCOPED_TRACE(name);
     const std::string place = name;
     Cache none;

@@ -1,0 +1,217 @@
+#include "shapegauge/datasets/layouts/benchmark_layouts.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <fmt/format.h>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/classification.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "shapegauge/datasets/files/model_ids.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int shrec07_class_size = 20;
+constexpr std::array<std::string_view, 20> shrec07_classes{
+    "human", "cup",  "glasses", "airplane", "ant",       "chair", "octopus",  "table",   "teddy", "hand",
+    "plier", "fish", "bird",    "spring",   "armadillo", "bust",  "mechanic", "bearing", "vase",  "fourleg"};
+
+std::string id_of(const fs::path& file) { return fs::path(file).filename().replace_extension().string(); }
+
+// The whole number that the name of the file is.
+std::optional<int> number_of(const fs::path& file) {
+  const std::string id = id_of(file);
+  int number = 0;
+  const auto [end, error] = std::from_chars(id.data(), id.data() + id.size(), number);
+  const bool whole = error == std::errc() && end == id.data() + id.size() && number > 0;
+  return whole ? std::optional(number) : std::nullopt;
+}
+
+int label_in(std::vector<std::string>& classes, const std::string& name) {
+  const auto found = std::ranges::find(classes, name);
+  const auto label = static_cast<int>(found - classes.begin());
+  if (found == classes.end()) classes.push_back(name);
+  return label;
+}
+
+// Adds a model; throws InputError where the data set has one of that id.
+void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
+  if (!ids.insert(model.id).second) {
+    throw InputError(fmt::format("{}: another file is the model {} already; keep one", model.file.string(), model.id));
+  }
+  dataset.models.push_back(std::move(model));
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code unknown;
+  return fs::exists(path, unknown);
+}
+
+// The name without the digits at its end; empty where there are none or nothing else.
+std::string name_before_number(const fs::path& file) {
+  const std::string id = id_of(file);
+  const std::size_t end = id.find_last_not_of("0123456789") + 1;
+  return end == id.size() ? "" : id.substr(0, end);
+}
+
+}  // namespace
+
+Dataset find_shrec07_dataset(const DatasetLocation& location) {
+  Dataset dataset;
+  for (const std::string_view name : shrec07_classes) dataset.classes.emplace_back(name);
+  std::set<std::string> ids;
+  for (const fs::path& file : model_files(location.root)) {
+    const std::optional<int> number = number_of(file);
+    if (!number || *number > shrec07_class_size * std::ssize(shrec07_classes)) {
+      throw InputError(fmt::format("{}: the models of the layout \"shrec07\" are 1.off to {}.off", file.string(),
+                                   shrec07_class_size * std::ssize(shrec07_classes)));
+    }
+    add_model({.id = id_of(file), .file = file, .label = (*number - 1) / shrec07_class_size}, ids, dataset);
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+bool looks_like_shrec07(const fs::path& root) {
+  const std::vector<fs::path> files = model_files(root);
+  return files.size() > 1 && std::ranges::all_of(files, [](const fs::path& file) {
+           return number_of(file).value_or(shrec07_class_size * 20 + 1) <= shrec07_class_size * 20;
+         });
+}
+
+Dataset find_psb_dataset(const DatasetLocation& location) {
+  const Classification classification = read_classification(location.classification);
+  const std::vector<std::string> ids = models_in_natural_order(classification);
+  const std::vector<int> labels = class_labels(classification, ids, location.classification.string());
+  Dataset dataset;
+  for (const ModelClass& one : classification.classes) dataset.classes.push_back(one.name);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const std::string name = ids[i].starts_with('m') ? ids[i].substr(1) : ids[i];
+    const std::optional<int> number = name == "0" ? std::optional(0) : number_of(name);
+    if (!number) {
+      throw InputError(fmt::format("{}: model {} is no number, as the layout \"psb\" has it",
+                                   location.classification.string(), quoted_word(ids[i])));
+    }
+    const fs::path folder = location.root / "db" / fmt::format("{}", *number / 100) / fmt::format("m{}", *number);
+    dataset.models.push_back({.id = ids[i], .file = folder / fmt::format("m{}.off", *number), .label = labels[i]});
+  }
+  return dataset;
+}
+
+bool looks_like_psb(const fs::path& root) { return is_folder(root / "db" / "0") && is_folder(root / "classification"); }
+
+Dataset find_named_dataset(const DatasetLocation& location) {
+  Dataset dataset;
+  std::set<std::string> ids;
+  for (const fs::path& file : model_files(location.root)) {
+    const std::string name = name_before_number(file);
+    if (name.empty()) {
+      throw InputError(
+          fmt::format("{}: the name is not a class and a number, as in cat0.off, which the layout "
+                      "\"named\" needs",
+                      file.string()));
+    }
+    add_model({.id = id_of(file), .file = file, .label = label_in(dataset.classes, name)}, ids, dataset);
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+bool looks_like_named(const fs::path& root) {
+  const std::vector<fs::path> files = model_files(root);
+  std::set<std::string> names;
+  for (const fs::path& file : files) names.insert(name_before_number(file));
+  return names.size() > 1 && !names.contains("") && subfolders(root).empty();
+}
+
+Dataset find_tree_dataset(const DatasetLocation& location) {
+  Dataset dataset;
+  std::set<std::string> ids;
+  std::vector<fs::path> waiting = subfolders(location.root);
+  std::ranges::reverse(waiting);
+  while (!waiting.empty()) {
+    const fs::path folder = waiting.back();
+    waiting.pop_back();
+    const std::string name = folder.lexically_relative(location.root).generic_string();
+    for (const fs::path& file : model_files(folder)) {
+      add_model({.id = name + "/" + id_of(file), .file = file, .label = label_in(dataset.classes, name)}, ids, dataset);
+    }
+    std::vector<fs::path> below = subfolders(folder);
+    waiting.insert(waiting.end(), below.rbegin(), below.rend());
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+bool looks_like_tree(const fs::path& root) {
+  const std::vector<fs::path> folders = subfolders(root);
+  const auto holds_folders_only = [](const fs::path& folder) {
+    return is_folder(folder) && model_files(folder).empty() && !subfolders(folder).empty() &&
+           !is_folder(folder / "train") && !is_folder(folder / "test");
+  };
+  return std::ranges::any_of(folders, holds_folders_only);
+}
+
+namespace {
+
+std::size_t column_of(const CsvRow& header, std::string_view name, const std::string& source) {
+  const auto found = std::ranges::find(header.cells, name);
+  if (found != header.cells.end()) return static_cast<std::size_t>(found - header.cells.begin());
+  throw InputError(
+      fmt::format("{}:{}: expected the columns id, synsetId, subSynsetId, modelId and split; there is no {}", source,
+                  header.line, name));
+}
+
+fs::path shapenet_file(const fs::path& root, const std::string& split, const std::string& synset,
+                       const std::string& id) {
+  const std::string name = fmt::format("model_{}.obj", id);
+  const fs::path flat = root / split / name;
+  const fs::path nested = root / split / synset / name;
+  return !is_there(flat) && is_there(nested) ? nested : flat;
+}
+
+}  // namespace
+
+Dataset find_shapenet_dataset(const DatasetLocation& location) {
+  const std::string source = location.classification.string();
+  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(location.classification), source);
+  if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
+  const std::size_t id = column_of(rows[0], "id", source);
+  const std::size_t synset = column_of(rows[0], "synsetId", source);
+  const std::size_t split = column_of(rows[0], "split", source);
+  Dataset dataset;
+  std::set<std::string> ids;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const CsvRow& row = rows[i];
+    if (row.cells.size() != rows[0].cells.size()) {
+      throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
+                                   rows[0].cells.size()));
+    }
+    if (location.split != "all" && row.cells[split] != location.split) continue;
+    add_model({.id = row.cells[id],
+               .file = shapenet_file(location.root, row.cells[split], row.cells[synset], row.cells[id]),
+               .label = label_in(dataset.classes, row.cells[synset])},
+              ids, dataset);
+  }
+  std::ranges::sort(dataset.models, natural_less, &Model::id);
+  return dataset;
+}
+
+bool looks_like_shapenet(const fs::path& root) {
+  if (!is_there(root / "all.csv")) return false;
+  return read_file_bytes(root / "all.csv", 200).find("synsetId") != std::string::npos;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/metrics/bootstrap.h"
+#include "shapegauge/metrics/friedman_test.h"
+
+namespace shapegauge {
+
+/// A data set of a collection that was used.
+struct CollectedDataset {
+  std::string name;
+  std::string folder;  ///< of its results, below those of the collection
+  bool has_report = false;
+  std::size_t models = 0;
+  std::vector<MethodScores> scores;  ///< by method and protocol
+};
+
+/// Methods by data sets under one protocol, measure and average.
+struct CollectionTable {
+  std::string protocol;
+  Average average = Average::micro;
+  std::string measure;
+  Eigen::MatrixXd values;  ///< data sets x methods, fractions
+  RankComparison ranks;
+};
+
+/// What a collection of data sets says of methods.
+struct CollectionResults {
+  std::string name;
+  std::string description;
+  std::vector<std::string> methods;
+  std::vector<CollectedDataset> datasets;
+  std::vector<CollectionTable> tables;  ///< by protocol, average, measure
+  std::string main_measure;             ///< mAP, or the first measure where that is not among them
+  double alpha = 0.05;
+  std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
+};
+
+/// Compares the methods on all data sets, which all have the same methods, protocols and measures.
+std::vector<CollectionTable> collection_tables(std::span<const CollectedDataset> datasets, double alpha);
+
+/// The table of the first protocol, average and main measure: that which summaries show.
+const CollectionTable& main_table(const CollectionResults& results);
+
+/// A row for each method, the best mean rank first: its value on each data set in percent, their mean, the mean rank
+/// and the letters of the groups that do not differ significantly. The best of each data set is bold.
+Table collection_summary(const CollectionResults& results, const CollectionTable& table, int decimals = 2);
+
+/// For files: the rows of all tables, with protocol, average and measure in front.
+Table collection_csv_table(const CollectionResults& results);
+
+/// For files: a row for each table and pair of methods: difference of the mean ranks, p of Nemenyi's test, data sets
+/// won, tied and lost.
+Table collection_pairs_table(const CollectionResults& results);
+
+/// All of it as JSON, in fractions.
+nlohmann::ordered_json collection_json(const CollectionResults& results);
+
+/// Friedman's test and the critical difference in a sentence or two.
+std::string test_words(const CollectionResults& results, const CollectionTable& table);
+
+/// The page of a collection as one HTML file.
+std::string collection_html(const CollectionResults& results);
+
+}  // namespace shapegauge

@@ -1,0 +1,109 @@
+#include "shapegauge/metrics/friedman_test.h"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/fisher_f.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/metrics/studentised_range.h"
+
+namespace shapegauge {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::vector<std::size_t> ascending(const Eigen::VectorXd& values) {
+  std::vector<std::size_t> order(static_cast<std::size_t>(values.size()));
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[static_cast<Eigen::Index>(i)]; });
+  return order;
+}
+
+// The ranks of one data set, the largest value first; adds t^3 - t for each t methods of equal value.
+Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {
+  const std::vector<std::size_t> order = ascending(-values);
+  Eigen::VectorXd ranks(values.size());
+  for (std::size_t first = 0; first < order.size();) {
+    std::size_t after = first;
+    const double value = values[static_cast<Eigen::Index>(order[first])];
+    while (after < order.size() && values[static_cast<Eigen::Index>(order[after])] == value) ++after;
+    for (std::size_t i = first; i < after; ++i) {
+      ranks[static_cast<Eigen::Index>(order[i])] = static_cast<double>(first + 1 + after) / 2;
+    }
+    const auto tied = static_cast<double>(after - first);
+    ties += tied * tied * tied - tied;
+    first = after;
+  }
+  return ranks;
+}
+
+FriedmanTest friedman_of(const Eigen::VectorXd& mean_ranks, double sets, double ties) {
+  const auto methods = static_cast<double>(mean_ranks.size());
+  FriedmanTest test;
+  if (methods < 2 || sets < 2) return test;
+  test.tie_correction = 1 - ties / (sets * (methods * methods * methods - methods));
+  if (test.tie_correction <= 0) return test;  // all values are equal
+  const double spread = (mean_ranks.array() - (methods + 1) / 2).square().sum();
+  test.chi_squared = 12 * sets / (methods * (methods + 1)) * spread / test.tie_correction;
+  test.p = boost::math::cdf(boost::math::complement(boost::math::chi_squared(methods - 1), test.chi_squared));
+  const double rest = sets * (methods - 1) - test.chi_squared;
+  constexpr double rounding = 1e-12;
+  if (rest <= rounding * sets * methods) {
+    test.f = infinity;
+    test.f_p = 0;
+    return test;
+  }
+  test.f = (sets - 1) * test.chi_squared / rest;
+  const boost::math::fisher_f distribution(methods - 1, (methods - 1) * (sets - 1));
+  test.f_p = boost::math::cdf(boost::math::complement(distribution, test.f));
+  return test;
+}
+
+}  // namespace
+
+RankComparison compare_by_ranks(const Eigen::MatrixXd& values, double alpha) {
+  if (values.size() == 0) throw ArgumentError("no values of methods on data sets to rank");
+  if (!values.allFinite()) throw ArgumentError("a value of a method on a data set is not a finite number");
+  if (!(alpha > 0 && alpha < 1)) throw ArgumentError("a probability of error must be between 0 and 1");
+  const auto sets = static_cast<double>(values.rows());
+  const auto methods = static_cast<double>(values.cols());
+  RankComparison comparison;
+  comparison.ranks.resize(values.rows(), values.cols());
+  double ties = 0;
+  for (Eigen::Index set = 0; set < values.rows(); ++set) {
+    comparison.ranks.row(set) = ranks_of(values.row(set).transpose(), ties).transpose();
+  }
+  comparison.mean_ranks = comparison.ranks.colwise().mean().transpose();
+  comparison.order = ascending(comparison.mean_ranks);
+  comparison.friedman = friedman_of(comparison.mean_ranks, sets, ties);
+
+  const double unit = std::sqrt(methods * (methods + 1) / (6 * sets));
+  const auto count = static_cast<std::size_t>(values.cols());
+  const bool tested = count > 1 && values.rows() > 1;
+  if (tested) comparison.critical_difference = studentised_range_quantile(alpha, count) / std::sqrt(2.0) * unit;
+  if (count > 1 && !tested) comparison.critical_difference = infinity;
+  const auto rank_at = [&](std::size_t position) {
+    return comparison.mean_ranks[static_cast<Eigen::Index>(comparison.order[position])];
+  };
+  comparison.groups = homogeneous_groups(
+      count, [&](std::size_t i, std::size_t j) { return rank_at(j) - rank_at(i) > comparison.critical_difference; });
+  for (std::size_t first = 0; first < count; ++first) {
+    for (std::size_t second = first + 1; second < count; ++second) {
+      const auto a = static_cast<Eigen::Index>(first);
+      const auto b = static_cast<Eigen::Index>(second);
+      RankDifference pair{.first = first, .second = second};
+      pair.mean_ranks = comparison.mean_ranks[a] - comparison.mean_ranks[b];
+      const double range = std::sqrt(2.0) * std::abs(pair.mean_ranks) / unit;
+      if (tested) pair.p = 1 - studentised_range_probability(range, count);
+      pair.data_sets = win_tie_loss(values.col(a) - values.col(b));
+      comparison.pairs.push_back(pair);
+    }
+  }
+  return comparison;
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,119 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "shapegauge/datasets/layouts/layouts.h"
+#include "tests/support/test_files.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+
+/// Folders in the shape of published data sets, with few models.
+class BenchmarkLayouts : public testing::Test {
+ protected:
+  [[nodiscard]] fs::path root() const { return folder_.path() / "data"; }
+  void add(const std::string& name, const std::string& text = triangle) const { test::write_text(root() / name, text); }
+
+  /// The data set as the folder is recognised: layout, then models with their classes.
+  [[nodiscard]] std::vector<std::string> recognised(const std::string& split = "all") const {
+    DatasetLocation location = recognise_dataset(root());
+    location.split = split;
+    const Dataset dataset = find_dataset(location);
+    std::vector<std::string> words{location.layout};
+    for (const Model& model : dataset.models) {
+      words.push_back(model.id + ":" + dataset.classes.at(static_cast<std::size_t>(model.label)));
+    }
+    EXPECT_TRUE(check_models(dataset).empty());
+    return words;
+  }
+  [[nodiscard]] std::string error(const std::string& layout) const {
+    return test::input_error_of([&] {
+      static_cast<void>(find_dataset({.layout = layout,
+                                      .root = root(),
+                                      .classification = root() / dataset_layouts().at(layout).usual_classification}));
+    });
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(BenchmarkLayouts, Shrec07HasItsClassesFromTheNumbers) {
+  for (const char* name : {"1.off", "20.off", "21.off", "261.off", "400.off"}) add(name);
+  EXPECT_THAT(recognised(), ElementsAre("shrec07", "1:human", "20:human", "21:cup", "261:spring", "400:fourleg"));
+  add("401.off");
+  EXPECT_THAT(error("shrec07"), HasSubstr("401.off"));
+}
+
+TEST_F(BenchmarkLayouts, Shrec10To15AreAFolderWithAClassification) {
+  for (const char* name : {"T1.off", "T2.off", "T10.off"}) add(name);
+  add("test.cla", "PSB 1\n2 3\n\nalien 0 2\n1\n10\n\ncat 0 1\n2\n");
+  EXPECT_THAT(recognised(), ElementsAre("shrec11", "1:alien", "2:cat", "10:alien"));
+}
+
+TEST_F(BenchmarkLayouts, PrincetonsModelsLieInFoldersOfAHundred) {
+  for (const char* name : {"db/0/m0/m0.off", "db/0/m7/m7.off", "db/8/m812/m812.off", "db/9/m900/m900.off"}) add(name);
+  add("classification/v1/base/test.cla", "PSB 1\n3 3\n\nanimal 0 0\n\nbee animal 2\n0\n812\n\ncar 0 1\n7\n");
+  add("classification/v1/coarse1/test.cla", "PSB 1\n1 3\n\nthing 0 3\n0\n812\n7\n");
+  EXPECT_THAT(recognised(), ElementsAre("psb", "0:bee", "7:car", "812:bee"));
+  const Dataset coarse =
+      find_dataset({.layout = "psb", .root = root(), .classification = root() / "classification/v1/coarse1/test.cla"});
+  EXPECT_EQ(coarse.classes.size(), 1U);
+  add("classification/v1/base/test.cla", "PSB 1\n1 2\n\nbee 0 2\n0\nbumble\n");
+  EXPECT_THAT(error("psb"), HasSubstr("bumble"));
+}
+
+TEST_F(BenchmarkLayouts, PrincetonsModelWithoutAFileIsToldByTheCheck) {
+  add("db/0/m0/m0.off");
+  add("classification/v1/base/test.cla", "PSB 1\n1 2\n\nbee 0 2\n0\n762\n");
+  const Dataset dataset = find_dataset(recognise_dataset(root()));
+  const std::vector<ModelFailure> failures = check_models(dataset);
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_THAT(failures[0].message, HasSubstr("m762.off"));
+}
+
+TEST_F(BenchmarkLayouts, ToscasNamesAreAClassAndANumber) {
+  for (const char* name : {"cat0.off", "cat10.off", "cat2.off", "dog1.off"}) add(name);
+  EXPECT_THAT(recognised(), ElementsAre("named", "cat0:cat", "cat2:cat", "cat10:cat", "dog1:dog"));
+  add("wolf.off");
+  EXPECT_THAT(error("named"), HasSubstr("wolf.off"));
+}
+
+TEST_F(BenchmarkLayouts, ATreeHasAClassForEachFolderWithModels) {
+  for (const char* name : {"Flat/Clips/a.off", "Flat/Clips/b.off", "Flat/Plates/a.off", "Round/Bolts/c.off"}) add(name);
+  EXPECT_THAT(recognised(), ElementsAre("tree", "Flat/Clips/a:Flat/Clips", "Flat/Clips/b:Flat/Clips",
+                                        "Flat/Plates/a:Flat/Plates", "Round/Bolts/c:Round/Bolts"));
+}
+
+TEST_F(BenchmarkLayouts, FoldersAndModelNetsSplitsAreFolders) {
+  for (const char* name :
+       {"bed/train/bed_1.off", "bed/test/bed_2.off", "sofa/train/sofa_1.off", "sofa/test/sofa_2.off"})
+    add(name);
+  EXPECT_THAT(recognised("test"), ElementsAre("folders", "bed/test/bed_2:bed", "sofa/test/sofa_2:sofa"));
+}
+
+TEST_F(BenchmarkLayouts, ShapeNetsTableNamesSplitsAndSynsets) {
+  const std::string triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* name : {"train/04090263/model_000001.obj", "test/model_000002.obj", "test/model_000003.obj"})
+    add(name, triangle_obj);
+  add("all.csv",
+      "id,synsetId,subSynsetId,modelId,split\n000001,04090263,x,a,train\n000002,04090263,x,b,test\n"
+      "000003,02691156,y,c,test\n");
+  EXPECT_THAT(recognised(), ElementsAre("shapenet", "000001:04090263", "000002:04090263", "000003:02691156"));
+  EXPECT_THAT(recognised("test"), ElementsAre("shapenet", "000002:04090263", "000003:02691156"));
+  add("all.csv", "id,synsetId,split\n000001,1\n");
+  EXPECT_THAT(error("shapenet"), HasSubstr(":2:"));
+  add("all.csv", "id,class\n000001,1\n");
+  EXPECT_THAT(error("shapenet"), HasSubstr("synsetId"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge
