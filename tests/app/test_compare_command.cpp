@@ -114,6 +114,28 @@ TEST_F(CompareCommand, MethodsOfOneFolderAreComparedWithAReference) {
   EXPECT_EQ(nlohmann::json::parse(compare("results", "--format json --protocol paper").output)["protocol"], "paper");
 }
 
+TEST_F(CompareCommand, DrawsCurvesAndScoresAndMakesAReportOfAll) {
+  const Outcome outcome = compare_matrices(
+      "good.npy bad.npy", "--measures FT --names ours,theirs --plot '" + at("pr.svg") + "' --plot-scores '" +
+                              at("scores.svg") + "' --pr '" + at("pr.csv") + "' --report '" + at("all.html") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">ours<"), HasSubstr(">theirs<")));
+  EXPECT_THAT(text_of(at("scores.svg")), AllOf(HasSubstr(">FT<"), HasSubstr(">theirs<")));
+  EXPECT_THAT(text_of(at("pr.csv")),
+              AllOf(StartsWith("method,protocol,recall,precision\nours,psb,0.05,"), HasSubstr("\ntheirs,psb,1,")));
+  EXPECT_THAT(text_of(at("all.html")), AllOf(HasSubstr("ours"), HasSubstr("theirs")));
+}
+
+TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
+  write_text(at("results/per_query.csv"),
+             "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
+  write_text(at("results/precision_recall.csv"),
+             "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\nn,psb,0.5,0.25,0.2\n"
+             "m,paper,0.5,1,1\n");
+  ASSERT_EQ(compare("results", "--pr '" + at("pr.csv") + "'").status, 0);
+  EXPECT_EQ(text_of(at("pr.csv")), "method,protocol,recall,precision\nm,psb,0.5,0.750000\nn,psb,0.5,0.250000\n");
+}
+
 TEST_F(CompareCommand, SeedsAndTestsMatterAndThreadsDoNot) {
   const auto p = [&](const std::string& more) {
     return nlohmann::json::parse(compare_matrices("bad.npy poor.npy", "--measures FT --format json " + more)
