@@ -14,9 +14,6 @@
 #include "shapegauge/core/io/ply.h"
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
-#include "shapegauge/core/sdf/cone_sdf.h"
-#include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/segmentation/paper_segmentation.h"
 #include "shapegauge/segmentation/part_segmentation.h"
@@ -66,21 +63,16 @@ LabelWriter label_writer(const fs::path& name) {
   throw InputError(fmt::format("cannot write {}: parts are written as .seg, .ply or .png", name.string()));
 }
 
-Labels paper_labels(const Shape& given, const SegmentArguments& arguments, Remarks& remarks) {
-  const DistinctTriangles mesh = distinct_triangles(given);
-  const Shape& shape = mesh.shape;
-  const SurfaceGraph graph = surface_graph(shape);
-  ScalarField field{.values = {}, .weights = graph.samples.weights};
-  if (arguments.field == "cone") {
-    field.values = cone_sdf(shape, graph.samples, {}).values;
-  } else {
+Labels paper_labels(const Shape& shape, const SegmentArguments& arguments, Remarks& remarks) {
+  std::optional<double> offset;
+  if (arguments.field == "offset") {
     const ChosenOffset chosen = choose_offset(parse_offset(arguments.offset).fraction_of(shape), shape);
-    field.values = offset_sdf(shape, graph.samples, {.offset = chosen.offset}).values;
+    offset = chosen.offset;
     remark_on(chosen, remarks);
   }
   PaperSegmentationOptions options;
   if (arguments.parts > 0) options.mixture.components = arguments.parts;
-  return with_doubles(mesh, paper_segmentation(graph, {&field, 1}, options));
+  return paper_segmentation(shape, offset, options);
 }
 
 void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& given, const ShapeJob& job,

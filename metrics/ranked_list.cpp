@@ -316,13 +316,6 @@ RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query
   return list;
 }
 
-RankedList list_of_hits(const std::vector<bool>& hits, bool starts_with_query, std::size_t not_in_list) {
-  std::vector<RankRun> runs;
-  runs.reserve(hits.size());
-  for (const bool hit : hits) runs.push_back({1, hit ? 1U : 0U});
-  return list_of_runs(runs, starts_with_query, not_in_list);
-}
-
 double hits_among_first(const RankedList& list, std::size_t count) {
   double hits = 0;
   for (const RankRun& run : list.runs) {

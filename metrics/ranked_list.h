@@ -48,10 +48,7 @@ struct RankedList {
 RankedList ranked_list(const DistanceTable& distances, const RetrievalTask& task, Eigen::Index row, Protocol protocol,
                        Ties ties);
 
-/// The list in which rank i + 1 is a hit where hits[i] is true, with further relevant models that are not in it.
-RankedList list_of_hits(const std::vector<bool>& hits, bool starts_with_query = false, std::size_t not_in_list = 0);
-
-/// The list of the runs; they may be neighbours of the same kind.
+/// The list of the runs, with further relevant models that are not in it. Runs may be neighbours of the same kind.
 RankedList list_of_runs(const std::vector<RankRun>& runs, bool starts_with_query = false, std::size_t not_in_list = 0);
 
 /// Mean number of hits among the first `count` ranks, or in the whole list where that is shorter.

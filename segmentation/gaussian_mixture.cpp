@@ -43,10 +43,9 @@ Eigen::MatrixXd spread_centres(const Eigen::MatrixXd& points, const Eigen::RowVe
       const auto offset = (points.row(i) - centres.row(k - 1)).array() / scale.array();
       nearest[i] = std::min(nearest[i], offset.square().sum());
     }
-    double rest = random.uniform(0, nearest.sum());
-    Eigen::Index chosen = 0;
-    while (chosen + 1 < points.rows() && rest >= nearest[chosen]) rest -= nearest[chosen++];
-    centres.row(k) = points.row(chosen);
+    const auto chosen =
+        weighted_index({nearest.data(), static_cast<std::size_t>(nearest.size())}, random.uniform(0, nearest.sum()));
+    centres.row(k) = points.row(chosen ? static_cast<Eigen::Index>(*chosen) : points.rows() - 1);
   }
   return centres;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,5 +36,11 @@ struct PaperSegmentationOptions {
 /// patch_features().
 std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::span<const ScalarField> fields,
                                              const PaperSegmentationOptions& options);
+
+/// The same of a shape and its SDF, a label for each triangle, or for each point of a cloud. `offset`: of the offset
+/// surface, a fraction of the diagonal; none: the conventional SDF, which takes meshes only. Doubled triangles have the
+/// label of their first. Throws InputError also as offset_sdf() and cone_sdf().
+std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
+                                             const PaperSegmentationOptions& options = {});
 
 }  // namespace shapegauge

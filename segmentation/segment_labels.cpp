@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
-#include <set>
 #include <unordered_map>
 
 #include "shapegauge/core/base/error.h"
@@ -53,19 +52,6 @@ LabelBorders borders_of(const SurfaceGraph& graph, std::span<const std::int32_t>
   return borders;
 }
 
-/// Makes `from` a part of `into`.
-void join(LabelBorders& borders, std::int32_t into, std::int32_t from) {
-  auto& target = borders.lengths[static_cast<std::size_t>(into)];
-  for (const auto& [other, length] : borders.lengths[static_cast<std::size_t>(from)]) {
-    borders.lengths[static_cast<std::size_t>(other)].erase(from);
-    if (other == into) continue;
-    target[other] += length;
-    borders.lengths[static_cast<std::size_t>(other)][into] += length;
-  }
-  borders.lengths[static_cast<std::size_t>(from)].clear();
-  borders.areas[static_cast<std::size_t>(into)] += borders.areas[static_cast<std::size_t>(from)];
-}
-
 }  // namespace
 
 std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
@@ -97,38 +83,6 @@ std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<c
   std::vector<std::int32_t> parts(labels.size());
   for (std::size_t i = 0; i < parts.size(); ++i) parts[i] = sets.find(static_cast<std::int32_t>(i));
   return renumbered(parts);
-}
-
-std::vector<std::int32_t> without_small_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
-                                              double least_share) {
-  check(graph, labels);
-  const std::vector<std::int32_t> numbers = renumbered(labels);
-  LabelBorders borders = borders_of(graph, numbers);
-  const double least = least_share * graph.samples.weights.sum();
-  std::vector<std::int32_t> into(borders.areas.size());
-  std::iota(into.begin(), into.end(), 0);
-  std::set<std::pair<double, std::int32_t>> small;
-  for (std::size_t k = 0; k < into.size(); ++k) {
-    if (borders.areas[k] < least) small.emplace(borders.areas[k], static_cast<std::int32_t>(k));
-  }
-  while (!small.empty()) {
-    const std::int32_t part = small.begin()->second;
-    small.erase(small.begin());
-    const auto& lengths = borders.lengths[static_cast<std::size_t>(part)];
-    if (lengths.empty()) continue;
-    const auto longer = [](const auto& a, const auto& b) { return a.second < b.second; };
-    const std::int32_t target = std::ranges::max_element(lengths, longer)->first;
-    small.erase({borders.areas[static_cast<std::size_t>(target)], target});
-    join(borders, target, part);
-    into[static_cast<std::size_t>(part)] = target;
-    const double area = borders.areas[static_cast<std::size_t>(target)];
-    if (area < least) small.emplace(area, target);
-  }
-  std::vector<std::int32_t> result = numbers;
-  for (std::int32_t& label : result) {
-    while (into[static_cast<std::size_t>(label)] != label) label = into[static_cast<std::size_t>(label)];
-  }
-  return renumbered(result);
 }
 
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {

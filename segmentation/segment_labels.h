@@ -22,11 +22,6 @@ std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vecto
 /// one label a node.
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
-/// Gives parts of less than this share of the area to the neighbour with which their border is longest, smallest
-/// first. Parts without neighbours stay. Numbers are those of renumbered(). Throws as connected_parts().
-std::vector<std::int32_t> without_small_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels,
-                                              double least_share);
-
 /// A colour for each node by its label, such that neighbouring labels differ as far as a dozen colours can: labels are
 /// coloured one after the other, the largest first, each in a colour that no neighbour has, as far as possible in one
 /// of its own. Throws as connected_parts().

@@ -26,6 +26,16 @@ double RandomNumbers::uniform(double lower, double upper) {
   return lower + (upper - lower) * (static_cast<double>(next() >> 11U) * 0x1.0p-53);
 }
 
+std::optional<std::size_t> weighted_index(std::span<const double> weights, double position) {
+  std::optional<std::size_t> chosen;
+  for (std::size_t i = 0; i < weights.size() && position >= 0; ++i) {
+    if (!(weights[i] > 0)) continue;
+    chosen = i;
+    position -= weights[i];
+  }
+  return chosen;
+}
+
 std::vector<bool> random_subset(std::size_t n, std::size_t count, RandomNumbers& random) {
   std::vector<bool> chosen(n);
   auto wanted = static_cast<double>(count);

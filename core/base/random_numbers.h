@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "shapegauge/core/base/parameter.h"
@@ -30,6 +32,11 @@ class RandomNumbers {
  private:
   std::uint64_t state_;
 };
+
+/// The index of the first weight at which the sum of the weights up to it is greater than `position`; of the last
+/// positive weight where none is. Nothing where no weight is positive. With a position that is uniform up to the sum,
+/// items are chosen with probabilities proportional to their weights.
+std::optional<std::size_t> weighted_index(std::span<const double> weights, double position);
 
 /// Marks exactly `count` of n items, every set of that size as likely as any other (selection sampling: Knuth, The Art
 /// of Computer Programming, 3.4.2, algorithm S). count is at most n.

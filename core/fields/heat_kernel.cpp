@@ -10,19 +10,24 @@ namespace shapegauge {
 
 namespace {
 
-void check(double first_time, double last_time, int times, int fewest, int most) {
-  if (!(first_time > 0 && last_time > first_time && std::isfinite(last_time))) {
-    throw InputError(
-        fmt::format("the times of a heat kernel must be positive and ascending, not {} to {}", first_time, last_time));
+void check(const ScaleInvariantOptions& options) {
+  if (!(options.first_time > 0 && options.last_time > options.first_time && std::isfinite(options.last_time))) {
+    throw InputError(fmt::format("the times of a heat kernel must be positive and ascending, not {} to {}",
+                                 options.first_time, options.last_time));
   }
-  if (times < fewest || times > most) {
-    throw InputError(fmt::format("a heat kernel takes {} to {} times, not {}", fewest, most, times));
+  if (options.times < 4 || options.times > 10000) {
+    throw InputError(fmt::format("a heat kernel takes 4 to 10000 times, not {}", options.times));
+  }
+  if (options.frequencies < 1 || options.frequencies > options.times / 2) {
+    throw InputError(fmt::format("a scale-invariant heat kernel signature of {} times has 1 to {} frequencies, not {}",
+                                 options.times, options.times / 2, options.frequencies));
   }
 }
 
-/// One column for each time, evenly spaced by their logarithm.
-Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, double first_time, double last_time, int times) {
-  const Eigen::ArrayXd t = Eigen::ArrayXd::LinSpaced(times, std::log(first_time), std::log(last_time)).exp() * area;
+/// The heat kernel signature, one column for each time, evenly spaced by their logarithm.
+Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, const ScaleInvariantOptions& options) {
+  const Eigen::ArrayXd t =
+      Eigen::ArrayXd::LinSpaced(options.times, std::log(options.first_time), std::log(options.last_time)).exp() * area;
   const Eigen::MatrixXd decay = (-spectrum.eigenvalues * t.matrix().transpose()).array().exp();
   return area * (spectrum.eigenvectors.cwiseAbs2() * decay);
 }
@@ -32,12 +37,7 @@ constexpr double zero = 1e-9;
 
 }  // namespace
 
-Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, const HeatKernelOptions& options) {
-  check(options.first_time, options.last_time, options.times, 2, 1000);
-  return heat_kernel(spectrum, area, options.first_time, options.last_time, options.times);
-}
-
-Eigen::VectorXd heat_kernel_signature_at(const Spectrum& spectrum, double area, double time) {
+Eigen::VectorXd heat_kernel_signature(const Spectrum& spectrum, double area, double time) {
   if (!(time > 0 && std::isfinite(time))) {
     throw InputError(fmt::format("the time of a heat kernel must be positive, not {}", time));
   }
@@ -47,13 +47,8 @@ Eigen::VectorXd heat_kernel_signature_at(const Spectrum& spectrum, double area, 
 
 Eigen::MatrixXd scale_invariant_heat_kernel_signature(const Spectrum& spectrum, double area,
                                                       const ScaleInvariantOptions& options) {
-  check(options.first_time, options.last_time, options.times, 4, 10000);
-  if (options.frequencies < 1 || options.frequencies > options.times / 2) {
-    throw InputError(fmt::format("a scale-invariant heat kernel signature of {} times has 1 to {} frequencies, not {}",
-                                 options.times, options.times / 2, options.frequencies));
-  }
-  const Eigen::MatrixXd logarithm =
-      heat_kernel(spectrum, area, options.first_time, options.last_time, options.times).array().log();
+  check(options);
+  const Eigen::MatrixXd logarithm = heat_kernel(spectrum, area, options).array().log();
   const Eigen::Index steps = options.times - 1;
   const double step = std::log(options.last_time / options.first_time) / static_cast<double>(steps);
   const Eigen::MatrixXd derivative = (logarithm.rightCols(steps) - logarithm.leftCols(steps)) / step;

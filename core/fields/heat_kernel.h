@@ -12,21 +12,11 @@ namespace shapegauge {
 /// of earlier versions is then computed anew.
 inline constexpr int heat_kernel_version = 3;
 
-/// Settings of heat_kernel_signature(). Times are in units of the surface area, so the signature, multiplied by the
-/// area, does not depend on the scale.
-struct HeatKernelOptions {
-  double first_time = 0.004;  ///< positive; about the square of the smallest neighbourhood's size
-  double last_time = 0.25;    ///< greater than the first; 0.1 is beyond a sphere's first eigenfunctions
-  int times = 16;             ///< 2 to 1000; spaced evenly by their logarithm
-};
-
-/// Heat kernel signature (Sun, Ovsjanikov, Guibas 2009) at the vertices: column k is the sum over the spectrum of
-/// exp(-lambda t_k) phi(x)^2, times the area: the heat left at a place from a unit put there, relative to its share
-/// when it has spread evenly; 1 for late times. Throws InputError for options out of range.
-Eigen::MatrixXd heat_kernel_signature(const Spectrum& spectrum, double area, const HeatKernelOptions& options = {});
-
-/// The same at one time, in units of the area. Throws InputError unless the time is positive.
-Eigen::VectorXd heat_kernel_signature_at(const Spectrum& spectrum, double area, double time);
+/// Heat kernel signature (Sun, Ovsjanikov, Guibas 2009) at the vertices: the sum over the spectrum of
+/// exp(-lambda t) phi(x)^2, times the area: the heat left at a place from a unit put there, relative to its share when
+/// it has spread evenly; 1 for late times. The time is in units of the area: the signature does not depend on the
+/// scale. Throws InputError unless the time is positive.
+Eigen::VectorXd heat_kernel_signature(const Spectrum& spectrum, double area, double time);
 
 /// Settings of scale_invariant_heat_kernel_signature().
 struct ScaleInvariantOptions {

@@ -113,7 +113,7 @@ constexpr std::array heat_kernel_table = {
 FieldComputation heat_kernel_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
   const HeatKernelField field = options_from(heat_kernel_table, values);
   return spectral_field(field.spectrum, [time = field.time](const Spectrum& spectrum, double area) {
-    return heat_kernel_signature_at(spectrum, area, time);
+    return heat_kernel_signature(spectrum, area, time);
   });
 }
 

@@ -61,26 +61,6 @@ Eigen::Vector3i neighbour(const Eigen::Vector3i& block, int side) {
 
 constexpr std::int32_t unknown = -3;
 
-}  // namespace
-
-ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
-    : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
-  std::vector<std::uint8_t> near_surface(grid.block_count());
-  for (std::size_t i = 0; i < near_surface.size(); ++i)
-    near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
-  dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
-  flood(near_surface, band, parallel);
-  look_across_edges(near_surface, band, parallel);
-  near_.resize(state_.size());
-  for (std::size_t i = 0; i < state_.size(); ++i) {
-    if (state_[i] == unknown) state_[i] = none_exterior;
-    near_[i] = exterior_cells(i) != 0 ? 1 : 0;
-  }
-  dilate_down(grid, near_);
-}
-
-namespace {
-
 /// Rows of blocks along x as bits, for whole rows to be flooded at once.
 class BlockRows {
  public:
@@ -130,66 +110,100 @@ void spread_row(BlockRows::Word* reached, const BlockRows::Word* open, std::size
   }
 }
 
+/// The blocks that a way through blocks that are not near the surface joins to the grid's border. A row of blocks has
+/// the index y + z * (number of blocks along y).
+class FarBlocks {
+ public:
+  FarBlocks(const BlockGrid& grid, const std::vector<std::uint8_t>& near_surface)
+      : size_x_(static_cast<std::size_t>(grid.blocks.x())),
+        size_y_(static_cast<std::size_t>(grid.blocks.y())),
+        rows_(near_surface.size() / size_x_),
+        open_(grid),
+        far_(grid) {
+    for (std::size_t row = 0; row < rows_; ++row) {
+      for (std::size_t x = 0; x < size_x_; ++x) {
+        if (near_surface[row * size_x_ + x] == 0) open_.set(row, x);
+      }
+    }
+    flood();
+  }
+
+  [[nodiscard]] std::size_t size_x() const { return size_x_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+
+  [[nodiscard]] bool contain(std::size_t row, std::size_t x) const {
+    return (far_.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
+  }
+
+  /// The cells of a block that touch far blocks.
+  [[nodiscard]] Cells touching(std::size_t row, std::size_t x) const {
+    Cells cells = 0;
+    if (x > 0 && contain(row, x - 1)) cells |= low_x;
+    if (x + 1 < size_x_ && contain(row, x + 1)) cells |= high_x;
+    for_each_side(row, [&](std::size_t next, Cells side) {
+      if (contain(next, x)) cells |= side;
+    });
+    return cells;
+  }
+
+ private:
+  /// Calls visit(row, cells) for the rows beside a row and the cells of its blocks that touch theirs.
+  template <typename Visit>
+  void for_each_side(std::size_t row, const Visit& visit) const {
+    const std::size_t y = row % size_y_;
+    if (y > 0) visit(row - 1, low_y);
+    if (y + 1 < size_y_) visit(row + 1, high_y);
+    if (row >= size_y_) visit(row - size_y_, low_z);
+    if (row + size_y_ < rows_) visit(row + size_y_, high_z);
+  }
+
+  /// From the first block, which is at the border.
+  void flood() {
+    std::vector<std::size_t> waiting{0};
+    far_.set(0, 0);
+    spread_row(far_.row(0), open_.row(0), open_.words());
+    while (!waiting.empty()) {
+      const std::size_t row = waiting.back();
+      waiting.pop_back();
+      for_each_side(row, [&](std::size_t next, Cells /*side*/) {
+        if (pass_on(row, next)) waiting.push_back(next);
+      });
+    }
+  }
+
+  /// Spreads a row to one beside it; false where nothing is new there.
+  bool pass_on(std::size_t row, std::size_t next) {
+    bool is_new = false;
+    for (std::size_t i = 0; i < open_.words(); ++i) {
+      const BlockRows::Word added = far_.row(row)[i] & open_.row(next)[i] & ~far_.row(next)[i];
+      far_.row(next)[i] |= added;
+      is_new |= added != 0;
+    }
+    if (is_new) spread_row(far_.row(next), open_.row(next), open_.words());
+    return is_new;
+  }
+
+  std::size_t size_x_;
+  std::size_t size_y_;
+  std::size_t rows_;
+  BlockRows open_;
+  BlockRows far_;
+};
+
 }  // namespace
 
 /// From the grid's border through the blocks that are not near the surface. Returns the others that it touches.
 std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vector<std::uint8_t>& near_surface) {
-  const auto size_x = static_cast<std::size_t>(grid_.blocks.x());
-  const int size_y = grid_.blocks.y();
-  const int size_z = grid_.blocks.z();
-  BlockRows open(grid_);
-  BlockRows far(grid_);
-  const std::size_t words = open.words();
-  const std::size_t rows = near_surface.size() / size_x;
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t x = 0; x < size_x; ++x) {
-      if (near_surface[row * size_x + x] == 0) open.set(row, x);
-    }
-  }
-  std::vector<std::size_t> waiting{0};
-  far.set(0, 0);
-  spread_row(far.row(0), open.row(0), words);
-  const auto for_each_side = [&](std::size_t row, const auto& visit) {
-    const int y = static_cast<int>(row) % size_y;
-    const int z = static_cast<int>(row) / size_y;
-    if (y > 0) visit(row - 1, 2);
-    if (y + 1 < size_y) visit(row + 1, 3);
-    if (z > 0) visit(row - static_cast<std::size_t>(size_y), 4);
-    if (z + 1 < size_z) visit(row + static_cast<std::size_t>(size_y), 5);
-  };
-  while (!waiting.empty()) {
-    const std::size_t row = waiting.back();
-    waiting.pop_back();
-    for_each_side(row, [&](std::size_t next, int /*side*/) {
-      bool is_new = false;
-      for (std::size_t i = 0; i < words; ++i) {
-        const BlockRows::Word added = far.row(row)[i] & open.row(next)[i] & ~far.row(next)[i];
-        far.row(next)[i] |= added;
-        is_new |= added != 0;
-      }
-      if (!is_new) return;
-      spread_row(far.row(next), open.row(next), words);
-      waiting.push_back(next);
-    });
-  }
+  const FarBlocks far(grid_, near_surface);
   std::vector<Reached> touched;
-  const auto is_far = [&](std::size_t row, std::size_t x) {
-    return (far.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
-  };
-  for (std::size_t row = 0; row < rows; ++row) {
-    for (std::size_t x = 0; x < size_x; ++x) {
-      const std::size_t i = row * size_x + x;
+  for (std::size_t row = 0; row < far.rows(); ++row) {
+    for (std::size_t x = 0; x < far.size_x(); ++x) {
+      const std::size_t i = row * far.size_x() + x;
       if (near_surface[i] == 0) {
-        if (is_far(row, x)) state_[i] = all_exterior;
+        if (far.contain(row, x)) state_[i] = all_exterior;
         continue;
       }
-      Cells seeds = 0;
-      if (x > 0 && is_far(row, x - 1)) seeds |= low_x;
-      if (x + 1 < size_x && is_far(row, x + 1)) seeds |= high_x;
-      for_each_side(row, [&](std::size_t next, int side) {
-        constexpr std::array<Cells, 6> touching{low_x, high_x, low_y, high_y, low_z, high_z};
-        if (is_far(next, x)) seeds |= touching[static_cast<std::size_t>(side)];
-      });
+      const Cells seeds = far.touching(row, x);
       if (seeds != 0) touched.push_back({static_cast<std::uint32_t>(i), seeds});
     }
   }
@@ -220,82 +234,110 @@ std::vector<BlockKind> ExteriorGrid::look_at(const std::vector<Reached>& blocks,
 
 /// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
 /// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
-void ExteriorGrid::flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
-  std::vector<std::uint32_t> passing;  // exterior blocks whose neighbours have not been told
-  std::vector<Reached> reached = flood_far_blocks(near_surface);
-  // The state of the k-th that was reached is unknown - 1 - k until it has been looked at.
-  for (std::size_t k = 0; k < reached.size(); ++k)
-    state_[reached[k].block] = unknown - 1 - static_cast<std::int32_t>(k);
-  std::vector<Cells> seeds;  // of each boundary block, that have not spread
-  std::vector<std::int32_t> spreading;
-  const SparseInterruptionCheck check;
-  const auto pass_on = [&](std::uint32_t index, Cells cells) {
-    const Eigen::Vector3i block = grid_.block_at(index);
-    for (int side = 0; side < 6; ++side) {
-      const Cells touched = across(cells, side);
-      const Eigen::Vector3i next = neighbour(block, side);
-      if (touched == 0 || !grid_.has_block(next)) continue;
-      const auto next_index = static_cast<std::uint32_t>(grid_.block_index(next));
-      std::int32_t& state = state_[next_index];
-      if (state == all_exterior || state == none_exterior) continue;
-      if (state >= 0) {
-        const auto place = static_cast<std::size_t>(state);
-        const Cells added = touched & boundary_[place].free & ~exterior_[place];
-        if (added != 0 && seeds[place] == 0) spreading.push_back(state);
-        seeds[place] |= added;
-      } else if (state < unknown) {
-        reached[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
-      } else if (near_surface[next_index] == 0) {
-        state = all_exterior;
-        passing.push_back(next_index);
-      } else {
-        state = unknown - 1 - static_cast<std::int32_t>(reached.size());
-        reached.push_back({next_index, touched});
+class ExteriorGrid::Flood {
+ public:
+  Flood(ExteriorGrid& exterior, const std::vector<std::uint8_t>& near_surface)
+      : exterior_(exterior), near_surface_(near_surface), reached_(exterior.flood_far_blocks(near_surface)) {
+    for (std::size_t k = 0; k < reached_.size(); ++k) exterior_.state_[reached_[k].block] = state_of_reached(k);
+  }
+
+  void run(double band, bool parallel) {
+    exterior_.boundary_.reserve(static_cast<std::size_t>(std::count(near_surface_.begin(), near_surface_.end(), 1)));
+    while (!passing_.empty() || !reached_.empty()) {
+      look_at_reached(band, parallel);
+      while (!passing_.empty() || !spreading_.empty()) {
+        check_();
+        spread_one();
       }
     }
-  };
-  boundary_.reserve(static_cast<std::size_t>(std::count(near_surface.begin(), near_surface.end(), 1)));
-  while (!passing.empty() || !reached.empty()) {
-    const std::vector<Reached> blocks = std::move(reached);
-    reached.clear();
-    const std::size_t first = boundary_.size();
+  }
+
+ private:
+  /// The state of the k-th block that was reached, until it has been looked at.
+  static std::int32_t state_of_reached(std::size_t k) { return unknown - 1 - static_cast<std::int32_t>(k); }
+
+  void look_at_reached(double band, bool parallel) {
+    const std::vector<Reached> blocks = std::move(reached_);
+    reached_.clear();
+    std::vector<BoundaryBlock>& boundary = exterior_.boundary_;
+    const std::size_t first = boundary.size();
     std::size_t next = first;
-    const std::vector<BlockKind> kinds = look_at(blocks, band, parallel);
+    const std::vector<BlockKind> kinds = exterior_.look_at(blocks, band, parallel);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-      std::int32_t& state = state_[blocks[i].block];
+      std::int32_t& state = exterior_.state_[blocks[i].block];
       if (kinds[i] == BlockKind::free) {
         state = all_exterior;
-        passing.push_back(blocks[i].block);
+        passing_.push_back(blocks[i].block);
       } else if (kinds[i] == BlockKind::covered) {
         state = none_exterior;
       } else {
-        if (next != first + i) boundary_[next] = boundary_[first + i];
+        if (next != first + i) boundary[next] = boundary[first + i];
         state = static_cast<std::int32_t>(next);
-        exterior_.push_back(0);
-        seeds.push_back(blocks[i].seeds & boundary_[next].free);
-        if (seeds.back() != 0) spreading.push_back(state);
+        exterior_.exterior_.push_back(0);
+        seeds_.push_back(blocks[i].seeds & boundary[next].free);
+        if (seeds_.back() != 0) spreading_.push_back(state);
         ++next;
       }
     }
-    boundary_.resize(next);
-    while (!passing.empty() || !spreading.empty()) {
-      check();
-      if (!passing.empty()) {
-        const std::uint32_t index = passing.back();
-        passing.pop_back();
-        pass_on(index, all_cells);
-        continue;
-      }
-      const auto place = static_cast<std::size_t>(spreading.back());
-      spreading.pop_back();
-      const Cells wider = fill(exterior_[place] | seeds[place], boundary_[place].free);
-      const Cells added = wider & ~exterior_[place];
-      seeds[place] = 0;
-      exterior_[place] = wider;
-      pass_on(boundary_[place].index, added);
+    boundary.resize(next);
+  }
+
+  void spread_one() {
+    if (!passing_.empty()) {
+      const std::uint32_t index = passing_.back();
+      passing_.pop_back();
+      return pass_on(index, all_cells);
+    }
+    const auto place = static_cast<std::size_t>(spreading_.back());
+    spreading_.pop_back();
+    Cells& cells = exterior_.exterior_[place];
+    const Cells wider = fill(cells | seeds_[place], exterior_.boundary_[place].free);
+    const Cells added = wider & ~cells;
+    seeds_[place] = 0;
+    cells = wider;
+    pass_on(exterior_.boundary_[place].index, added);
+  }
+
+  /// Tells a block's neighbours of exterior cells.
+  void pass_on(std::uint32_t index, Cells cells) {
+    const BlockGrid& grid = exterior_.grid_;
+    const Eigen::Vector3i block = grid.block_at(index);
+    for (int side = 0; side < 6; ++side) {
+      const Cells touched = across(cells, side);
+      const Eigen::Vector3i next = neighbour(block, side);
+      if (touched == 0 || !grid.has_block(next)) continue;
+      reach(static_cast<std::uint32_t>(grid.block_index(next)), touched);
     }
   }
-}
+
+  /// Cells of a block touch what is exterior.
+  void reach(std::uint32_t index, Cells touched) {
+    std::int32_t& state = exterior_.state_[index];
+    if (state == all_exterior || state == none_exterior) return;
+    if (state >= 0) {
+      const auto place = static_cast<std::size_t>(state);
+      const Cells added = touched & exterior_.boundary_[place].free & ~exterior_.exterior_[place];
+      if (added != 0 && seeds_[place] == 0) spreading_.push_back(state);
+      seeds_[place] |= added;
+    } else if (state < unknown) {
+      reached_[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
+    } else if (near_surface_[index] == 0) {
+      state = all_exterior;
+      passing_.push_back(index);
+    } else {
+      state = state_of_reached(reached_.size());
+      reached_.push_back({index, touched});
+    }
+  }
+
+  ExteriorGrid& exterior_;
+  const std::vector<std::uint8_t>& near_surface_;
+  std::vector<Reached> reached_;
+  std::vector<std::uint32_t> passing_;   ///< exterior blocks whose neighbours have not been told
+  std::vector<Cells> seeds_;             ///< of each boundary block, that have not spread
+  std::vector<std::int32_t> spreading_;  ///< boundary blocks that have seeds
+  SparseInterruptionCheck check_;
+};
 
 namespace {
 
@@ -351,6 +393,22 @@ void ExteriorGrid::look_across_edges(const std::vector<std::uint8_t>& near_surfa
   }
   boundary_.resize(next);
   exterior_.resize(next);
+}
+
+ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, double band, bool parallel)
+    : grid_(grid), surface_(surface), state_(grid.block_count(), unknown) {
+  std::vector<std::uint8_t> near_surface(grid.block_count());
+  for (std::size_t i = 0; i < near_surface.size(); ++i)
+    near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
+  dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
+  Flood(*this, near_surface).run(band, parallel);
+  look_across_edges(near_surface, band, parallel);
+  near_.resize(state_.size());
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    if (state_[i] == unknown) state_[i] = none_exterior;
+    near_[i] = exterior_cells(i) != 0 ? 1 : 0;
+  }
+  dilate_down(grid, near_);
 }
 
 CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x) {

@@ -48,9 +48,10 @@ class ExteriorGrid {
     std::uint64_t seeds;
   };
 
+  class Flood;
+
   std::vector<Reached> flood_far_blocks(const std::vector<std::uint8_t>& near_surface);
   std::vector<BlockKind> look_at(const std::vector<Reached>& blocks, double band, bool parallel);
-  void flood(const std::vector<std::uint8_t>& near_surface, double band, bool parallel);
   void look_across_edges(const std::vector<std::uint8_t>& near_surface, double band, bool parallel);
 
   const BlockGrid& grid_;

@@ -250,75 +250,109 @@ Eigen::Vector3d step_to(const Projected& to, const Eigen::Vector3d& x, const Tri
   return length > room ? (step + room / length * more).eval() : (step + more).eval();
 }
 
+/// The steps from the site to the nearest point of the offset surface (docs/offset_sdf.md#the-steps-to-q).
+class OffsetPointSearch {
+ public:
+  OffsetPointSearch(const ExteriorGrid& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& site,
+                    std::int32_t triangle)
+      : exterior_(exterior), table_(exterior.surface().triangles), r_(exterior.grid().r), p_(p), site_(site), x_(site) {
+    around_.add(triangle);
+    around_.look_from(site, table_);
+    contacts_.add(contact(triangle, site, around_.vector(0), r_));
+  }
+
+  /// As nearest_offset_point().
+  std::optional<Eigen::Vector3d> find(const std::optional<Eigen::Vector3d>& known) {
+    constexpr int most_steps = 12;
+    constexpr double settled = 0.01;  // of a step's length, in parts of r
+    constexpr double leads_to_known = 0.3;
+    constexpr double tolerance = 2e-4;  // of the distance
+    const double covering = r_ * (1 - tolerance);
+    std::optional<Eigen::Vector3d> found;
+    for (int step = 0; step < most_steps; ++step) {
+      if (!move()) return found;
+      const CellsAround cells = cells_around(exterior_, x_);
+      look_around(cells);
+      const float squared = nearest_squared();
+      if (!(squared > 0)) return found;
+      const bool covered = static_cast<double>(squared) < covering * covering;
+      if (!covered && !is_limited_) {
+        // Free, but enclosed: no step comes out of there again.
+        if (!cells.touches_exterior && !leads_to(exterior_, x_, site_)) return found;
+        found = x_;
+        if (moved_ < settled * r_) return found;
+        if (known && (x_ - *known).norm() < leads_to_known * r_) return std::nullopt;
+      }
+      contacts_ = contacts_for(around_, contacts_, kept_, x_, r_, covering);
+      if (contacts_.count == 0) return found;
+    }
+    return found;
+  }
+
+ private:
+  /// Makes a step to the projection of p on the contacts' half-spaces; false where these have no point in common.
+  bool move() {
+    constexpr double most_moved = 0.4;  // at once, in parts of r: no wall is so thin
+    const auto projected = Projection(p_, contacts_).find();
+    if (!projected) return false;
+    const Eigen::Vector3d move = step_to(*projected, x_, table_, contacts_, r_, trusted_ * r_);
+    const double moved = move.norm();
+    is_limited_ = moved > most_moved * r_;
+    x_ += (is_limited_ ? most_moved * r_ / moved : 1.0) * move;
+    kept_ = {};
+    for (std::size_t i = 0; i < contacts_.count; ++i) {
+      kept_[i] = is_limited_ || contacts_.list[i].normal.dot(x_) <= contacts_.list[i].height + 1e-6;
+    }
+    if (move.dot(move_) < 0 && moved > 0.5 * moved_) trusted_ /= 2;  // to and fro
+    move_ = move;
+    moved_ = moved;
+    return true;
+  }
+
+  /// The triangles of the contacts, those around x and, where x has nearly settled, those nearest to the contacts.
+  void look_around(const CellsAround& cells) {
+    constexpr double nearly_settled = 0.05;
+    around_.count = 0;
+    for (std::size_t i = 0; i < contacts_.count; ++i) around_.triangles[around_.count++] = contacts_.list[i].triangle;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around_.add(cells.triangles[i]);
+    // Fine triangles: the closest is seldom among those of the cells, but near where the contacts are.
+    for (std::size_t i = 0; i < contacts_.count && moved_ < nearly_settled * r_; ++i) {
+      if (!kept_[i]) continue;
+      const Eigen::Vector3d place = x_ - r_ * contacts_.list[i].normal;
+      const std::int32_t nearest =
+          closest_triangle_about(exterior_.grid(), exterior_.surface(), place, closest_reach, x_);
+      if (nearest >= 0 && around_.count < around_.triangles.size()) around_.add(nearest);
+    }
+    around_.look_from(x_, table_);
+  }
+
+  [[nodiscard]] float nearest_squared() const {
+    float squared = around_.squared(0);
+    for (std::size_t i = 1; i < around_.count; ++i) squared = std::min(squared, around_.squared(i));
+    return squared;
+  }
+
+  const ExteriorGrid& exterior_;
+  const TriangleTable& table_;
+  double r_;
+  const Eigen::Vector3d& p_;
+  const Eigen::Vector3d& site_;
+  Eigen::Vector3d x_;
+  Contacts contacts_;
+  Surroundings around_;
+  std::array<bool, Contacts::most> kept_{};                 ///< the contacts that the last step keeps
+  bool is_limited_ = false;                                 ///< the last step was cut short
+  double trusted_ = 0.1;                                    ///< longest correction of a step, in parts of r
+  Eigen::Vector3d move_ = Eigen::Vector3d::Zero();          ///< the last step, before it was cut short
+  double moved_ = std::numeric_limits<double>::infinity();  ///< its length
+};
+
 }  // namespace
 
 std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
                                                     const Eigen::Vector3d& site, std::int32_t triangle,
                                                     const std::optional<Eigen::Vector3d>& known) {
-  constexpr int most_steps = 12;
-  // In parts of r:
-  constexpr double most_moved = 0.4;  // at once: no wall is so thin
-  constexpr double nearly_settled = 0.05;
-  constexpr double settled = 0.01;  // of a step's length
-  constexpr double leads_to_known = 0.3;
-  constexpr double tolerance = 2e-4;  // of the distance
-  double trusted = 0.1;               // no step is made longer than that
-  const double r = exterior.grid().r;
-  const TriangleTable& table = exterior.surface().triangles;
-  Surroundings around;
-  around.add(triangle);
-  around.look_from(site, table);
-  Contacts contacts;
-  contacts.add(contact(triangle, site, around.vector(0), r));
-  Eigen::Vector3d x = site;
-  Eigen::Vector3d move_before = Eigen::Vector3d::Zero();
-  double moved_before = std::numeric_limits<double>::infinity();
-  std::optional<Eigen::Vector3d> found;
-  for (int step = 0; step < most_steps; ++step) {
-    const auto projected = Projection(p, contacts).find();
-    if (!projected) return found;
-    const Eigen::Vector3d move = step_to(*projected, x, table, contacts, r, trusted * r);
-    const double moved = move.norm();
-    const bool is_limited = moved > most_moved * r;
-    x += (is_limited ? most_moved * r / moved : 1.0) * move;
-    std::array<bool, Contacts::most> kept{};
-    for (std::size_t i = 0; i < contacts.count; ++i) {
-      kept[i] = is_limited || contacts.list[i].normal.dot(x) <= contacts.list[i].height + 1e-6;
-    }
-    const CellsAround cells = cells_around(exterior, x);
-    around.count = 0;
-    for (std::size_t i = 0; i < contacts.count; ++i) around.triangles[around.count++] = contacts.list[i].triangle;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(cells.count); ++i) around.add(cells.triangles[i]);
-    // Fine triangles: the closest is seldom among those of the cells, but near where the contacts are.
-    if (moved < nearly_settled * r) {
-      for (std::size_t i = 0; i < contacts.count; ++i) {
-        if (!kept[i]) continue;
-        const Eigen::Vector3d place = x - r * contacts.list[i].normal;
-        const std::int32_t nearest =
-            closest_triangle_about(exterior.grid(), exterior.surface(), place, closest_reach, x);
-        if (nearest >= 0 && around.count < around.triangles.size()) around.add(nearest);
-      }
-    }
-    around.look_from(x, table);
-    float squared = around.squared(0);
-    for (std::size_t i = 1; i < around.count; ++i) squared = std::min(squared, around.squared(i));
-    if (!(squared > 0)) return found;
-    const double covering = r * (1 - tolerance);
-    const bool covered = static_cast<double>(squared) < covering * covering;
-    if (move.dot(move_before) < 0 && moved > 0.5 * moved_before) trusted /= 2;  // to and fro
-    move_before = move;
-    moved_before = moved;
-    if (!covered && !is_limited && (cells.touches_exterior || leads_to(exterior, x, site))) {
-      found = x;
-      if (moved < settled * r) return found;
-      if (known && (x - *known).norm() < leads_to_known * r) return std::nullopt;
-    } else if (!covered && !is_limited) {
-      return found;  // free, but enclosed: no step comes out of there again
-    }
-    contacts = contacts_for(around, contacts, kept, x, r, covering);
-    if (contacts.count == 0) return found;
-  }
-  return found;
+  return OffsetPointSearch(exterior, p, site, triangle).find(known);
 }
 
 }  // namespace shapegauge

@@ -52,71 +52,90 @@ HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* n
 #endif
 }
 
-/// x - a - v ab - w ac, squared too, for the coordinates v and w of a point of the triangle.
 template <typename D>
-struct Rest {
-  hn::Vec<D> x, y, z, squared;
+struct LaneVectors {
+  hn::Vec<D> x, y, z;
 };
 
+template <typename D>
+hn::Vec<D> dot(const LaneVectors<D>& u, const LaneVectors<D>& v) {
+  return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
+}
+
+/// u - v b, for a number b.
+template <typename D>
+LaneVectors<D> minus_product(const LaneVectors<D>& u, hn::Vec<D> v, const LaneVectors<D>& b) {
+  return {hn::NegMulAdd(v, b.x, u.x), hn::NegMulAdd(v, b.y, u.y), hn::NegMulAdd(v, b.z, u.z)};
+}
+
+/// The shortest of the vectors that it was shown, and its square.
+template <typename D>
+class ShortestVector {
+ public:
+  explicit ShortestVector(const LaneVectors<D>& first) : vector_(first), squared_(dot<D>(first, first)) {}
+
+  void show(const LaneVectors<D>& other) {
+    const hn::Vec<D> squared = dot<D>(other, other);
+    keep(other, squared, hn::Lt(squared, squared_));
+  }
+
+  /// Only in the lanes that count.
+  void show(const LaneVectors<D>& other, hn::Mask<D> counting) {
+    const hn::Vec<D> squared = dot<D>(other, other);
+    keep(other, squared, hn::And(counting, hn::Lt(squared, squared_)));
+  }
+
+  void store(D d, TriangleTable::Vectors& points, std::size_t lane) const {
+    hn::Store(vector_.x, d, points.x.data() + lane);
+    hn::Store(vector_.y, d, points.y.data() + lane);
+    hn::Store(vector_.z, d, points.z.data() + lane);
+    hn::Store(squared_, d, points.squared.data() + lane);
+  }
+
+ private:
+  void keep(const LaneVectors<D>& other, hn::Vec<D> squared, hn::Mask<D> where) {
+    vector_.x = hn::IfThenElse(where, other.x, vector_.x);
+    vector_.y = hn::IfThenElse(where, other.y, vector_.y);
+    vector_.z = hn::IfThenElse(where, other.z, vector_.z);
+    squared_ = hn::IfThenElse(where, squared, squared_);
+  }
+
+  LaneVectors<D> vector_;
+  hn::Vec<D> squared_;
+};
+
+/// From the closest point of each of the triangles to the points.
 void vectors(const float* records, const std::int32_t* triangles, TriangleTable::Vectors& points) {
   const hn::CappedTag<float, TriangleTable::at_once> d;
   using D = decltype(d);
-  const auto zero = hn::Zero(d);
-  const auto one = hn::Set(d, 1.0F);
+  using Lanes = hn::Vec<D>;
+  const Lanes zero = hn::Zero(d);
+  const Lanes one = hn::Set(d, 1.0F);
+  const Lanes tiny = hn::Set(d, 1e-30F);  // edges of no length are points: nothing is divided by zero
+  const auto clamp = [&](Lanes t) { return hn::Min(hn::Max(t, zero), one); };
   for (std::size_t lane = 0; lane < TriangleTable::at_once; lane += hn::Lanes(d)) {
-    hn::Vec<D> field[16];
+    Lanes field[16];
     load_transposed(d, records, triangles + lane, field);
-    const auto ax = hn::Sub(hn::Load(d, points.x.data() + lane), field[0]);
-    const auto ay = hn::Sub(hn::Load(d, points.y.data() + lane), field[1]);
-    const auto az = hn::Sub(hn::Load(d, points.z.data() + lane), field[2]);
-    const auto abx = field[3];
-    const auto aby = field[4];
-    const auto abz = field[5];
-    const auto acx = field[6];
-    const auto acy = field[7];
-    const auto acz = field[8];
-    const auto along_ab = hn::MulAdd(ax, abx, hn::MulAdd(ay, aby, hn::Mul(az, abz)));
-    const auto along_ac = hn::MulAdd(ax, acx, hn::MulAdd(ay, acy, hn::Mul(az, acz)));
-    const auto rest = [&](hn::Vec<D> v, hn::Vec<D> w) {
-      Rest<D> at;
-      at.x = hn::NegMulAdd(v, abx, hn::NegMulAdd(w, acx, ax));
-      at.y = hn::NegMulAdd(v, aby, hn::NegMulAdd(w, acy, ay));
-      at.z = hn::NegMulAdd(v, abz, hn::NegMulAdd(w, acz, az));
-      at.squared = hn::MulAdd(at.x, at.x, hn::MulAdd(at.y, at.y, hn::Mul(at.z, at.z)));
-      return at;
-    };
-    const auto clamp = [&](hn::Vec<D> t) { return hn::Min(hn::Max(t, zero), one); };
-    // Edges of no length are points: nothing is divided by zero.
-    const auto dot = [](auto ux, auto uy, auto uz, auto vx, auto vy, auto vz) {
-      return hn::MulAdd(ux, vx, hn::MulAdd(uy, vy, hn::Mul(uz, vz)));
-    };
-    const auto tiny = hn::Set(d, 1e-30F);
-    const auto ab2 = dot(abx, aby, abz, abx, aby, abz);
-    const auto ac2 = dot(acx, acy, acz, acx, acy, acz);
-    const auto abac = dot(abx, aby, abz, acx, acy, acz);
-    Rest<D> best = rest(clamp(hn::Div(along_ab, hn::Max(ab2, tiny))), zero);
-    const auto keep = [&](const Rest<D>& other, hn::Mask<D> where) {
-      best.x = hn::IfThenElse(where, other.x, best.x);
-      best.y = hn::IfThenElse(where, other.y, best.y);
-      best.z = hn::IfThenElse(where, other.z, best.z);
-      best.squared = hn::IfThenElse(where, other.squared, best.squared);
-    };
-    const Rest<D> on_ac = rest(zero, clamp(hn::Div(along_ac, hn::Max(ac2, tiny))));
-    keep(on_ac, hn::Lt(on_ac.squared, best.squared));
+    const LaneVectors<D> a{hn::Sub(hn::Load(d, points.x.data() + lane), field[0]),
+                           hn::Sub(hn::Load(d, points.y.data() + lane), field[1]),
+                           hn::Sub(hn::Load(d, points.z.data() + lane), field[2])};
+    const LaneVectors<D> ab{field[3], field[4], field[5]};
+    const LaneVectors<D> ac{field[6], field[7], field[8]};
+    const Lanes along_ab = dot<D>(a, ab);
+    const Lanes along_ac = dot<D>(a, ac);
+    const Lanes ab2 = dot<D>(ab, ab);
+    // x - a - v ab - w ac, for the coordinates v and w of a point of the triangle.
+    const auto rest = [&](Lanes v, Lanes w) { return minus_product<D>(minus_product<D>(a, w, ac), v, ab); };
+    ShortestVector<D> shortest(rest(clamp(hn::Div(along_ab, hn::Max(ab2, tiny))), zero));
+    shortest.show(rest(zero, clamp(hn::Div(along_ac, hn::Max(dot<D>(ac, ac), tiny)))));
     // (x - b) . bc = (x - a) . (ac - ab) - ab . (ac - ab)
-    const auto along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, abac));
-    const auto t = clamp(hn::Mul(along_bc, field[15]));
-    const Rest<D> on_bc = rest(hn::Sub(one, t), t);
-    keep(on_bc, hn::Lt(on_bc.squared, best.squared));
-    const auto v = dot(ax, ay, az, field[9], field[10], field[11]);
-    const auto w = dot(ax, ay, az, field[12], field[13], field[14]);
-    const auto inside = hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one));
-    const Rest<D> on_plane = rest(v, w);
-    keep(on_plane, hn::And(inside, hn::Lt(on_plane.squared, best.squared)));
-    hn::Store(best.x, d, points.x.data() + lane);
-    hn::Store(best.y, d, points.y.data() + lane);
-    hn::Store(best.z, d, points.z.data() + lane);
-    hn::Store(best.squared, d, points.squared.data() + lane);
+    const Lanes along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, dot<D>(ab, ac)));
+    const Lanes t = clamp(hn::Mul(along_bc, field[15]));
+    shortest.show(rest(hn::Sub(one, t), t));
+    const Lanes v = dot<D>(a, {field[9], field[10], field[11]});
+    const Lanes w = dot<D>(a, {field[12], field[13], field[14]});
+    shortest.show(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
+    shortest.store(d, points, lane);
   }
 }
 

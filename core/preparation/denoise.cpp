@@ -10,6 +10,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/interruption.h"
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/shape.h"
@@ -89,12 +90,7 @@ std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
   return std::ranges::count(has_neighbours, true);
 }
 
-double median_or_zero(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
+double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : upper_median(values); }
 
 /// Heights of the vertices above the smoothed mesh along its normals.
 struct Heights {

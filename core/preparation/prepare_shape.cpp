@@ -29,11 +29,6 @@ double positive_area(const Shape& shape) {
   return area;
 }
 
-Shape scaled_to_unit_area(Shape shape) {
-  shape.vertices /= std::sqrt(positive_area(shape));
-  return shape;
-}
-
 namespace {
 
 double positive_tube_area(const Shape& shape) {

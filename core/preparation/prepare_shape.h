@@ -9,10 +9,6 @@ namespace shapegauge {
 /// where it is zero or not finite, and for an unusable shape (require_usable()).
 double positive_area(const Shape& shape);
 
-/// The shape scaled about the origin to a positive_area() of 1 (docs/definitions.md#scale). Throws what positive_area()
-/// throws.
-Shape scaled_to_unit_area(Shape shape);
-
 /// Raised with every change of what prepare_shape() makes of a shape, which makes cached results of earlier versions
 /// stale.
 inline constexpr int preparation_version = 2;

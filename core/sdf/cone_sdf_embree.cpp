@@ -13,6 +13,7 @@
 #include <tbb/blocked_range.h>
 #include <vector>
 
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/sdf/cone_sdf_engines.h"
@@ -43,11 +44,6 @@ void sort_by_merge_exchange(std::span<double> values) {
       remainder = p;
     }
   }
-}
-
-double median(std::span<const double> sorted) {
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
 /// The largest deviation from the centre among the `count` values closest to it. They follow each other in order.
@@ -228,7 +224,7 @@ class Cones {
 double mean_without_outliers(std::span<double> values) {
   constexpr double accepted_deviations = 1.5;
   sort_by_merge_exchange(values);
-  const double centre = median(values);
+  const double centre = sorted_median(values);
   const double limit = accepted_deviations * median_absolute_deviation(values, centre);
   double sum = 0;
   int count = 0;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/median.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/morton_order.h"
@@ -129,12 +130,6 @@ Eigen::VectorXd disc_areas(const PointNeighbours& nearest) {
   return std::numbers::pi * sum / static_cast<double>(most - fewest + 1);
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The weights, none more than `largest_ratio` times the median of its neighbours'.
 Eigen::VectorXd capped(const Eigen::VectorXd& weights, const PointNeighbours& nearest) {
   Eigen::VectorXd result = weights;
@@ -143,7 +138,7 @@ Eigen::VectorXd capped(const Eigen::VectorXd& weights, const PointNeighbours& ne
     for (std::size_t k = 0; k < around.size(); ++k) {
       around[k] = weights[nearest.indices(i, static_cast<Eigen::Index>(k))];
     }
-    result[i] = std::min(weights[i], largest_ratio * median(around));
+    result[i] = std::min(weights[i], largest_ratio * upper_median(around));
   }
   return result;
 }

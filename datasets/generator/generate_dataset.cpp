@@ -199,8 +199,6 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
 
 }  // namespace
 
-std::vector<std::string> generated_class_names() { return class_names(); }
-
 std::span<const Parameter> generator_parameters() {
   const GeneratorOptions usual;
   static const std::vector<Parameter> parameters{

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 /// One model of a data set that generate_dataset makes with the same number of faces and the same seed.
 struct GeneratedModel {
-  std::string model_class;  ///< a name of generated_class_names()
+  std::string model_class;  ///< a choice of generated_model_parameters()
   int model = 0;            ///< which of its class, from 0
   int faces = 4000;         ///< approximate number of triangles
   std::uint64_t seed = 1;
@@ -25,7 +25,7 @@ Shape generate_model(const GeneratedModel& wanted);
 
 /// What generate_dataset makes.
 struct GeneratorOptions {
-  int classes = 16;          ///< the first so many of generated_class_names()
+  int classes = 16;          ///< the first so many choices of generated_model_parameters()
   int models_per_class = 8;  ///< each one an individual of its class in a pose of its own, or an object
   int faces = 4000;          ///< approximate number of triangles of a model
   std::uint64_t seed = 1;    ///< the same seed and options give the same bytes, whatever the number of threads
@@ -39,9 +39,6 @@ std::span<const Parameter> generated_model_parameters();
 
 /// Called after every model with the number of models written so far and in all; one call at a time, from any thread.
 using GeneratorProgress = std::function<void(int done, int total)>;
-
-/// Names of the classes the generator knows, in the order in which GeneratorOptions::classes counts them.
-std::vector<std::string> generated_class_names();
 
 /// Writes articulated shapes and, after their classes, rigid objects into the folder (made where absent), in the layout
 /// of SHREC'11:

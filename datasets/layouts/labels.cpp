@@ -266,6 +266,21 @@ ModelLabels told_apart(ModelLabels labels, std::string_view role) {
   return labels;
 }
 
+std::unordered_map<std::string, std::string> class_names_by_model(const Classification& classification) {
+  std::unordered_map<std::string, std::string> names;
+  for (const ModelClass& known : classification.classes) {
+    for (const std::string& model : known.models) names.emplace(canonical_model_id(model), known.name);
+  }
+  return names;
+}
+
+/// The class of a name, added where there is none.
+ModelClass& class_named(const std::string& name, std::vector<ModelClass>& classes) {
+  const auto same = std::ranges::find(classes, name, &ModelClass::name);
+  if (same != classes.end()) return *same;
+  return classes.emplace_back(ModelClass{.name = name, .parent = std::nullopt, .models = {}});
+}
+
 }  // namespace
 
 ModelLabels read_labels(const fs::path& path, std::size_t level) {
@@ -289,21 +304,13 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
                      .listed = of_queries.listed && of_targets.listed,
                      .without_ids = false,
                      .source = fmt::format("{} and {}", queries.string(), targets.string())};
-  std::unordered_map<std::string, std::string> class_of_query;
-  for (const ModelClass& known : of_queries.classification.classes) {
-    for (const std::string& model : known.models) class_of_query.emplace(canonical_model_id(model), known.name);
-  }
-  std::vector<ModelClass>& classes = labels.classification.classes;
+  const auto class_of_query = class_names_by_model(of_queries.classification);
   for (const ModelClass& added : of_targets.classification.classes) {
-    auto same = std::ranges::find(classes, added.name, &ModelClass::name);
-    if (same == classes.end()) {
-      classes.push_back({.name = added.name, .parent = std::nullopt, .models = {}});
-      same = std::prev(classes.end());
-    }
+    ModelClass& same = class_named(added.name, labels.classification.classes);
     for (const std::string& model : added.models) {
       const auto known = class_of_query.find(canonical_model_id(model));
       if (known == class_of_query.end()) {
-        same->models.push_back(model);
+        same.models.push_back(model);
         labels.models.push_back(model);
       } else if (known->second != added.name) {
         throw InputError(fmt::format("{}: model {} is of class {} here and of {} in {}", targets.string(),

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "shapegauge/core/base/median.h"
+
 namespace shapegauge {
 
 namespace {
@@ -45,8 +47,7 @@ struct Mean {
 double median(std::vector<double> values) {
   if (values.empty()) return std::nan("");
   std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  return sorted_median(values);
 }
 
 struct ClassConsistency {

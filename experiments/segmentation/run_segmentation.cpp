@@ -20,7 +20,6 @@
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
-#include "shapegauge/core/shape/distinct_triangles.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/polygons.h"
 #include "shapegauge/core/shape/samples.h"
@@ -319,22 +318,16 @@ nlohmann::json versions_of(const SegmentationMethod& method) {
           {"automatic_offset", automatic_offset_version}};
 }
 
-Labels segmented(const Shape& given, const SegmentationMethod& method) {
+Labels segmented(const Shape& shape, const SegmentationMethod& method) {
   if (!method.paper) {
     PartSegmentationOptions options{.parts = method.parts, .patches = method.patches};
     options.least_probability = method.least_probability;
     options.smoothing.width = method.border_width;
-    return part_segmentation(given, options);
+    return part_segmentation(shape, options);
   }
-  const DistinctTriangles mesh = distinct_triangles(given);
-  const Shape& shape = mesh.shape;
-  const SurfaceGraph graph = surface_graph(shape);
-  ScalarField field{.values = {}, .weights = graph.samples.weights};
-  field.values = method.offset_field ? offset_sdf(shape, graph.samples, {.offset = method.offset}).values
-                                     : cone_sdf(shape, graph.samples, {}).values;
   PaperSegmentationOptions options;
   if (method.parts > 0) options.mixture.components = method.parts;
-  return with_doubles(mesh, paper_segmentation(graph, {&field, 1}, options));
+  return paper_segmentation(shape, method.offset_field ? std::optional(method.offset) : std::nullopt, options);
 }
 
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,

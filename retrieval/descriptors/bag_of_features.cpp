@@ -104,15 +104,10 @@ Eigen::MatrixXf seed_words(const Vectors& samples, int count, RandomNumbers& ran
   for (Eigen::Index k = 1; k < count; ++k) {
     const auto last = words.row(k - 1);
     square = square.cwiseMin((samples.rowwise() - last).rowwise().squaredNorm().cast<double>());
-    double left = random.uniform(0, square.sum());
-    Eigen::Index chosen = -1;
-    for (Eigen::Index i = 0; i < samples.rows() && left >= 0; ++i) {
-      if (!(square[i] > 0)) continue;
-      chosen = i;
-      left -= square[i];
-    }
-    if (chosen < 0) return words.topRows(k);  // all samples are words
-    words.row(k) = samples.row(chosen);
+    const auto chosen =
+        weighted_index({square.data(), static_cast<std::size_t>(square.size())}, random.uniform(0, square.sum()));
+    if (!chosen) return words.topRows(k);  // all samples are words
+    words.row(k) = samples.row(static_cast<Eigen::Index>(*chosen));
   }
   return words;
 }

@@ -57,11 +57,6 @@ bool learns(const Descriptor& one, const DescriptorSettings& settings) {
   return one.learn != nullptr && (one.learns == nullptr || one.learns(settings));
 }
 
-DescriptorSettings default_settings(const Descriptor& of, std::size_t fields) {
-  return {.values = ParameterValues(of.parameters),
-          .axes = std::vector<ParameterValues>(fields, ParameterValues(of.axis_parameters))};
-}
-
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
                                  const DescriptorSettings& settings) {
   Eigen::VectorXf features = by.describe(input, learnt, settings);

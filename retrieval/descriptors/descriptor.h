@@ -70,9 +70,6 @@ Registry<Descriptor>& descriptors();
 /// Whether the descriptor must see all shapes before it can describe one.
 bool learns(const Descriptor& one, const DescriptorSettings& settings);
 
-/// The settings' defaults, for so many fields.
-DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0);
-
 /// Computes the features of one shape; `learnt` is for descriptors that learn. Checks what `describe` returns: throws
 /// InputError where there are no features or some are not finite, and what `describe` throws.
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,

@@ -58,60 +58,6 @@ Quadrature gauss_legendre(int count) {
 Eigen::Index meridians_of(int bandwidth) { return 4 * static_cast<Eigen::Index>(bandwidth); }
 Eigen::Index circles_of(int bandwidth) { return 2 * static_cast<Eigen::Index>(bandwidth); }
 
-/// What the norms by frequency need, computed once.
-class HarmonicTransform {
- public:
-  explicit HarmonicTransform(int bandwidth) : bandwidth_(bandwidth) {
-    const Eigen::Index meridians = meridians_of(bandwidth);
-    cosines_.resize(meridians, bandwidth);
-    sines_.resize(meridians, bandwidth);
-    for (Eigen::Index j = 0; j < meridians; ++j) {
-      for (Eigen::Index m = 0; m < bandwidth; ++m) {
-        const double angle =
-            2 * std::numbers::pi * static_cast<double>(j * m % meridians) / static_cast<double>(meridians);
-        cosines_(j, m) = std::cos(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
-        sines_(j, m) = std::sin(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
-      }
-    }
-    const Quadrature circles = gauss_legendre(static_cast<int>(circles_of(bandwidth)));
-    for (int l = 0; l < bandwidth; ++l) {
-      Eigen::MatrixXd of_order(circles.nodes.size(), l + 1);
-      for (int m = 0; m <= l; ++m) {
-        for (Eigen::Index i = 0; i < circles.nodes.size(); ++i) {
-          const double polar = std::acos(circles.nodes[i]);
-          of_order(i, m) = circles.weights[i] * boost::math::spherical_harmonic_r(l, m, polar, 0.0);
-        }
-      }
-      by_frequency_.push_back(std::move(of_order));
-    }
-  }
-
-  [[nodiscard]] Eigen::VectorXd norms(const Eigen::VectorXd& values) const {
-    using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Eigen::Map<const Grid> grid(values.data(), circles_of(bandwidth_), meridians_of(bandwidth_));
-    const Eigen::MatrixXd even = grid * cosines_;
-    const Eigen::MatrixXd odd = grid * sines_;
-    Eigen::VectorXd result(bandwidth_);
-    for (int l = 0; l < bandwidth_; ++l) {
-      const Eigen::MatrixXd& legendre = by_frequency_[static_cast<std::size_t>(l)];
-      double square = 0;
-      for (int m = 0; m <= l; ++m) {
-        const double real = legendre.col(m).dot(even.col(m));
-        const double imaginary = legendre.col(m).dot(odd.col(m));
-        square += (m == 0 ? 1 : 2) * (real * real + imaginary * imaginary);  // -m has the same magnitude
-      }
-      result[l] = std::sqrt(square);
-    }
-    return result;
-  }
-
- private:
-  int bandwidth_;
-  Eigen::MatrixXd cosines_;
-  Eigen::MatrixXd sines_;
-  std::vector<Eigen::MatrixXd> by_frequency_;  ///< circles x orders, with the quadrature's weights
-};
-
 /// The shape in units in which the centroid is the origin and the mean distance from it is 1.
 Shape centred(const Shape& shape, const Samples& samples) {
   const double total = samples.weights.sum();
@@ -163,7 +109,7 @@ class Voxels {
 template <typename Function>
 Eigen::VectorXf shell_norms(const SphericalHarmonicsOptions& options, Function at) {
   const HarmonicTransform transform(options.bandwidth);
-  const Points directions = harmonic_directions(options.bandwidth);
+  const Points& directions = transform.directions();
   Eigen::VectorXf features(options.shells * options.bandwidth);
   Eigen::VectorXd values(directions.rows());
   for (Eigen::Index shell = 0; shell < options.shells; ++shell) {
@@ -177,26 +123,61 @@ Eigen::VectorXf shell_norms(const SphericalHarmonicsOptions& options, Function a
 
 }  // namespace
 
-Points harmonic_directions(int bandwidth) {
-  const Quadrature circles = gauss_legendre(static_cast<int>(circles_of(bandwidth)));
+HarmonicTransform::HarmonicTransform(int bandwidth) : directions_(circles_of(bandwidth) * meridians_of(bandwidth), 3) {
   const Eigen::Index meridians = meridians_of(bandwidth);
-  Points directions(circles.nodes.size() * meridians, 3);
+  const auto angle_of = [&](Eigen::Index step) {
+    return 2 * std::numbers::pi * static_cast<double>(step) / static_cast<double>(meridians);
+  };
+  cosines_.resize(meridians, bandwidth);
+  sines_.resize(meridians, bandwidth);
+  for (Eigen::Index j = 0; j < meridians; ++j) {
+    for (Eigen::Index m = 0; m < bandwidth; ++m) {
+      const double angle = angle_of(j * m % meridians);
+      cosines_(j, m) = std::cos(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
+      sines_(j, m) = std::sin(angle) * 2 * std::numbers::pi / static_cast<double>(meridians);
+    }
+  }
+  const Quadrature circles = gauss_legendre(static_cast<int>(circles_of(bandwidth)));
+  for (int l = 0; l < bandwidth; ++l) {
+    Eigen::MatrixXd of_order(circles.nodes.size(), l + 1);
+    for (int m = 0; m <= l; ++m) {
+      for (Eigen::Index i = 0; i < circles.nodes.size(); ++i) {
+        const double polar = std::acos(circles.nodes[i]);
+        of_order(i, m) = circles.weights[i] * boost::math::spherical_harmonic_r(l, m, polar, 0.0);
+      }
+    }
+    by_frequency_.push_back(std::move(of_order));
+  }
   for (Eigen::Index i = 0; i < circles.nodes.size(); ++i) {
     const double radius = std::sqrt(1 - circles.nodes[i] * circles.nodes[i]);
     for (Eigen::Index j = 0; j < meridians; ++j) {
-      const double angle = 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(meridians);
-      directions.row(i * meridians + j) << radius * std::cos(angle), radius * std::sin(angle), circles.nodes[i];
+      directions_.row(i * meridians + j) << radius * std::cos(angle_of(j)), radius * std::sin(angle_of(j)),
+          circles.nodes[i];
     }
   }
-  return directions;
 }
 
-Eigen::VectorXd harmonic_norms(const Eigen::VectorXd& values, int bandwidth) {
-  if (bandwidth < 1 || values.size() != circles_of(bandwidth) * meridians_of(bandwidth)) {
-    throw ArgumentError("spherical harmonics below " + std::to_string(bandwidth) + " need a value for each of " +
-                        "their directions, not " + std::to_string(values.size()));
+Eigen::VectorXd HarmonicTransform::norms(const Eigen::VectorXd& values) const {
+  if (values.size() != directions_.rows()) {
+    throw ArgumentError("spherical harmonics need " + std::to_string(directions_.rows()) +
+                        " values, one for each direction, not " + std::to_string(values.size()));
   }
-  return HarmonicTransform(bandwidth).norms(values);
+  using Grid = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const Grid> grid(values.data(), values.size() / cosines_.rows(), cosines_.rows());
+  const Eigen::MatrixXd even = grid * cosines_;
+  const Eigen::MatrixXd odd = grid * sines_;
+  Eigen::VectorXd result(std::ssize(by_frequency_));
+  for (Eigen::Index l = 0; l < result.size(); ++l) {
+    const Eigen::MatrixXd& legendre = by_frequency_[static_cast<std::size_t>(l)];
+    double square = 0;
+    for (Eigen::Index m = 0; m <= l; ++m) {
+      const double real = legendre.col(m).dot(even.col(m));
+      const double imaginary = legendre.col(m).dot(odd.col(m));
+      square += (m == 0 ? 1 : 2) * (real * real + imaginary * imaginary);  // -m has the same magnitude
+    }
+    result[l] = std::sqrt(square);
+  }
+  return result;
 }
 
 Eigen::VectorXf spherical_harmonics(const Shape& shape, const SphericalHarmonicsOptions& options) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
@@ -18,14 +19,26 @@ struct SphericalHarmonicsOptions {
   bool voxels = false;     ///< describe the surface itself, as voxels of a shell's thickness, not the Gaussian
 };
 
-/// Norms of a function on the sphere by frequency: sqrt(sum over m of |a_lm|^2) for l below the bandwidth, a_lm being
-/// its coefficients by orthonormal spherical harmonics. Rotations of the function do not change them. The values are
-/// those at harmonic_directions(), and exact for functions of less than twice the bandwidth.
-Eigen::VectorXd harmonic_norms(const Eigen::VectorXd& values, int bandwidth);
+/// Norms of functions on the sphere by frequency, for one bandwidth (1 or more).
+class HarmonicTransform {
+ public:
+  explicit HarmonicTransform(int bandwidth);
 
-/// The directions at which harmonic_norms() wants a function, one a row: 2 bandwidth circles of latitude
-/// (Gauss-Legendre) times 4 bandwidth meridians.
-Points harmonic_directions(int bandwidth);
+  /// The directions at which a function is sampled, one a row: 2 bandwidth circles of latitude (Gauss-Legendre) times
+  /// 4 bandwidth meridians.
+  [[nodiscard]] const Points& directions() const { return directions_; }
+
+  /// sqrt(sum over m of |a_lm|^2) for l below the bandwidth, a_lm being the function's coefficients by orthonormal
+  /// spherical harmonics. Rotations of the function do not change them. Exact for functions of less than twice the
+  /// bandwidth. Throws ArgumentError where there is not one value for each direction.
+  [[nodiscard]] Eigen::VectorXd norms(const Eigen::VectorXd& values) const;
+
+ private:
+  Eigen::MatrixXd cosines_;                    ///< meridians x orders
+  Eigen::MatrixXd sines_;                      ///< the same
+  std::vector<Eigen::MatrixXd> by_frequency_;  ///< circles x orders, with the quadrature's weights
+  Points directions_;
+};
 
 /// The rotation invariant spherical harmonic descriptor (Kazhdan, Funkhouser, Rusinkiewicz 2003): a function of space,
 /// restricted to spheres about the surface's centroid, and of each sphere the norms by frequency; weighted by the

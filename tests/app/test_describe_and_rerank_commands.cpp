@@ -71,7 +71,7 @@ TEST_F(DescribeCommand, WritesARowAShape) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   const DistanceMatrix rows = read_number_table(output).numbers;
   ASSERT_EQ(rows.rows(), 3);
-  const Shape box = scaled_to_unit_area(test::small_shape("box", 0));
+  const Shape box = prepare_shape(test::small_shape("box", 0), {}).shape;
   EXPECT_TRUE(rows.row(1).transpose().isApprox(d2(box, {.points = 64, .bins = 8}).cast<double>(), 1e-6));
 }
 

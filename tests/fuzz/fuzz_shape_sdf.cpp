@@ -49,7 +49,7 @@ bool shape_sdf(std::string_view bytes) {
   promise(samples.points.allFinite() && samples.normals.allFinite(), "samples are finite");
   promise((samples.weights.array() >= 0).all(), "areas are not negative");
   is_accepted("", [&] {
-    const Shape scaled = scaled_to_unit_area(measurement.shape);
+    const Shape scaled = prepare_shape(measurement.shape, {}).shape;
     const double area = is_cloud(scaled) ? point_weights(scaled.vertices).sum() : surface_area(scaled);
     promise(std::abs(area - 1) < 1e-9, "a unit area is 1");
   });

@@ -6,6 +6,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/metrics/measures.h"
+#include "tests/metrics/list_of_hits.h"
 
 namespace shapegauge {
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "shapegauge/metrics/precision_recall.h"
+#include "tests/metrics/list_of_hits.h"
 
 namespace shapegauge {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "shapegauge/metrics/ranked_list.h"
+#include "tests/metrics/list_of_hits.h"
 
 namespace shapegauge {
 

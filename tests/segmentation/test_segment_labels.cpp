@@ -38,50 +38,6 @@ TEST(SegmentLabels, ConnectedPartsTellCapsOfOneLabelApart) {
   }
 }
 
-TEST(SegmentLabels, SmallPartsGoToTheLongestBorder) {
-  const SurfaceGraph graph = surface_graph(test::sphere(1, 3));
-  Labels labels = caps_and_belt(graph);
-  labels[5] = 9;  // a triangle of its own
-  EXPECT_EQ(without_small_parts(graph, labels, 0.01), renumbered(caps_and_belt(graph)));
-  const Labels one = without_small_parts(graph, labels, 1.1);
-  EXPECT_EQ(std::set(one.begin(), one.end()).size(), 1U);
-  EXPECT_EQ(without_small_parts(graph, labels, 0), renumbered(labels));
-}
-
-TEST(SegmentLabels, APartThatTookAnotherHasTheBordersOfBoth) {
-  // 0 goes to 1. Both touch 2, along 4 together, which is more than 3: between 2 and 3, or between 1 and 3.
-  for (const double length : {3.0, 5.0}) {
-    const SurfaceGraph graph = test::hand_made_graph({1, 20, 2, 77}, {{0, 1, 9}, {0, 2, 2}, {1, 2, 2}, {2, 3, length}});
-    const Labels expected = length < 4 ? Labels{0, 0, 0, 1} : Labels{0, 0, 1, 1};
-    EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2, 3}, 0.1), expected) << length;
-  }
-  for (const double length : {3.0, 5.0}) {
-    const SurfaceGraph graph = test::hand_made_graph({1, 3, 50, 46}, {{0, 1, 9}, {0, 2, 2}, {1, 2, 2}, {1, 3, length}});
-    const Labels expected = length < 4 ? Labels{0, 0, 0, 1} : Labels{0, 0, 1, 0};
-    EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2, 3}, 0.1), expected) << length;
-  }
-}
-
-TEST(SegmentLabels, SmallPartsThatAreLargeEnoughTogetherStay) {
-  const std::vector<test::HandMadeLink> row = test::chain({2, 1, 1});
-  EXPECT_EQ(without_small_parts(test::hand_made_graph({4, 6, 40, 50}, row), Labels{0, 1, 2, 3}, 0.1),
-            (Labels{0, 0, 1, 2}));
-  EXPECT_EQ(without_small_parts(test::hand_made_graph({4, 5, 41, 50}, row), Labels{0, 1, 2, 3}, 0.1),
-            (Labels{0, 0, 0, 1}))
-      << "a share of 0.09, and the way leads on";
-}
-
-TEST(SegmentLabels, TheSmallestPartGoesFirst) {
-  // 1 alone would go to 2; it takes 0 first, and with that is large enough.
-  const SurfaceGraph graph = test::hand_made_graph({3, 8, 89}, test::chain({1, 5}));
-  EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 2}, 0.1), (Labels{0, 0, 1}));
-}
-
-TEST(SegmentLabels, ASmallPartWithoutNeighboursStays) {
-  const SurfaceGraph graph = test::hand_made_graph({1, 50, 49}, {{1, 2, 1}});
-  EXPECT_EQ(without_small_parts(graph, Labels{0, 1, 1}, 0.1), (Labels{0, 1, 1}));
-}
-
 TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
   const std::vector<Colour> colours =
       label_colours(test::hand_made_graph({1, 5, 3}, test::chain({1, 1})), Labels{0, 1, 2});
@@ -120,7 +76,6 @@ TEST(SegmentLabels, NeighboursHaveDifferentColours) {
 TEST(SegmentLabels, RefuseAnotherSurface) {
   const SurfaceGraph graph = surface_graph(test::sphere(1, 0));
   EXPECT_THROW(connected_parts(graph, Labels{1}), ArgumentError);
-  EXPECT_THROW(without_small_parts(graph, Labels{1}, 0.1), ArgumentError);
   EXPECT_THROW(label_colours(graph, Labels{1}), ArgumentError);
 }
 

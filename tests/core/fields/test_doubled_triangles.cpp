@@ -87,7 +87,7 @@ TEST(DoubledTriangles, DoNotChangeTheLaplacian) {
 TEST(DoubledTriangles, DoNotChangeHeatKernels) {
   for_each_doubling([](const Shape& shape, const test::DoubledShape& doubled) {
     const auto heat = [](const Shape& mesh) {
-      return heat_kernel_signature_at(laplacian_spectrum(mesh, 12), surface_area(mesh), 0.05);
+      return heat_kernel_signature(laplacian_spectrum(mesh, 12), surface_area(mesh), 0.05);
     };
     EXPECT_LT(largest_difference(heat(doubled.shape), heat(shape)(doubled.vertices)), rounding);
   });

@@ -16,14 +16,14 @@ using ::testing::ThrowsMessage;
 
 TEST(ScaledToUnitArea, AreaIsOneAtEveryScale) {
   for (const double scale : {1e-30, 1e-3, 1.0, 1e30}) {
-    const Shape shape = scaled_to_unit_area(test::box(scale * Eigen::Vector3d(1, 2, 3), 2));
+    const Shape shape = prepare_shape(test::box(scale * Eigen::Vector3d(1, 2, 3), 2), {}).shape;
     EXPECT_NEAR(surface_area(shape), 1, 1e-14) << scale;
   }
 }
 
 TEST(ScaledToUnitArea, ScalesAboutTheOriginAndKeepsTriangles) {
   const Shape box = test::transformed(test::box({1, 1, 1}, 1), 2, Eigen::Matrix3d::Identity(), {5, 6, 7});
-  const Shape unit = scaled_to_unit_area(box);
+  const Shape unit = prepare_shape(box, {}).shape;
   EXPECT_TRUE(unit.vertices.isApprox(box.vertices / std::sqrt(24.0), 1e-14));
   EXPECT_EQ(unit.triangles, box.triangles);
 }
@@ -32,7 +32,7 @@ TEST(ScaledToUnitArea, OfACloudIsTheEstimatedArea) {
   for (const double scale : {1e-30, 1.0, 1e30}) {
     Shape cloud{test::box(scale * Eigen::Vector3d(1, 2, 3), 5).vertices, {}, {}};
     cloud.normals = Points::Ones(cloud.vertices.rows(), 3).rowwise().normalized();
-    const Shape unit = scaled_to_unit_area(cloud);
+    const Shape unit = prepare_shape(cloud, {}).shape;
     EXPECT_NEAR(point_weights(unit.vertices).sum(), 1, 1e-12) << scale;
     EXPECT_EQ(unit.normals, cloud.normals);
   }
@@ -42,21 +42,21 @@ TEST(ScaledToUnitArea, RefusesACloudWithoutArea) {
   for (const Eigen::Index points : {1, 30}) {
     EXPECT_THAT(
         [&] {
-          scaled_to_unit_area({Points::Ones(points, 3), {}, {}});
+          prepare_shape({Points::Ones(points, 3), {}, {}}, {}).shape;
         },
         ThrowsMessage<InputError>(HasSubstr("needs points at different places")));
   }
   Points huge = Points::Random(20, 3) * 1e200;
-  EXPECT_THROW(scaled_to_unit_area({huge, {}, {}}), InputError);
+  EXPECT_THROW(prepare_shape({huge, {}, {}}, {}).shape, InputError);
 }
 
 TEST(ScaledToUnitArea, RefusesAnAreaOfZeroOrNotFinite) {
-  EXPECT_THROW(scaled_to_unit_area(Shape{}), InputError);
-  EXPECT_THROW(scaled_to_unit_area(test::box({1, 0, 0}, 1)), InputError);
-  EXPECT_THROW(scaled_to_unit_area(test::box({1e200, 1e200, 1}, 1)), InputError);
+  EXPECT_THROW(prepare_shape(Shape{}, {}).shape, InputError);
+  EXPECT_THROW(prepare_shape(test::box({1, 0, 0}, 1), {}).shape, InputError);
+  EXPECT_THROW(prepare_shape(test::box({1e200, 1e200, 1}, 1), {}).shape, InputError);
   Shape with_nan = test::box({1, 1, 1}, 1);
   with_nan.vertices(0, 0) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(scaled_to_unit_area(with_nan), InputError);
+  EXPECT_THROW(prepare_shape(with_nan, {}).shape, InputError);
 }
 
 TEST(PrepareShape, ScalesTheEstimateOfTheAreaToOne) {

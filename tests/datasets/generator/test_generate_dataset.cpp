@@ -164,7 +164,7 @@ TEST(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
   const Classification classification = read_classification(set / "test.cla");
   const nlohmann::json parts = nlohmann::json::parse(bytes_of(set / "parts.json"));
   ASSERT_EQ(classification.classes.size(), 3U);
-  const std::vector<std::string> names = generated_class_names();
+  const std::span<const std::string_view> names = generated_model_parameters().front().choices;
   std::vector<std::string> numbers;
   for (std::size_t c = 0; c < 3; ++c) {
     const ModelClass& model_class = classification.classes[c];
@@ -205,9 +205,9 @@ TEST(GenerateDataset, AnotherSeedGivesOtherModels) {
 }
 
 TEST(GenerateDataset, NamesAreAtLeastTwelveAndUnique) {
-  const std::vector<std::string> names = generated_class_names();
+  const std::span<const std::string_view> names = generated_model_parameters().front().choices;
   EXPECT_GE(names.size(), 12U);
-  EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+  EXPECT_EQ(std::set<std::string_view>(names.begin(), names.end()).size(), names.size());
 }
 
 TEST(GenerateDataset, RefusesOptionsOutOfRange) {

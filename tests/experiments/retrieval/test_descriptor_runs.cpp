@@ -80,7 +80,7 @@ CacheUse uses_of_kind(const ExperimentResults& results, EntryKind kind) {
 TEST_F(DescriptorRuns, FeaturesAreThoseOfThePreparedShapes) {
   const ExperimentResults results = run(document(), false);
   for (Eigen::Index i = 0; i < 9; ++i) {
-    const Shape shape = scaled_to_unit_area(read_shape(results.models[static_cast<std::size_t>(i)].file));
+    const Shape shape = prepare_shape(read_shape(results.models[static_cast<std::size_t>(i)].file), {}).shape;
     EXPECT_EQ(method_named(results, "d2").signatures.row(i).transpose(), d2(shape, {.points = 64, .bins = 8}));
   }
   EXPECT_EQ(method_named(results, "d2").distances,

@@ -128,7 +128,7 @@ TEST_F(RunExperiment, TheConventionalSdfOfACloudFailsWithAReason) {
 TEST_F(RunExperiment, DistancesAreThoseOfTheStepsDoneByHand) {
   const ExperimentResults results = run();
   const auto histogram_of = [&](const char* name) {
-    const Shape shape = scaled_to_unit_area(read_shape(data() / name));
+    const Shape shape = prepare_shape(read_shape(data() / name), {}).shape;
     const Samples samples = sample_shape(shape, SampleSite::faces);
     const ScalarField field{.values = cone_sdf(shape, samples, {}).values, .weights = samples.weights};
     return histogram(field, {.low = 0, .high = 0.6}, {.bins = 20});
@@ -150,7 +150,7 @@ TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};
   for (const Model& model : results.models) {
-    const Shape shape = scaled_to_unit_area(read_shape(model.file));
+    const Shape shape = prepare_shape(read_shape(model.file), {}).shape;
     const Samples samples = sample_shape(shape, SampleSite::faces);
     const Eigen::VectorXd values = cone_sdf(shape, samples, {}).values;
     range = {.low = std::min(range.low, values.minCoeff()), .high = std::max(range.high, values.maxCoeff())};

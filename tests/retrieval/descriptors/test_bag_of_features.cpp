@@ -8,6 +8,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/bag_of_features.h"
+#include "tests/retrieval/descriptors/default_settings.h"
 
 namespace shapegauge {
 namespace {

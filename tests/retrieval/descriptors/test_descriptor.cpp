@@ -9,6 +9,7 @@
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/retrieval/descriptors/d2.h"
 #include "shapegauge/retrieval/descriptors/descriptor.h"
+#include "tests/retrieval/descriptors/default_settings.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

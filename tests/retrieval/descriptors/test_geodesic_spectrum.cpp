@@ -7,6 +7,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/descriptors/geodesic_spectrum.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
+#include "tests/retrieval/descriptors/default_settings.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {

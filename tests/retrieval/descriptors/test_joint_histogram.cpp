@@ -6,6 +6,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/retrieval/descriptors/joint_histogram.h"
+#include "tests/retrieval/descriptors/default_settings.h"
 
 namespace shapegauge {
 namespace {

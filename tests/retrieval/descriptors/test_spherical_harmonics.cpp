@@ -24,9 +24,10 @@ Eigen::VectorXd harmonic(const Points& directions, int l, int m) {
 
 TEST(HarmonicNorms, OfASingleHarmonicAreASingleFrequency) {
   const int bandwidth = 8;
+  const HarmonicTransform transform(bandwidth);
   for (int l = 0; l < bandwidth; ++l) {
     for (int m = 0; m <= l; ++m) {
-      const Eigen::VectorXd norms = harmonic_norms(harmonic(harmonic_directions(bandwidth), l, m), bandwidth);
+      const Eigen::VectorXd norms = transform.norms(harmonic(transform.directions(), l, m));
       // The real part of one that is not zonal has half of its power.
       const double expected = m == 0 ? 1 : std::sqrt(0.5);
       for (int k = 0; k < bandwidth; ++k) EXPECT_NEAR(norms[k], k == l ? expected : 0, 1e-10) << l << " " << m;
@@ -35,18 +36,18 @@ TEST(HarmonicNorms, OfASingleHarmonicAreASingleFrequency) {
 }
 
 TEST(HarmonicNorms, DoNotChangeWhenTheFunctionTurns) {
-  const int bandwidth = 8;
-  const Points directions = harmonic_directions(bandwidth);
+  const HarmonicTransform transform(8);
+  const Points& directions = transform.directions();
   const auto function = [](const Points& at) {
     return Eigen::VectorXd(harmonic(at, 3, 2) + 2 * harmonic(at, 5, 1) - harmonic(at, 6, 6));
   };
-  const Eigen::VectorXd expected = harmonic_norms(function(directions), bandwidth);
+  const Eigen::VectorXd expected = transform.norms(function(directions));
   const Points turned = directions * test::rotation(3).transpose();
-  EXPECT_LT((harmonic_norms(function(turned), bandwidth) - expected).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_LT((transform.norms(function(turned)) - expected).cwiseAbs().maxCoeff(), 1e-10);
 }
 
 TEST(HarmonicNorms, WantAValueForEachDirection) {
-  EXPECT_THROW(harmonic_norms(Eigen::VectorXd::Zero(7), 4), ArgumentError);
+  EXPECT_THROW(HarmonicTransform(4).norms(Eigen::VectorXd::Zero(7)), ArgumentError);
 }
 
 double distance_of_harmonics(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "shapegauge/retrieval/descriptors/descriptor.h"
+
+namespace shapegauge {
+
+/// The settings' defaults, for so many fields.
+inline DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0) {
+  return {.values = ParameterValues(of.parameters),
+          .axes = std::vector<ParameterValues>(fields, ParameterValues(of.axis_parameters))};
+}
+
+}  // namespace shapegauge
