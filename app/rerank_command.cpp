@@ -16,6 +16,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/open_matrix.h"
 #include "shapegauge/datasets/files/npy.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/evaluation/evaluate_files.h"

@@ -22,7 +22,7 @@
 #include "shapegauge/core/fields/inscribed_ball.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"
 #include "shapegauge/core/spatial/ray_caster.h"
@@ -79,8 +79,8 @@ void add(const std::string& name, const std::function<void()>& work) {
 void add_damaged(const std::string& mesh, const Shape& shape) {
   RandomNumbers random(1);
   const auto cracked = std::make_shared<Input>(remove_faces(shape, 0.15, random), SampleSite::faces);
-  const SampleSurfaceOptions points{.points = shape.triangles.rows()};
-  const auto cloud = std::make_shared<Input>(sample_surface(shape, points, random), SampleSite::vertices);
+  const SamplePointsOptions points{.points = shape.triangles.rows()};
+  const auto cloud = std::make_shared<Input>(sample_points(shape, points, random), SampleSite::vertices);
   add(mesh + "/offset 5 % cracked", [cracked] { measure_offsets(*cracked, {0.05}); });
   add(mesh + "/offset 5 % cloud", [cloud] { measure_offsets(*cloud, {0.05}); });
 }

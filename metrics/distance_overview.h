@@ -22,8 +22,8 @@ struct DistanceOverview {
   /// The picture, rows and columns in order_by_class(): each cell is the mean of a block x block part of the matrix, of
   /// its finite entries, infinity where there are none. A model's distance to itself counts as 0.
   Eigen::MatrixXd cells;
-  NearestIndices nearest;               ///< by model up to ten others, as first_ranked() has them
-  DistanceTableRows nearest_distances;  ///< of those
+  NearestIndices nearest;            ///< by model up to ten others, as first_ranked() has them
+  DistanceMatrix nearest_distances;  ///< of those
 };
 
 /// What was seen so far, of some rows of a matrix. Several processes may each see other rows of it.
@@ -43,7 +43,7 @@ struct SeenRows {
   std::vector<Cell> sums;       ///< row by row; empty where a cell is one entry
   std::vector<double> entries;  ///< instead of sums: of the rows from `first` on, in the models' order
   NearestIndices nearest;       ///< of the rows from `first` on
-  DistanceTableRows nearest_distances;
+  DistanceMatrix nearest_distances;
 };
 
 /// The models' indices, class by class, in the models' order within a class.

@@ -213,14 +213,14 @@ Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, c
   return judge.evaluation_of(judge.scores());
 }
 
-Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options) {
+Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options) {
   constexpr Eigen::Index together = 256;
   const auto rows = static_cast<Eigen::Index>(task.query_classes.size());
   check_task(task.query_classes.size(), task.target_classes.size(), task, options);
   RowJudge judge(task, options, 0, rows);
   for (Eigen::Index first = 0; first < rows; first += together) {
     const Eigen::Index count = std::min(together, rows - first);
-    const DistanceTableRows some = distances(first, count);
+    const DistanceMatrix some = distances(first, count);
     check_task(static_cast<std::size_t>(some.rows()), static_cast<std::size_t>(some.cols()),
                part_of(task, first, count), options);
     judge.judge(some, first);

@@ -67,11 +67,11 @@ Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels,
 Evaluation evaluate(const DistanceTable& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 /// `count` rows of a distance matrix from the row `first` on.
-using DistanceRows = std::function<DistanceTableRows(Eigen::Index first, Eigen::Index count)>;
+using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
 
 /// Streaming version of evaluate(), for matrices that do not fit into memory: asks for a few hundred rows at a time, in
 /// order, one call after the other. The same result to the bit. Throws as above.
-Evaluation evaluate(const DistanceRows& distances, const RetrievalTask& task, const EvaluationOptions& options);
+Evaluation evaluate(const RowSource& distances, const RetrievalTask& task, const EvaluationOptions& options);
 
 /// What was found of some queries, in their order.
 struct QueryScores {

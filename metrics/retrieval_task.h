@@ -9,9 +9,9 @@
 namespace shapegauge {
 
 /// Distances, row-major: entry (i, j) is the distance from query i to model j.
-using DistanceTableRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 /// A matrix of distances that is someone else's.
-using DistanceTable = Eigen::Ref<const DistanceTableRows>;
+using DistanceTable = Eigen::Ref<const DistanceMatrix>;
 
 /// The class of a row that is no query, or of a column that is not to be found.
 inline constexpr int no_class = std::numeric_limits<int>::min();

@@ -11,6 +11,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/packed_numbers.h"

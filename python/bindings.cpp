@@ -235,8 +235,8 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
                                 int threads) {
   return compute(threads, [&] {
     MatrixChecks checks(wanted.square);
-    const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows {
-      DistanceTableRows some = distances.middleRows(first, count);
+    const RowSource rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
+      DistanceMatrix some = distances.middleRows(first, count);
       checks.add(some);
       if (wanted.square) {
         checks.compare(some, first, distances.block(first, first, distances.rows() - first, count));

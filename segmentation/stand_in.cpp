@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "shapegauge/core/base/random_numbers.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/point_cloud.h"
 #include "shapegauge/core/shape/samples.h"
@@ -94,7 +94,7 @@ StandIn stand_in(const Shape& shape) {
   StandIn result = refined(shape);
   if (!is_cracked(result.shape)) return result;
   RandomNumbers random(1);
-  result.shape = sample_surface(shape, {.points = points_of_cracked}, random);
+  result.shape = sample_points(shape, {.points = points_of_cracked}, random);
   result.node_of = nearest_points(sample_shape(shape, SampleSite::faces).points, result.shape.vertices);
   return result;
 }

@@ -10,6 +10,7 @@
 #include "shapegauge/core/base/interruption.h"
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/sdf/automatic_offset.h"
 #include "shapegauge/core/sdf/cone_sdf.h"
 #include "shapegauge/core/sdf/offset_sdf.h"

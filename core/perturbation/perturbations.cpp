@@ -10,7 +10,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/decimate.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 
 namespace shapegauge {
 
@@ -54,7 +54,7 @@ constexpr std::array decimate_parameters{Parameter{.name = "faces",
                                                    .bounds = decimate_faces_bounds,
                                                    .description = "Largest number of faces."}};
 
-constexpr auto sample_surface_parameters = parameters_of(sample_surface_table);
+constexpr auto sample_points_parameters = parameters_of(sample_points_table);
 
 constexpr std::array flip_orientation_parameters{Parameter{.name = "fraction",
                                                            .default_value = 1.0,
@@ -83,8 +83,8 @@ Shape apply_decimate(Shape shape, const ParameterValues& settings, RandomNumbers
   return decimate(shape, settings.integer("faces"));
 }
 
-Shape apply_sample_surface(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
-  return sample_surface(shape, options_from(sample_surface_table, settings), random);
+Shape apply_sample_points(Shape shape, const ParameterValues& settings, RandomNumbers& random) {
+  return sample_points(shape, options_from(sample_points_table, settings), random);
 }
 
 Shape apply_vertex_cloud(Shape shape, const ParameterValues& /*settings*/, RandomNumbers& /*random*/) {
@@ -107,8 +107,8 @@ std::vector<ShapePerturbation> own_perturbations() {
       {"holes", "Faces (or points) near random points of the surface are taken away.", punch_holes_parameters,
        apply_punch_holes},
       {"decimate", "The mesh is simplified by quadric error.", decimate_parameters, apply_decimate},
-      {"sample_points", "The mesh becomes a cloud of random points, uniform by area.", sample_surface_parameters,
-       apply_sample_surface},
+      {"sample_points", "The mesh becomes a cloud of random points, uniform by area.", sample_points_parameters,
+       apply_sample_points},
       {"vertex_cloud", "The mesh becomes the cloud of its vertices.", {}, apply_vertex_cloud},
       {"flip_orientation", "Random faces (or normals) are turned over.", flip_orientation_parameters,
        apply_flip_orientation},
@@ -152,7 +152,7 @@ Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& 
   check_options("holes", punch_holes_table, options);
   if (options.number == 0) return shape;
   const double radius = options.radius * required_diagonal(shape);
-  const Points centres = sample_surface(shape, {.points = options.number}, random).vertices;
+  const Points centres = sample_points(shape, {.points = options.number}, random).vertices;
   std::vector<bool> removed(static_cast<std::size_t>(element_count(shape)));
   for (std::size_t i = 0; i < removed.size(); ++i) {
     const Eigen::RowVector3d centre = centre_of_element(shape, static_cast<Eigen::Index>(i));

@@ -12,7 +12,7 @@
 #include "shapegauge/core/shape/shape.h"
 
 /// Damage and change, at random but repeatable: the same stream of random numbers gives the same shape. See also
-/// decimate.h and sample_surface.h.
+/// decimate.h and sample_points.h.
 namespace shapegauge {
 
 /// How a random displacement is distributed.
@@ -67,7 +67,7 @@ inline constexpr std::array punch_holes_table = {
 };
 
 /// Removes the faces whose centroid is within the radius of one of `number` random points of the surface (see
-/// sample_surface()); of a cloud, the points within the radius of some of them. Holes reach through thin parts. The
+/// sample_points()); of a cloud, the points within the radius of some of them. Holes reach through thin parts. The
 /// vertices of a mesh all stay. Throws InputError for options out of bounds, for a shape without extent or area, and
 /// where nothing would be left.
 Shape punch_holes(Shape shape, const PunchHolesOptions& options, RandomNumbers& random);

@@ -1,6 +1,5 @@
 #include "shapegauge/core/render/render_shape.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -13,27 +12,14 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/render/camera.h"
 #include "shapegauge/core/render/shading.h"
-#include "shapegauge/core/shape/point_cloud.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/shape/shape.h"
 
 namespace shapegauge {
 
 namespace {
-
-/// The image plane of a parallel projection, in front of the shape.
-struct Camera {
-  Eigen::Vector3d top_left;  ///< corner of the image
-  Eigen::Vector3d right;     ///< unit
-  Eigen::Vector3d up;        ///< unit
-  Eigen::Vector3d forward;   ///< unit, away from the viewer
-  Eigen::Vector3d light;     ///< unit, to where the light comes from: above the viewer's left shoulder
-  double pixel = 0;          ///< side of a pixel in the shape's units
-
-  [[nodiscard]] Eigen::Vector3d at(double column, double row, double depth) const {
-    return top_left + pixel * (column * right - row * up) + depth * forward;
-  }
-};
 
 void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite site) {
   require_usable(shape);
@@ -44,39 +30,6 @@ void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
   }
   const double diagonal = bounding_box_diagonal(shape);
   if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to draw: the shape has no finite extent");
-}
-
-void check(const RenderOptions& options) {
-  constexpr int largest_side = 1 << 15;
-  if (options.width < 1 || options.height < 1 || options.width > largest_side || options.height > largest_side ||
-      options.rays_per_side < 1 || options.rays_per_side > 16 || !(options.margin >= 0 && options.margin < 0.5)) {
-    throw InputError(
-        fmt::format("an image of {} x {} pixels with {} rays per side and a margin of {} cannot be made; "
-                    "the limits are 1 to {}, 1 to 16, and 0 to less than 0.5",
-                    options.width, options.height, options.rays_per_side, options.margin, largest_side));
-  }
-  const double sine = options.up.normalized().cross(options.towards_viewer.normalized()).norm();
-  if (!(sine > 1e-6)) throw InputError("the directions to the viewer and up must be finite, not zero and not parallel");
-}
-
-Camera camera_for(const Shape& shape, const RenderOptions& options) {
-  Camera camera;
-  camera.forward = -options.towards_viewer.normalized();
-  camera.right = camera.forward.cross(options.up).normalized();
-  camera.up = camera.right.cross(camera.forward);
-  camera.light = (light_up * camera.up + light_right * camera.right - light_towards * camera.forward).normalized();
-  Eigen::Matrix3d axes;
-  axes << camera.right, camera.up, camera.forward;
-  Eigen::AlignedBox3d box;  // in the camera's axes
-  for (const std::int32_t v : shape.triangles.reshaped()) box.extend((shape.vertices.row(v) * axes).transpose());
-  const double inside = 1 - 2 * options.margin;
-  const double depth = box.sizes().norm();
-  camera.pixel = std::max({box.sizes().x() / (inside * options.width), box.sizes().y() / (inside * options.height),
-                           1e-9 * depth});  // a flat shape seen edge-on still has a picture
-  const Eigen::Vector3d centre = box.center();
-  camera.top_left = axes * Eigen::Vector3d(centre.x() - camera.pixel * options.width / 2,
-                                           centre.y() + camera.pixel * options.height / 2, box.min().z() - depth / 2);
-  return camera;
 }
 
 /// Unit normals, zero where there is none.
@@ -341,127 +294,13 @@ std::vector<Colour> colours_of_splats(const std::vector<Colour>& colours) {
   return result;
 }
 
-/// Below this skewness (third moment by the cube of the standard deviation) an axis counts as balanced: rounding must
-/// not decide the view.
-constexpr double balanced_skewness = 1e-3;
-
-/// Calls visit(point, weight) for points with the moments of the surface up to the second: the triangles' corners and
-/// centroids, a rule that is exact for polynomials of degree 2. Of a cloud, for its points.
-template <typename Visit>
-void visit_weighted_points(const Shape& shape, const Visit& visit) {
-  for (Eigen::Index i = 0; i < shape.triangles.rows(); ++i) {
-    const Eigen::Vector3d a = shape.vertices.row(shape.triangles(i, 0));
-    const Eigen::Vector3d b = shape.vertices.row(shape.triangles(i, 1));
-    const Eigen::Vector3d c = shape.vertices.row(shape.triangles(i, 2));
-    const double area = (b - a).cross(c - a).norm() / 2;
-    for (const auto& corner : {a, b, c}) visit(corner, area / 12);
-    visit((a + b + c) / 3, area * 3 / 4);
-  }
-  if (!is_cloud(shape)) return;
-  for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) visit(shape.vertices.row(i).transpose(), 1);
-}
-
-/// The axis or its opposite.
-Eigen::Vector3d pointed(const Eigen::Vector3d& axis, double variance, double third_moment) {
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  const bool balanced = std::abs(third_moment) <= balanced_skewness * std::pow(variance, 1.5);
-  return (balanced ? axis[largest] : third_moment) < 0 ? Eigen::Vector3d(-axis) : axis;
-}
-
-/// Radius of a splat in radii of the disc that has the point's area. Of a plane with random points, exp(-2.25^2) or
-/// 0.6 % stays uncovered.
-constexpr double overlap = 2.25;
-constexpr Eigen::Index neighbours = 12;
-
-/// Direction in which the point and its neighbours extend least.
-Eigen::Vector3d fitted_normal(const Points& points, const PointNeighbours& nearest, Eigen::Index i) {
-  const auto around = nearest.indices.row(i);
-  Eigen::Vector3d mean = points.row(i);
-  for (const std::int32_t j : around) mean += points.row(j).transpose();
-  mean /= static_cast<double>(around.size() + 1);
-  const auto spread_of = [&](Eigen::Index j) -> Eigen::Matrix3d {
-    const Eigen::Vector3d d = points.row(j).transpose() - mean;
-    return d * d.transpose();
-  };
-  Eigen::Matrix3d spread = spread_of(i);
-  for (const std::int32_t j : around) spread += spread_of(j);
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-}
-
-void add_splat(Shape& mesh, Eigen::Index i, const Eigen::Vector3d& centre, const Eigen::Vector3d& normal,
-               double radius) {
-  constexpr int corners = triangles_per_splat + 2;
-  const Eigen::Vector3d u = normal.unitOrthogonal();
-  const Eigen::Vector3d v = normal.cross(u);
-  for (int k = 0; k < corners; ++k) {
-    const double angle = 2 * std::numbers::pi * k / corners;
-    mesh.vertices.row(corners * i + k) = centre + radius * (std::cos(angle) * u + std::sin(angle) * v);
-  }
-  const auto first = static_cast<std::int32_t>(corners * i);
-  for (int k = 0; k < triangles_per_splat; ++k) {
-    mesh.triangles.row(triangles_per_splat * i + k) << first, first + k + 1, first + k + 2;
-  }
-}
-
 }  // namespace
 
 Image render_shape(const Shape& shape, const std::vector<Colour>& colours, SampleSite site,
                    const RenderOptions& options) {
   check(shape, colours, site);
-  check(options);
   if (!is_cloud(shape)) return draw(shape, colours, site, options);
   return draw(splats(shape), colours_of_splats(colours), SampleSite::faces, options);
-}
-
-RenderOptions principal_view(const Shape& shape, RenderOptions options) {
-  double mass = 0;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    mass += weight;
-    centre += weight * point;
-  });
-  if (!(mass > 0) || !std::isfinite(mass) || !centre.allFinite()) return options;
-  centre /= mass;
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Vector3d arm = point - centre;
-    second += (weight / mass * arm) * arm.transpose();
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(second);  // ascending
-  const Eigen::Matrix3d to_axes = principal.eigenvectors().transpose();
-  Eigen::Vector3d third = Eigen::Vector3d::Zero();
-  visit_weighted_points(shape, [&](const Eigen::Vector3d& point, double weight) {
-    const Eigen::Array3d along = to_axes * (point - centre);
-    third += (weight / mass * along * along * along).matrix();
-  });
-  Eigen::Matrix3d axes;
-  for (int k = 0; k < 3; ++k)
-    axes.col(k) = pointed(principal.eigenvectors().col(k), principal.eigenvalues()[k], third[k]);
-  options.up = axes.col(1);
-  options.towards_viewer = axes.col(0) + 0.35 * axes.col(2) + 0.45 * axes.col(1);
-  return options;
-}
-
-Shape splats(const Shape& cloud) {
-  const UnitFrame frame = unit_frame(cloud);
-  const Eigen::Index n = cloud.vertices.rows();
-  Points points(n, 3);  // in coordinates near 1, whose squares neither vanish nor overflow
-  for (Eigen::Index i = 0; i < n; ++i) points.row(i) = frame.to_unit(cloud.vertices.row(i).transpose()).transpose();
-  const Eigen::VectorXd weights = point_weights(points);
-  const bool has_all_normals = cloud.normals.rows() > 0 && (cloud.normals.array() != 0).rowwise().any().all();
-  const PointNeighbours nearest = has_all_normals ? PointNeighbours() : nearest_neighbours(points, neighbours);
-  Shape mesh;
-  mesh.vertices.resize((triangles_per_splat + 2) * n, 3);
-  mesh.triangles.resize(triangles_per_splat * n, 3);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-    if (cloud.normals.rows() > 0) normal = cloud.normals.row(i);
-    if (normal.isZero(0)) normal = fitted_normal(points, nearest, i);
-    add_splat(mesh, i, points.row(i), normal, overlap * std::sqrt(weights[i] / std::numbers::pi));
-  }
-  mesh.vertices = (mesh.vertices * frame.diagonal).rowwise() + frame.centre.transpose();
-  return mesh;
 }
 
 }  // namespace shapegauge

@@ -77,15 +77,15 @@ Hinge hinge_towards(const Eigen::Vector3d& from, const Eigen::Vector3d& to, doub
   return hinge(from.cross(to), lower_degrees, upper_degrees);
 }
 
-Hinge pitch(double lower_degrees, double upper_degrees) {
+Hinge pitch_hinge(double lower_degrees, double upper_degrees) {
   return hinge(Eigen::Vector3d::UnitY(), lower_degrees, upper_degrees);
 }
 
-Hinge yaw(double lower_degrees, double upper_degrees) {
+Hinge yaw_hinge(double lower_degrees, double upper_degrees) {
   return hinge(Eigen::Vector3d::UnitZ(), lower_degrees, upper_degrees);
 }
 
-Hinge roll(double lower_degrees, double upper_degrees) {
+Hinge roll_hinge(double lower_degrees, double upper_degrees) {
   return hinge(Eigen::Vector3d::UnitX(), lower_degrees, upper_degrees);
 }
 

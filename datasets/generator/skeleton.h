@@ -66,11 +66,11 @@ Hinge hinge(const Eigen::Vector3d& axis, double lower_degrees, double upper_degr
 Hinge hinge_towards(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double lower_degrees, double upper_degrees);
 
 /// A hinge about y: the front goes down for positive angles, what hangs down swings back.
-Hinge pitch(double lower_degrees, double upper_degrees);
+Hinge pitch_hinge(double lower_degrees, double upper_degrees);
 /// A hinge about z: the front goes to the left for positive angles.
-Hinge yaw(double lower_degrees, double upper_degrees);
+Hinge yaw_hinge(double lower_degrees, double upper_degrees);
 /// A hinge about x: the left side goes up for positive angles.
-Hinge roll(double lower_degrees, double upper_degrees);
+Hinge roll_hinge(double lower_degrees, double upper_degrees);
 
 /// Joints with the same hinges at the nodes first, ..., last.
 std::vector<Joint> joints_along(int first, int last, const std::vector<Hinge>& hinges);

@@ -82,7 +82,7 @@ Solid rounded_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   motion.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from).toRotationMatrix();
   motion.translation() = from;
-  return moved(revolved(outline, rounding), motion);
+  return transformed_solid(revolved(outline, rounding), motion);
 }
 
 Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis, double flatness) {
@@ -98,12 +98,12 @@ Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis,
   return {[surface](const Eigen::Vector3d& point) { return surface->nearest_limb(point).distance; }, box};
 }
 
-Solid common(const Solid& solid, const Solid& within) {
+Solid intersection(const Solid& solid, const Solid& within) {
   return {[=](const Eigen::Vector3d& point) { return std::max(solid.distance(point), within.distance(point)); },
           solid.box};
 }
 
-Solid without(const Solid& solid, const Solid& removed) {
+Solid difference(const Solid& solid, const Solid& removed) {
   return {[=](const Eigen::Vector3d& point) { return std::max(solid.distance(point), -removed.distance(point)); },
           solid.box};
 }
@@ -112,7 +112,7 @@ Solid slab(double low, double high) {
   return {[=](const Eigen::Vector3d& point) { return std::max(low - point.z(), point.z() - high); }, {}};
 }
 
-Solid moved(const Solid& solid, const Eigen::Isometry3d& motion) {
+Solid transformed_solid(const Solid& solid, const Eigen::Isometry3d& motion) {
   const Eigen::Isometry3d back = motion.inverse();
   Solid result{[=](const Eigen::Vector3d& point) { return solid.distance(back * point); }, {}};
   for (int corner = 0; corner < 8; ++corner) {
@@ -123,7 +123,7 @@ Solid moved(const Solid& solid, const Eigen::Isometry3d& motion) {
 
 Solid turned_about_z(const Solid& solid, double degrees) {
   const double radians = degrees * std::numbers::pi / 180;
-  return moved(solid, Eigen::Isometry3d(Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitZ())));
+  return transformed_solid(solid, Eigen::Isometry3d(Eigen::AngleAxisd(radians, Eigen::Vector3d::UnitZ())));
 }
 
 double SolidObject::distance(const Eigen::Vector3d& point) const {

@@ -36,16 +36,16 @@ Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis 
            double flatness = 1);
 
 /// What is in both. `within` may be a body without bounds.
-Solid common(const Solid& solid, const Solid& within);
+Solid intersection(const Solid& solid, const Solid& within);
 
 /// What is in the first and not in the second.
-Solid without(const Solid& solid, const Solid& removed);
+Solid difference(const Solid& solid, const Solid& removed);
 
 /// All points between two heights.
 Solid slab(double low, double high);
 
 /// The body moved.
-Solid moved(const Solid& solid, const Eigen::Isometry3d& motion);
+Solid transformed_solid(const Solid& solid, const Eigen::Isometry3d& motion);
 
 /// The body turned about the z axis.
 Solid turned_about_z(const Solid& solid, double degrees);

@@ -14,7 +14,7 @@
 #include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/descriptor_choice.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/histogram.h"

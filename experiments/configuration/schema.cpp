@@ -14,7 +14,7 @@
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/derived_distances.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
 #include "shapegauge/metrics/measures.h"
 #include "shapegauge/metrics/protocol.h"

@@ -233,7 +233,7 @@ Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& op
   const OpenMatrix& matrix = data.distances;
   const bool has_gaps = data.task.retrieval.lists_may_end_early;  // no matrix to look for oddities in
   const bool mirrored = data.task.same_rows_and_columns && !data.symmetric;
-  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) {
+  const RowSource rows = [&](Eigen::Index first, Eigen::Index count) {
     if (progress) progress(first, matrix.rows);
     DistanceMatrix some =
         matrix.read({.first_row = first, .rows = count, .first_column = 0, .columns = matrix.columns});

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/setting_names.h"
-#include "shapegauge/datasets/files/matrix_files.h"
+#include "shapegauge/datasets/files/open_matrix.h"
 #include "shapegauge/experiments/evaluation/evaluation_task.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/metrics/matrix_checks.h"

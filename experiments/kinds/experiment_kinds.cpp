@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/experiments/collections/run_collection.h"
-#include "shapegauge/experiments/comparison/write_comparison.h"
+#include "shapegauge/experiments/comparison/write_shape_comparison.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
 

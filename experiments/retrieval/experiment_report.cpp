@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "shapegauge/experiments/configuration/field_settings.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 
 namespace shapegauge {
 

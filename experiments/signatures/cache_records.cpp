@@ -15,7 +15,7 @@
 #include "shapegauge/experiments/cache/cache.h"
 #include "shapegauge/experiments/configuration/configuration.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/engine/build_information.h"
 #include "shapegauge/experiments/engine/manifest.h"
 #include "shapegauge/pages/coarse_view.h"

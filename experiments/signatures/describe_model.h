@@ -13,7 +13,7 @@
 #include "shapegauge/core/preparation/prepare_shape.h"
 #include "shapegauge/core/shape/samples.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 
 namespace shapegauge {
 

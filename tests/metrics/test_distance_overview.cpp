@@ -13,8 +13,8 @@ namespace {
 
 using testing::ElementsAre;
 
-DistanceTableRows numbers(Eigen::Index models) {
-  DistanceTableRows distances(models, models);
+DistanceMatrix numbers(Eigen::Index models) {
+  DistanceMatrix distances(models, models);
   for (Eigen::Index i = 0; i < models; ++i) {
     for (Eigen::Index j = 0; j < models; ++j) distances(i, j) = 0.1 * static_cast<double>((i * 31 + j * 17) % 101);
   }
@@ -32,17 +32,17 @@ TEST(OrderByClass, ClassByClassInTheModelsOrder) {
 }
 
 TEST(DistanceOverview, OfFewModelsACellIsADistance) {
-  DistanceTableRows distances{{9, 1, 2}, {3, 9, 4}, {5, std::numeric_limits<double>::infinity(), 9}};
+  DistanceMatrix distances{{9, 1, 2}, {3, 9, 4}, {5, std::numeric_limits<double>::infinity(), 9}};
   const DistanceOverview overview = overview_of(distances, std::vector<int>{1, 0, 0});
   EXPECT_EQ(overview.block, 1);
   EXPECT_EQ(overview.cells, (Eigen::MatrixXd{{0, 4, 3}, {distances(2, 1), 0, 5}, {1, 2, 0}}));
   EXPECT_EQ(overview.nearest, (NearestIndices{{1, 2}, {0, 2}, {0, 1}}));
-  EXPECT_EQ(overview.nearest_distances, (DistanceTableRows{{1, 2}, {3, 4}, {5, distances(2, 1)}}));
+  EXPECT_EQ(overview.nearest_distances, (DistanceMatrix{{1, 2}, {3, 4}, {5, distances(2, 1)}}));
 }
 
 TEST(DistanceOverview, OfManyModelsACellIsTheMeanOfItsFiniteEntries) {
   const Eigen::Index models = 2 * largest_heat_map - 1;
-  DistanceTableRows distances = numbers(models);
+  DistanceMatrix distances = numbers(models);
   distances(4, 7) = std::numeric_limits<double>::infinity();
   const std::vector<int> labels = labels_of(models);
   const DistanceOverview overview = overview_of(distances, labels);
@@ -69,7 +69,7 @@ TEST(DistanceOverview, OfManyModelsACellIsTheMeanOfItsFiniteEntries) {
 
 TEST(DistanceOverview, WhoSawWhichRowsInWhichOrderDoesNotMatter) {
   for (const Eigen::Index models : {40, 1500}) {
-    const DistanceTableRows distances = numbers(models);
+    const DistanceMatrix distances = numbers(models);
     const std::vector<int> labels = labels_of(models);
     const DistanceOverview whole = overview_of(distances, labels);
     std::vector<SeenRows> parts;

@@ -73,7 +73,7 @@ TEST(Evaluation, GradesAreThoseOfTheRow) {
   const naive::Matrix distances = Eigen::RowVector3d(1, 2, 3).replicate<queries, 1>();
   EvaluationOptions options = under(Protocol::trec);
   options.measures = measures_of(std::vector<std::string>{"nDCG"});
-  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> naive::Matrix {
+  const RowSource rows = [&](Eigen::Index first, Eigen::Index count) -> naive::Matrix {
     return distances.middleRows(first, count);
   };
   const Evaluation evaluation = evaluate(rows, task, options);
@@ -100,7 +100,7 @@ RC_GTEST_PROP(Evaluation, RowByRowIsThatOfTheWholeMatrix, ()) {
   const EvaluationCase random = *cases_with_ties(600);
   const EvaluationOptions options{.protocol = random.protocol, .ties = Ties::expected};
   const Evaluation whole = evaluate(random.distances, random.labels, options);
-  const DistanceRows rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows {
+  const RowSource rows = [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix {
     return random.distances.middleRows(first, count);
   };
   const Evaluation streamed = evaluate(rows, leave_one_out(random.labels), options);
@@ -283,7 +283,7 @@ TEST(Evaluation, GradedGainUnderThePaperProtocolHasTheQueryInFront) {
   task.judged = {{0, 2}};
   task.grades = {{1, 3}};
   task.judged_irrelevant = {{1, 3}};
-  const DistanceTableRows distances{{1, 2, 3, 4}};
+  const DistanceMatrix distances{{1, 2, 3, 4}};
   EvaluationOptions options{.protocol = Protocol::paper, .measures = measures_of(std::vector<std::string>{"nDCG"})};
   const double ideal = 3 / std::log2(2) + 3 / std::log2(3) + 1 / std::log2(4);
   const double found = 3 / std::log2(2) + 1 / std::log2(3) + 3 / std::log2(5);
@@ -301,7 +301,7 @@ TEST(Evaluation, TheMacroCurveIsTheMeanOfTheClassesCurves) {
   task.target_classes.assign(40, 0);
   task.own_column = {-1, 0, -1};
   std::fill(task.target_classes.begin() + 20, task.target_classes.end(), 1);
-  DistanceTableRows distances(3, 40);
+  DistanceMatrix distances(3, 40);
   for (Eigen::Index column = 0; column < 40; ++column) {
     const auto place = static_cast<double>(column);
     distances.col(column) << place, place + (column == 20 ? -19.5 : 0), column < 3 ? place : 100 - place;
@@ -324,7 +324,7 @@ TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
   RandomNumbers random(5);
   RetrievalTask task;
   task.target_classes.assign(30, 0);
-  DistanceTableRows distances(queries, 30);
+  DistanceMatrix distances(queries, 30);
   for (Eigen::Index row = 0; row < queries; ++row) {
     task.query_classes.push_back(static_cast<int>(row));
     task.own_column.push_back(-1);
@@ -340,7 +340,7 @@ TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
   }
   const EvaluationOptions options{.measures = measures_of(std::vector<std::string>{"bpref"})};
   const Evaluation by_rows = evaluate(
-      [&](Eigen::Index first, Eigen::Index count) -> DistanceTableRows { return distances.middleRows(first, count); },
+      [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix { return distances.middleRows(first, count); },
       task, options);
   EXPECT_EQ(by_rows.per_query, evaluate(distances, task, options).per_query);
   for (Eigen::Index row = 0; row < queries; ++row) {  // by the definition

@@ -7,6 +7,7 @@
 
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/render/splats.h"
 #include "tests/pages/sample_views.h"
 
 int main(int argument_count, char** arguments) {

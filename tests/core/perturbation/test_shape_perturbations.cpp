@@ -6,7 +6,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
@@ -54,7 +54,7 @@ TEST(ShapePerturbations, AreTheFunctionsOfTheirNames) {
   expect_same(applied("decimate", {{"faces", 500}}, sphere), decimate(sphere, 500));
   expect_same(applied("sample_points", {{"points", 50}, {"with_normals", true}}, sphere),
               with_random([](RandomNumbers& random) {
-                return sample_surface(sphere, {.points = 50, .with_normals = true}, random);
+                return sample_points(sphere, {.points = 50, .with_normals = true}, random);
               }));
   expect_same(applied("vertex_cloud", {}, sphere), vertex_cloud(sphere));
   expect_same(applied("flip_orientation", {{"fraction", 0.25}}, sphere),
@@ -96,7 +96,7 @@ TEST(ShapePerturbations, TheFunctionsHaveTheBoundsOfTheRegistry) {
   EXPECT_THROW(applied("decimate", {{"faces", 0}}, small), InputError);
   EXPECT_THROW(decimate(small, 0), InputError);
   EXPECT_THROW(decimate(small, 100'000'001), InputError);
-  EXPECT_THROW(sample_surface(small, {.points = 100'000'001}, random), InputError);
+  EXPECT_THROW(sample_points(small, {.points = 100'000'001}, random), InputError);
 }
 
 constexpr std::array stretch_parameters{Parameter{.name = "factor",

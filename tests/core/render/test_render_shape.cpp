@@ -9,6 +9,7 @@
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/render/render_shape.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/shape/samples.h"
 #include "tests/support/test_shapes.h"
 

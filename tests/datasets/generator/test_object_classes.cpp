@@ -26,7 +26,7 @@ double volume(const Shape& mesh) {
 TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
   const Solid cylinder = rounded_cylinder({0, 0, -0.5}, {0, 0, 0.5}, 0.5, 0.05);
   SolidObject object;
-  object.parts = {{0, common(cylinder, slab(-1, 0.05))}, {4, common(cylinder, slab(0, 1))}};
+  object.parts = {{0, intersection(cylinder, slab(-1, 0.05))}, {4, intersection(cylinder, slab(0, 1))}};
   object.thinnest = 0.5;
   object.blend = 0.01;
   const std::optional<SolidMesh> made = mesh_solid(object, 2000);

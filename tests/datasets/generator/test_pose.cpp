@@ -15,7 +15,7 @@ class BoneWeights : public testing::Test {
   const Skeleton skeleton_{"",
                            {{.kind = "rod",
                              .nodes = {{{-1, 0, 0}, 0.2}, {{0, 0, 0}, 0.2}, {{1, 0, 0}, 0.2}},
-                             .joints = {{1, {yaw(-30, 30)}}}}}};
+                             .joints = {{1, {yaw_hinge(-30, 30)}}}}}};
   const ImplicitSurface surface_{skeleton_};
   const BoneTree tree_ = bones_of(skeleton_);
   const Shape mesh_ = mesh_implicit_surface(surface_, 3000);
@@ -65,7 +65,7 @@ Skeleton rod(bool curls) {
   return {"",
           {{.kind = "rod",
             .nodes = {{{0, 0, 0}, 0.2}, {{1, 0, 0}, 0.2}, {{2, 0, 0}, 0.2}, {{3, 0, 0}, 0.2}},
-            .joints = joints_along(1, 2, {yaw(-40, 60)}),
+            .joints = joints_along(1, 2, {yaw_hinge(-40, 60)}),
             .curls = curls}}};
 }
 

@@ -66,7 +66,7 @@ TEST(Bones, LimbsSplitAtTheirJointsAndHangFromTheClosestBone) {
   Skeleton s;
   const int spine = add_limb(s, {.kind = "spine",
                                  .nodes = {{{0, 0, 0}, 1}, {{1, 0, 0}, 1}, {{2, 0, 0}, 1}, {{3, 0, 0}, 1}},
-                                 .joints = {{2, {yaw(-10, 10)}}}});
+                                 .joints = {{2, {yaw_hinge(-10, 10)}}}});
   add_limb(s, {.kind = "leg", .parent = spine, .nodes = {{{2.5, 0, -1}, 0.2}, {{2.5, 0, -2}, 0.2}}});
   add_limb(s, {.kind = "ear", .parent = spine, .nodes = {{{0.5, 0, 1}, 0.2}, {{0.5, 0, 2}, 0.2}}});
   const BoneTree tree = bones_of(s);

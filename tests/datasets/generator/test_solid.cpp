@@ -78,9 +78,9 @@ TEST(Solid, CommonAndWithoutAreTheBooleanOperations) {
     const Vector3d point = random_place(random, 1.2);
     const bool in_one = one.distance(point) < 0;
     const bool in_other = other.distance(point) < 0;
-    EXPECT_EQ(common(one, other).distance(point) < 0, in_one && in_other);
-    EXPECT_EQ(without(one, other).distance(point) < 0, in_one && !in_other);
-    EXPECT_EQ(common(one, slab(-0.2, 0.3)).distance(point) < 0, in_one && point.z() > -0.2 && point.z() < 0.3);
+    EXPECT_EQ(intersection(one, other).distance(point) < 0, in_one && in_other);
+    EXPECT_EQ(difference(one, other).distance(point) < 0, in_one && !in_other);
+    EXPECT_EQ(intersection(one, slab(-0.2, 0.3)).distance(point) < 0, in_one && point.z() > -0.2 && point.z() < 0.3);
   }
 }
 

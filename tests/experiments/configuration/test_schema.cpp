@@ -8,7 +8,7 @@
 #include "shapegauge/datasets/layouts/layouts.h"
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/metrics/protocol.h"
 #include "shapegauge/retrieval/distance_matrix.h"

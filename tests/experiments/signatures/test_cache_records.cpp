@@ -5,7 +5,7 @@
 #include <set>
 
 #include "shapegauge/experiments/configuration/field_settings.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/signatures/cache_records.h"
 #include "shapegauge/experiments/signatures/shape_reports.h"
 #include "tests/support/test_shapes.h"

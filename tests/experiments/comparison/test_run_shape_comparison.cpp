@@ -3,9 +3,9 @@
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/datasets/files/csv.h"
-#include "shapegauge/experiments/comparison/run_comparison.h"
-#include "shapegauge/experiments/comparison/write_comparison.h"
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/comparison/run_shape_comparison.h"
+#include "shapegauge/experiments/comparison/write_shape_comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
@@ -46,8 +46,8 @@ class RunComparison : public testing::Test {
          "histogram": {"bins": 10, "range": "per-shape"}}
       ]})");
   }
-  [[nodiscard]] ComparisonResults run(const Json& changed = document(), const RunControl& control = {}) const {
-    return run_comparison(comparison_from_json(changed, "test.json", folder_.path()), control);
+  [[nodiscard]] ShapeComparisonResults run(const Json& changed = document(), const RunControl& control = {}) const {
+    return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()), control);
   }
 
  private:
@@ -55,7 +55,7 @@ class RunComparison : public testing::Test {
 };
 
 TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
-  const ComparisonResults results = run();
+  const ShapeComparisonResults results = run();
   ASSERT_EQ(results.shapes.size(), 3U);
   EXPECT_EQ(results.shapes[2].name, "again");
   for (const SignatureResults& signature : results.signatures) {
@@ -75,7 +75,7 @@ TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
 }
 
 TEST_F(RunComparison, NoiseMakesErrorsInTheReferencesUnits) {
-  const ComparisonResults results = run();
+  const ShapeComparisonResults results = run();
   for (const FieldMeasurement& field : results.shapes[0].fields) {
     // The noise is 1 % of the diagonal on either side of a diameter of 58 % of it.
     EXPECT_GT(field.errors->median, 1e-4);
@@ -91,14 +91,14 @@ TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
   changed["signatures"] = Json::parse(R"([
     {"name": "heat", "field": {"type": "heat_kernel", "time": 100, "eigenvalues": 10, "at": "vertices"},
      "histogram": {"range": "dataset"}}])");
-  const ComparisonResults results = run(changed);
+  const ShapeComparisonResults results = run(changed);
   EXPECT_GT(results.shapes[0].report.area, 1.1 * results.shapes[1].report.area);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->relative_percentile_90, 0, 1e-6);
   EXPECT_NEAR(results.shapes[0].fields[0].errors->percentile_90, 0, 1e-6);
 }
 
 TEST_F(RunComparison, NormalsAreMeasuredAgainstTheReferencesTriangles) {
-  const ComparisonResults results = run();
+  const ShapeComparisonResults results = run();
   const FieldMeasurement& noisy = results.shapes[0].fields[0];
   const FieldMeasurement& clean = results.shapes[1].fields[0];
   EXPECT_LT(clean.own_normals->mean, 1e-5);
@@ -112,7 +112,7 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
   for (const int threads : {1, 3}) {
     RunControl control;
     control.threads = threads;
-    write_comparison(path(std::to_string(threads)), run(document(), control));
+    write_shape_comparison(path(std::to_string(threads)), run(document(), control));
   }
   for (const char* file :
        {"summary.md", "histograms.csv", "distances.csv", "errors.csv", "normals.csv", "shapes.csv"}) {
@@ -128,7 +128,7 @@ TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(RunComparison, TheFilesHaveARowForEachSignatureAndShape) {
-  write_comparison(path("out"), run());
+  write_shape_comparison(path("out"), run());
   const auto rows = [&](const char* file) { return parse_csv(text_of(path("out") / file), file); };
   EXPECT_EQ(rows("distances.csv").size(), 1 + 9U);
   EXPECT_EQ(rows("errors.csv").size(), 1 + 9U);
@@ -149,8 +149,8 @@ TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) 
   EXPECT_EQ(run(poses).signatures[0].distances.size(), 3U);
   Json alone = document();
   alone.erase("reference");
-  write_comparison(path("out"), run());
-  write_comparison(path("out"), run(alone));
+  write_shape_comparison(path("out"), run());
+  write_shape_comparison(path("out"), run(alone));
   EXPECT_FALSE(fs::exists(path("out") / "errors.csv")) << "of the earlier run";
   EXPECT_FALSE(fs::exists(path("out") / "distances.csv"));
   EXPECT_TRUE(fs::exists(path("out") / "timings.csv"));
@@ -163,7 +163,7 @@ TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
   changed["shapes"].push_back({{"name", "absent"}, {"file", "absent.off"}});
   EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("shape \"absent\": "));
   changed["on_error"] = "skip";
-  const ComparisonResults results = run(changed);
+  const ShapeComparisonResults results = run(changed);
   ASSERT_EQ(results.failures.size(), 2U);
   EXPECT_EQ(results.failures[0].id, "again");
   EXPECT_THAT(results.failures[0].message, HasSubstr("area"));
@@ -185,7 +185,7 @@ TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
   changed["signatures"].erase(1);
   changed["signatures"][0]["field"]["offset"] = 0.1;  // well above the points' spacing
-  const ComparisonResults results = run(changed);
+  const ShapeComparisonResults results = run(changed);
   const FieldMeasurement& cloud = results.shapes[0].fields[0];
   EXPECT_EQ(cloud.samples, 642U);
   EXPECT_LT(cloud.errors->percentile_90, 0.02);
@@ -198,7 +198,7 @@ TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
   changed["signatures"].erase(1);
   changed["signatures"][0]["field"]["offset"] = 0.1;
-  const ComparisonResults results = run(changed);
+  const ShapeComparisonResults results = run(changed);
   EXPECT_LT(results.shapes[0].fields[0].own_normals->percentile_90, 8);
 }
 
@@ -207,7 +207,7 @@ TEST(GeneratedComparison, RunsWithoutData) {
   Json document = read_configuration_document(file);
   document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
   for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
-  const ComparisonResults results = run_comparison(comparison_from_json(document, file.string(), ""), {});
+  const ShapeComparisonResults results = run_shape_comparison(comparison_from_json(document, file.string(), ""), {});
   EXPECT_EQ(results.shapes.size(), 2U);
   EXPECT_TRUE(results.failures.empty());
   EXPECT_EQ(results.signatures[0].distances[0], 0);

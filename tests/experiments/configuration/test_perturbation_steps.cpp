@@ -6,8 +6,8 @@
 
 #include "shapegauge/core/perturbation/decimate.h"
 #include "shapegauge/core/perturbation/perturbations.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/core/perturbation/sample_points.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
@@ -132,7 +132,7 @@ TEST(MakePerturbation, StepsAreTheFunctionsOfTheCore) {
   expect_step({{"type", "decimate"}, {"faces", 200}}, [](const Shape& s, RandomNumbers&) { return decimate(s, 200); });
   expect_step(
       {{"type", "sample_points"}, {"points", 70}, {"with_normals", true}},
-      [](const Shape& s, RandomNumbers& r) { return sample_surface(s, {.points = 70, .with_normals = true}, r); });
+      [](const Shape& s, RandomNumbers& r) { return sample_points(s, {.points = 70, .with_normals = true}, r); });
   expect_step({{"type", "flip_orientation"}, {"fraction", 0.5}},
               [](const Shape& s, RandomNumbers& r) { return flip_orientation(s, 0.5, r); });
   expect_step({{"type", "motion"}, {"scale", 10}},

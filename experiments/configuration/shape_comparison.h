@@ -10,7 +10,7 @@
 
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/configuration/configuration.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 
 namespace shapegauge {
 
@@ -23,7 +23,7 @@ struct ComparedShape {
 };
 
 /// An experiment that compares shapes with one of them, checked, with all defaults filled in.
-struct Comparison {
+struct ShapeComparison {
   std::string name;
   std::string description;
   std::vector<ComparedShape> shapes;
@@ -38,12 +38,12 @@ struct Comparison {
 };
 
 /// The comparison as JSON with all defaults filled in, in the form that configurations are read from.
-nlohmann::json to_json(const Comparison& comparison);
+nlohmann::json to_json(const ShapeComparison& comparison);
 
 /// Reads a comparison from the document of a configuration, with the checks of configuration_from_json. `source` is
 /// what messages call it; relative paths are relative to `folder`. Throws InputError with the source, the path to the
 /// value, what is wrong and the nearest valid word.
-Comparison comparison_from_json(const nlohmann::json& document, const std::string& source,
+ShapeComparison comparison_from_json(const nlohmann::json& document, const std::string& source,
                                 const std::filesystem::path& folder);
 
 }  // namespace shapegauge

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "shapegauge/experiments/comparison/run_comparison.h"
+#include "shapegauge/experiments/comparison/run_shape_comparison.h"
 #include "shapegauge/experiments/engine/experiment.h"
 
 namespace shapegauge {
@@ -12,9 +12,9 @@ namespace shapegauge {
 ExperimentKind comparison_kind();
 
 /// Writes all result files of a comparison into the folder, as write_results() does.
-void write_comparison(const std::filesystem::path& destination, const ComparisonResults& results);
+void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results);
 
 /// The summary of a comparison for a terminal: distances, errors, normals, timings.
-std::string summary_text(const ComparisonResults& results);
+std::string summary_text(const ShapeComparisonResults& results);
 
 }  // namespace shapegauge

@@ -2,16 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-Shape sampled(const Shape& shape, const SampleSurfaceOptions& options, std::uint64_t seed) {
+Shape sampled(const Shape& shape, const SamplePointsOptions& options, std::uint64_t seed) {
   RandomNumbers random(seed);
-  return sample_surface(shape, options, random);
+  return sample_points(shape, options, random);
 }
 
 TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {

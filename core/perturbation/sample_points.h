@@ -9,15 +9,15 @@
 
 namespace shapegauge {
 
-struct SampleSurfaceOptions {
+struct SamplePointsOptions {
   std::int64_t points = 10000;
   bool with_normals = false;  ///< give the points their triangles' normals
 };
 
-/// What may be chosen of SampleSurfaceOptions.
-inline constexpr std::array sample_surface_table = {
-    option_of<&SampleSurfaceOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of points."),
-    option_of<&SampleSurfaceOptions::with_normals>("with_normals", "Give the points the normals of their faces."),
+/// What may be chosen of SamplePointsOptions.
+inline constexpr std::array sample_points_table = {
+    option_of<&SamplePointsOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of points."),
+    option_of<&SamplePointsOptions::with_normals>("with_normals", "Give the points the normals of their faces."),
 };
 
 /// A point cloud: so many points of the mesh, uniform by area. The area is cut, triangle after triangle, into as many
@@ -27,7 +27,7 @@ inline constexpr std::array sample_surface_table = {
 /// the normals it has.
 ///
 /// Throws InputError for a number of points out of bounds, a mesh whose area is zero or not finite, and an empty shape.
-Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random);
+Shape sample_points(const Shape& shape, const SamplePointsOptions& options, RandomNumbers& random);
 
 /// A point cloud without normals: the vertices of the mesh that a triangle uses, in their order; of a cloud, its
 /// points. A hole of the mesh is one of the cloud.

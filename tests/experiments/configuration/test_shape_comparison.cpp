@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "tests/support/test_files.h"
 
@@ -34,7 +34,7 @@ std::string comparison_error_with(const std::string& pointer, const Json& value)
 }
 
 TEST(ReadComparison, FillsInDefaults) {
-  const Comparison comparison = comparison_from_json(comparison_document(), "x.json", "/configs");
+  const ShapeComparison comparison = comparison_from_json(comparison_document(), "x.json", "/configs");
   ASSERT_EQ(comparison.shapes.size(), 3U);
   EXPECT_EQ(comparison.shapes[0].file, "/configs/a.off");
   EXPECT_EQ(comparison.shapes[1].file, "/b.off");

@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include "shapegauge/datasets/generator/generate_dataset.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/parameter_json.h"
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/schema.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
@@ -85,8 +85,8 @@ std::size_t reference_of(const std::string& name, const std::vector<ComparedShap
   return static_cast<std::size_t>(found - names.begin());
 }
 
-Comparison checked_comparison(const Json& document, const fs::path& folder) {
-  Comparison comparison;
+ShapeComparison checked_comparison(const Json& document, const fs::path& folder) {
+  ShapeComparison comparison;
   comparison.name = document.at("name");
   comparison.description = document.value("description", "");
   comparison.shapes = at("shapes", [&] { return shapes_of(document.at("shapes"), folder); });
@@ -106,7 +106,7 @@ Comparison checked_comparison(const Json& document, const fs::path& folder) {
 
 }  // namespace
 
-Json to_json(const Comparison& comparison) {
+Json to_json(const ShapeComparison& comparison) {
   Json json{{"name", comparison.name},
             {"seed", comparison.seed},
             {"preparation", to_json(comparison.preparation)},
@@ -122,7 +122,7 @@ Json to_json(const Comparison& comparison) {
   return json;
 }
 
-Comparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
+ShapeComparison comparison_from_json(const Json& document, const std::string& source, const fs::path& folder) {
   check_against_schema(document, source);
   if (!is_comparison(document)) {
     throw InputError(

@@ -1,4 +1,4 @@
-#include "shapegauge/core/perturbation/sample_surface.h"
+#include "shapegauge/core/perturbation/sample_points.h"
 
 #include <Eigen/Geometry>
 #include <utility>
@@ -13,7 +13,7 @@ namespace shapegauge {
 namespace {
 
 /// So many of a cloud's points.
-Shape thinned(const Shape& cloud, const SampleSurfaceOptions& options, RandomNumbers& random) {
+Shape thinned(const Shape& cloud, const SamplePointsOptions& options, RandomNumbers& random) {
   const Eigen::Index count = cloud.vertices.rows();
   Shape points = cloud;
   if (options.points < count) {
@@ -35,8 +35,8 @@ Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
 
 }  // namespace
 
-Shape sample_surface(const Shape& shape, const SampleSurfaceOptions& options, RandomNumbers& random) {
-  check_options("sample_points", sample_surface_table, options);
+Shape sample_points(const Shape& shape, const SamplePointsOptions& options, RandomNumbers& random) {
+  check_options("sample_points", sample_points_table, options);
   if (shape.vertices.rows() == 0) throw InputError("no points can be taken of a shape without any");
   if (is_cloud(shape)) return thinned(shape, options, random);
   SurfacePoints sampled = surface_points(shape, options.points, random);

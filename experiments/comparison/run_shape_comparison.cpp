@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/comparison/run_comparison.h"
+#include "shapegauge/experiments/comparison/run_shape_comparison.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/stopwatch.h"
 #include "shapegauge/core/io/shape_file.h"
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/experiments/signatures/describe_model.h"
@@ -61,7 +61,7 @@ FieldMeasurement measure_field(const Samples& samples, const FieldValues& comput
 /// Reads, perturbs and prepares the shape of this index, and computes the planned fields on it.
 /// - `reference`: what to compare with; nullptr: nothing. Measuring the reference itself fills it.
 /// Throws what describe_shape throws, and Interrupted between fields.
-MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std::span<const PlannedField> plan,
+MeasuredShape measure_shape(const ShapeComparison& comparison, std::size_t index, std::span<const PlannedField> plan,
                             ReferenceShape* reference, const RunControl& control) {
   const ComparedShape& source = comparison.shapes[index];
   const bool is_reference = comparison.reference == index;
@@ -95,7 +95,7 @@ MeasuredShape measure_shape(const Comparison& comparison, std::size_t index, std
 }
 
 /// The shapes' indices, the reference first: the others are compared with it.
-std::vector<std::size_t> measuring_order(const Comparison& comparison) {
+std::vector<std::size_t> measuring_order(const ShapeComparison& comparison) {
   std::vector<std::size_t> order(comparison.shapes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (comparison.reference) {
@@ -106,7 +106,7 @@ std::vector<std::size_t> measuring_order(const Comparison& comparison) {
 }
 
 /// Why a shape failed; throws where the comparison cannot go on without it.
-std::string failure_of(const Comparison& comparison, std::size_t index, const std::exception& error) {
+std::string failure_of(const ShapeComparison& comparison, std::size_t index, const std::exception& error) {
   const std::string what = fmt::format("shape \"{}\": {}", comparison.shapes[index].name, error.what());
   if (comparison.reference == index) throw InputError(what + "; it is the reference: repair it or name another");
   if (comparison.on_error == OnError::skip) return error.what();
@@ -120,7 +120,7 @@ struct Measured {
 };
 
 /// Looks at the file of every shape before anything is computed.
-void check_files(const Comparison& comparison, Measured& measured) {
+void check_files(const ShapeComparison& comparison, Measured& measured) {
   for (std::size_t i = 0; i < comparison.shapes.size(); ++i) {
     if (comparison.shapes[i].generated) continue;
     try {
@@ -131,7 +131,7 @@ void check_files(const Comparison& comparison, Measured& measured) {
   }
 }
 
-Measured measure_shapes(const Comparison& comparison, std::span<const PlannedField> plan, const RunControl& control) {
+Measured measure_shapes(const ShapeComparison& comparison, std::span<const PlannedField> plan, const RunControl& control) {
   Measured measured;
   measured.shapes.resize(comparison.shapes.size());
   measured.failures.resize(comparison.shapes.size());
@@ -161,7 +161,7 @@ std::vector<double> distances_from(std::size_t row, const Signatures& histograms
   return {distances.begin(), distances.end()};
 }
 
-std::vector<SignatureResults> signature_results(const Comparison& comparison, std::span<const PlannedField> plan,
+std::vector<SignatureResults> signature_results(const ShapeComparison& comparison, std::span<const PlannedField> plan,
                                                 const std::vector<const ModelDescription*>& models,
                                                 std::optional<std::size_t> reference_row) {
   std::vector<Signatures> tables =
@@ -178,8 +178,8 @@ std::vector<SignatureResults> signature_results(const Comparison& comparison, st
   return results;
 }
 
-void run_stages(const RunControl& control, ComparisonResults& results) {
-  const Comparison& comparison = results.comparison;
+void run_stages(const RunControl& control, ShapeComparisonResults& results) {
+  const ShapeComparison& comparison = results.comparison;
   const std::vector<PlannedField> plan = plan_fields(comparison.signatures);
   const Stopwatch stopwatch;
   Measured measured = measure_shapes(comparison, plan, control);
@@ -209,8 +209,8 @@ void run_stages(const RunControl& control, ComparisonResults& results) {
 
 }  // namespace
 
-ComparisonResults run_comparison(const Comparison& comparison, const RunControl& control) {
-  ComparisonResults results;
+ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunControl& control) {
+  ShapeComparisonResults results;
   results.comparison = comparison;
   results.threads = control.threads > 0 ? control.threads : available_threads();
   with_threads(control, [&] { run_stages(control, results); });

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "shapegauge/experiments/comparison/field_errors.h"
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/engine/run_control.h"
 #include "shapegauge/experiments/signatures/compute_signatures.h"
 #include "shapegauge/retrieval/distance_matrix.h"
@@ -42,8 +42,8 @@ struct SignatureResults {
 };
 
 /// All that a comparison found.
-struct ComparisonResults {
-  Comparison comparison;
+struct ShapeComparisonResults {
+  ShapeComparison comparison;
   std::vector<ShapeMeasurement> shapes;  ///< those that could be used
   std::vector<LeftOutShape> failures;
   std::vector<FieldReport> fields;
@@ -56,6 +56,6 @@ struct ComparisonResults {
 /// the other, each with all threads, so that their timings can be compared; all but the timings is the same for any
 /// number of threads. Writes nothing. Throws InputError for a shape that fails with OnError::stop, for a reference that
 /// fails, where no shape is left, and Interrupted.
-ComparisonResults run_comparison(const Comparison& comparison, const RunControl& control);
+ShapeComparisonResults run_shape_comparison(const ShapeComparison& comparison, const RunControl& control);
 
 }  // namespace shapegauge

@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/configuration/perturbations.h"
+#include "shapegauge/experiments/configuration/perturbation_steps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "shapegauge/experiments/comparison/write_comparison.h"
+#include "shapegauge/experiments/comparison/write_shape_comparison.h"
 
 #include <fmt/format.h>
 #include <functional>
@@ -25,7 +25,7 @@ using Row = std::vector<std::string>;
 std::string number(double value) { return fmt::format("{:.6g}", value); }
 
 /// Calls with the signature's index and name, and with each shape's index.
-void for_each_row(const ComparisonResults& results,
+void for_each_row(const ShapeComparisonResults& results,
                   const std::function<void(std::size_t signature, std::size_t shape, Row names)>& add) {
   for (std::size_t i = 0; i < results.signatures.size(); ++i) {
     for (std::size_t j = 0; j < results.shapes.size(); ++j) {
@@ -34,7 +34,7 @@ void for_each_row(const ComparisonResults& results,
   }
 }
 
-const FieldMeasurement& measurement_of(const ComparisonResults& results, std::size_t signature, std::size_t shape) {
+const FieldMeasurement& measurement_of(const ShapeComparisonResults& results, std::size_t signature, std::size_t shape) {
   return results.shapes[shape].fields[results.signatures[signature].field];
 }
 
@@ -43,7 +43,7 @@ void append(Row& row, const NormalErrors& errors) {
 }
 
 /// A row for each signature, shape and bin: the bin's number and bounds, and its fraction of the area.
-Table histograms_table(const ComparisonResults& results) {
+Table histograms_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "bin", "low", "high", "share"}, .rows = {}, .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, const Row& names) {
     const Interval& range = results.signatures[i].ranges[j];
@@ -59,8 +59,8 @@ Table histograms_table(const ComparisonResults& results) {
 }
 
 /// A row for each signature and shape: its distance from the reference. No rows without a reference.
-Table distances_table(const ComparisonResults& results) {
-  const Comparison& comparison = results.comparison;
+Table distances_table(const ShapeComparisonResults& results) {
+  const ShapeComparison& comparison = results.comparison;
   Table table{.header = {"signature", "shape", "reference", comparison.distance}, .rows = {}, .text_columns = 3};
   if (!comparison.reference) return table;
   for_each_row(results, [&](std::size_t i, std::size_t j, Row row) {
@@ -72,7 +72,7 @@ Table distances_table(const ComparisonResults& results) {
 }
 
 /// A row for each signature and shape: samples, those without a value, and the ValueErrors, if there are any.
-Table errors_table(const ComparisonResults& results) {
+Table errors_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal", "percentile_90_of_diagonal",
                          "median_relative", "percentile_90_relative"},
               .rows = {},
@@ -93,7 +93,7 @@ Table errors_table(const ComparisonResults& results) {
 }
 
 /// A row for each signature whose field estimates normals, and shape: the NormalErrors of those and of its own.
-Table normals_table(const ComparisonResults& results) {
+Table normals_table(const ShapeComparisonResults& results) {
   Table table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
                  "offset_percentile_90_degrees", "own_mean_degrees", "own_median_degrees", "own_percentile_90_degrees"},
@@ -111,7 +111,7 @@ Table normals_table(const ComparisonResults& results) {
 }
 
 /// A row for each signature and shape: how long things took. The one table that differs from run to run.
-Table timings_table(const ComparisonResults& results) {
+Table timings_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
                          "microseconds_per_sample"},
               .rows = {},
@@ -129,7 +129,7 @@ Table timings_table(const ComparisonResults& results) {
   return table;
 }
 
-Table shapes_table(const ComparisonResults& results) {
+Table shapes_table(const ShapeComparisonResults& results) {
   Table table{.header = {"shape"}, .rows = {}};
   std::vector<ShapeReport> reports;
   for (const ShapeMeasurement& shape : results.shapes) {
@@ -140,14 +140,14 @@ Table shapes_table(const ComparisonResults& results) {
 }
 
 /// The tables that say how the shapes compare, by title; those without rows are left out.
-std::vector<std::pair<std::string, Table>> comparing_tables(const ComparisonResults& results) {
+std::vector<std::pair<std::string, Table>> comparing_tables(const ShapeComparisonResults& results) {
   std::vector<std::pair<std::string, Table>> tables{
       {"Distances", distances_table(results)}, {"Errors", errors_table(results)}, {"Normals", normals_table(results)}};
   std::erase_if(tables, [](const auto& titled) { return titled.second.rows.empty(); });
   return tables;
 }
 
-std::string summary_markdown(const ComparisonResults& results) {
+std::string summary_markdown(const ShapeComparisonResults& results) {
   std::string text = fmt::format("# {}\n", results.comparison.name);
   if (!results.comparison.description.empty()) text += fmt::format("\n{}\n", results.comparison.description);
   for (const auto& [title, table] : comparing_tables(results)) {
@@ -159,7 +159,7 @@ std::string summary_markdown(const ComparisonResults& results) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> comparison_files(const ComparisonResults& results) {
+std::vector<std::pair<std::string, std::string>> comparison_files(const ShapeComparisonResults& results) {
   std::vector<std::pair<std::string, std::string>> files{{"summary.md", summary_markdown(results)},
                                                          {"histograms.csv", to_csv(histograms_table(results))},
                                                          {"timings.csv", to_csv(timings_table(results))},
@@ -172,7 +172,7 @@ std::vector<std::pair<std::string, std::string>> comparison_files(const Comparis
   return files;
 }
 
-OrderedJson read_files(const ComparisonResults& results) {
+OrderedJson read_files(const ShapeComparisonResults& results) {
   OrderedJson shapes = OrderedJson::object();
   for (const ShapeMeasurement& measured : results.shapes) {
     for (const ComparedShape& shape : results.comparison.shapes) {
@@ -183,7 +183,7 @@ OrderedJson read_files(const ComparisonResults& results) {
   return {{"algorithm", "SHA-256"}, {"shapes", std::move(shapes)}};
 }
 
-OrderedJson manifest_entries(const ComparisonResults& results) {
+OrderedJson manifest_entries(const ShapeComparisonResults& results) {
   OrderedJson failures = OrderedJson::array();
   for (const LeftOutShape& failure : results.failures) {
     failures.push_back({{"shape", failure.id}, {"error", failure.message}});
@@ -195,7 +195,7 @@ OrderedJson manifest_entries(const ComparisonResults& results) {
           {"fields", fields_json(results.fields)}};
 }
 
-RunOutcome write_files(const std::filesystem::path& folder, const ComparisonResults& results) {
+RunOutcome write_files(const std::filesystem::path& folder, const ShapeComparisonResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_json(results.threads, results.timings, results.fields),
                      .summary = summary_text(results),
@@ -211,16 +211,16 @@ RunOutcome write_files(const std::filesystem::path& folder, const ComparisonResu
 }
 
 /// Rank 0 measures alone: its times are those of a machine that does nothing else for the run.
-RunOutcome run_alone(const Comparison& comparison, const RunContext& context) {
+RunOutcome run_alone(const ShapeComparison& comparison, const RunContext& context) {
   return on_all_ranks(context.ranks, [&] {
-    return context.ranks.rank() == 0 ? write_files(context.results, run_comparison(comparison, context.control))
+    return context.ranks.rank() == 0 ? write_files(context.results, run_shape_comparison(comparison, context.control))
                                      : RunOutcome();
   });
 }
 
 Experiment read_comparison(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder) {
-  const Comparison comparison = comparison_from_json(document, source, folder);
+  const ShapeComparison comparison = comparison_from_json(document, source, folder);
   return {.name = comparison.name,
           .configuration = to_json(comparison),
           .run = [comparison](const RunContext& context) { return run_alone(comparison, context); }};
@@ -235,12 +235,12 @@ ExperimentKind comparison_kind() {
           .read = read_comparison};
 }
 
-void write_comparison(const std::filesystem::path& destination, const ComparisonResults& results) {
+void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results) {
   publish_results(destination, to_json(results.comparison),
                   [&](const std::filesystem::path& folder) { return write_files(folder, results); });
 }
 
-std::string summary_text(const ComparisonResults& results) {
+std::string summary_text(const ShapeComparisonResults& results) {
   std::string text;
   for (const auto& [title, table] : comparing_tables(results)) {
     text += fmt::format("{}\n{}\n", title, to_plain_text(table));

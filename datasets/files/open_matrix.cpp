@@ -1,0 +1,120 @@
+#include "shapegauge/datasets/files/open_matrix.h"
+
+#include <cerrno>
+#include <cstddef>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <tbb/blocked_range.h>
+#include <unistd.h>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/parallel.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/datasets/files/npy.h"
+
+namespace shapegauge {
+
+namespace {
+
+// A file whose bytes are read at any place.
+class OpenFile {
+ public:
+  explicit OpenFile(const std::filesystem::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY)) {
+    if (descriptor_ < 0) fail();
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { ::close(descriptor_); }
+
+  void read(std::span<char> bytes, std::size_t offset) const {
+    while (!bytes.empty()) {
+      const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      if (count == 0) throw InputError(fmt::format("{}: the file became shorter while it was read", path_.string()));
+      bytes = bytes.subspan(static_cast<std::size_t>(count));
+      offset += static_cast<std::size_t>(count);
+    }
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  [[noreturn]] void fail() const {
+    throw InputError(fmt::format("cannot read {}: {}", path_.string(), std::generic_category().message(errno)));
+  }
+
+  std::filesystem::path path_;
+  int descriptor_;
+};
+
+DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const MatrixBlock& block) {
+  DistanceMatrix numbers(block.rows, block.columns);
+  const auto row_bytes = static_cast<std::size_t>(block.columns) * table.numbers.bytes;
+  parallel_for_parts(
+      tbb::blocked_range<Eigen::Index>(0, block.rows), [&](const tbb::blocked_range<Eigen::Index>& some) {
+        std::vector<char> bytes(row_bytes);
+        for (Eigen::Index row = some.begin(); row < some.end(); ++row) {
+          const Eigen::Index entry = (block.first_row + row) * table.columns + block.first_column;
+          file.read(bytes, table.data_begin + static_cast<std::size_t>(entry) * table.numbers.bytes);
+          table.numbers.decode(bytes.data(), static_cast<std::size_t>(block.columns), numbers.row(row).data());
+        }
+      });
+  refuse_nan(numbers, {block.first_row, block.first_column}, "distance", file.path());
+  return numbers;
+}
+
+// How a file is read by blocks; nothing where it cannot be.
+std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableShape shape) {
+  const std::string extension = lower_case(path.extension().string());
+  const bool psb = extension == ".matrix";
+  if ((!psb && extension != ".npy") || !std::filesystem::is_regular_file(path)) return std::nullopt;
+  const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
+  constexpr std::size_t longest_usual_header = 1 << 17;
+  const std::string beginning = read_file_bytes(path, longest_usual_header);  // refuses what is empty or unreadable
+  if (psb) {
+    const Eigen::Index size = psb_matrix_size(bytes, path.string());
+    return NpyTable{.rows = size, .columns = size, .numbers = float32_format()};
+  }
+  const NpyTable table = parse_npy_table_header(beginning, bytes, shape == TableShape::square, path.string());
+  if (table.column_by_column) return std::nullopt;
+  return table;
+}
+
+}  // namespace
+
+OpenMatrix open_matrix(LabelledTable table) {
+  const auto shared = std::make_shared<const LabelledTable>(std::move(table));
+  const auto read = [shared](const MatrixBlock& block) -> DistanceMatrix {
+    return shared->numbers.block(block.first_row, block.first_column, block.rows, block.columns);
+  };
+  return {.rows = shared->numbers.rows(),
+          .columns = shared->numbers.cols(),
+          .read = read,
+          .row_ids = shared->row_ids,
+          .column_ids = shared->column_ids};
+}
+
+OpenMatrix open_matrix(const std::filesystem::path& path, TableShape shape) {
+  if (const auto layout = block_layout(path, shape)) {
+    const auto file = std::make_shared<const OpenFile>(path);
+    return {.rows = layout->rows, .columns = layout->columns, .read = [file, layout](const MatrixBlock& block) {
+              return read_block(*file, *layout, block);
+            }};
+  }
+  if (shape == TableShape::any) return open_matrix(read_number_table(path));
+  LabelledDistances square = read_distance_matrix(path);
+  return open_matrix({.numbers = std::move(square.distances), .row_ids = square.ids, .column_ids = square.ids});
+}
+
+DistanceMatrix whole_matrix(const OpenMatrix& matrix) {
+  return matrix.read({.first_row = 0, .rows = matrix.rows, .first_column = 0, .columns = matrix.columns});
+}
+
+}  // namespace shapegauge

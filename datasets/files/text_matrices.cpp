@@ -1,0 +1,206 @@
+#include "shapegauge/datasets/files/text_matrices.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <fmt/format.h>
+#include <optional>
+#include <unordered_set>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
+#include "shapegauge/datasets/files/compressed_files.h"
+#include "shapegauge/datasets/files/csv.h"
+
+namespace shapegauge {
+
+namespace {
+
+// Puts a matrix together from the rows of a text file and refuses what does not fit, with file and line.
+class NumberRows {
+ public:
+  NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
+
+  // Adds the next number to the row that is being read.
+  void add_number(std::string_view word, std::size_t line) {
+    const auto number = parse_number(word);
+    if (!number) {
+      const bool decimal_comma = word.find(',') != std::string_view::npos;
+      throw InputError(fmt::format("{}:{}: {} is not a number (number {} of the row){}", *source_, line,
+                                   quoted_word(word), numbers_.size() - row_begin_ + 1,
+                                   decimal_comma ? "; write decimal points, not commas" : ""));
+    }
+    numbers_.push_back(*number);
+  }
+
+  void end_row(std::size_t line) {
+    const std::size_t length = numbers_.size() - row_begin_;
+    if (length == 0) throw InputError(fmt::format("{}:{}: the row has no numbers", *source_, line));
+    if (rows_ == 0) {
+      columns_ = length;
+      first_line_ = line;
+    }
+    if (length != columns_) {
+      throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line,
+                                   length, first_line_, columns_));
+    }
+    if (shape_ == TableShape::square && rows_ == columns_) {
+      throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
+                                   *source_, line, rows_ + 1, columns_));
+    }
+    ++rows_;
+    row_begin_ = numbers_.size();
+  }
+
+  [[nodiscard]] DistanceMatrix matrix() const {
+    if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
+    if (shape_ == TableShape::square && rows_ != columns_) {
+      throw InputError(
+          fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
+                      "cut off",
+                      *source_, rows_, columns_));
+    }
+    return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
+                                            static_cast<Eigen::Index>(columns_));
+  }
+
+ private:
+  const std::string* source_;
+  TableShape shape_;
+  std::vector<double> numbers_;
+  std::size_t rows_ = 0;
+  std::size_t columns_ = 0;
+  std::size_t first_line_ = 0;
+  std::size_t row_begin_ = 0;
+};
+
+void check_ids(const std::vector<std::string>& ids, const std::string& where) {
+  std::unordered_set<std::string_view> seen;
+  for (const std::string& id : ids) {
+    if (id.empty()) throw InputError(fmt::format("{}: an id is empty", where));
+    if (!seen.insert(id).second) throw InputError(fmt::format("{}: the id {} occurs twice", where, quoted_word(id)));
+  }
+}
+
+// The ids of the columns, behind the first cell of the header row.
+std::vector<std::string> read_ids(const CsvRow& header, const std::string& source) {
+  std::vector<std::string> ids(header.cells.begin() + 1, header.cells.end());
+  check_ids(ids, fmt::format("{}:{}", source, header.line));
+  return ids;
+}
+
+void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::string>& ids,
+                  const std::string& source) {
+  if (index >= ids.size()) {
+    throw InputError(
+        fmt::format("{}:{}: there are more rows than the {} ids of the header row", source, row.line, ids.size()));
+  }
+  if (row.cells.front() == ids[index]) return;
+  throw InputError(
+      fmt::format("{}:{}: the row is of {}, but the column of the same number is of {}; rows and columns "
+                  "must have the same ids in the same order",
+                  source, row.line, quoted_word(row.cells.front()), quoted_word(ids[index])));
+}
+
+bool is_number(const std::string& cell) { return parse_number(cell).has_value(); }
+
+bool names_ids(const std::string& cell) { return cell.empty() || cell == "id"; }
+
+bool has_header(const std::vector<CsvRow>& table) {
+  if (table.empty()) return false;
+  const std::vector<std::string>& cells = table.front().cells;
+  if (is_number(cells.front())) return false;
+  return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
+}
+
+// The separator of numbers: a semicolon or comma where the line has one, a blank otherwise.
+char separator_of_line(std::string_view line) {
+  for (const char separator : {';', ','}) {
+    if (line.find(separator) != std::string_view::npos) return separator;
+  }
+  return ' ';
+}
+
+void add_numbers(NumberRows& rows, std::string_view line, char separator, std::size_t number) {
+  const std::string_view ends = separator == ' ' ? std::string_view(" \t") : std::string_view(&separator, 1);
+  while (true) {
+    const std::size_t end = line.find_first_of(ends);
+    rows.add_number(trim(line.substr(0, end)), number);
+    if (end == std::string_view::npos) return;
+    line = separator == ' ' ? trim(line.substr(end)) : line.substr(end + 1);
+  }
+}
+
+}  // namespace
+
+LabelledDistances parse_csv_matrix(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
+  LabelledDistances result;
+  const bool has_ids = !table.empty() && !parse_number(table.front().cells.front());
+  if (has_ids) result.ids = read_ids(table.front(), source);
+  const std::size_t first_row = has_ids ? 1 : 0;
+  NumberRows rows(source, TableShape::square);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (has_ids) check_row_id(row, i - first_row, result.ids, source);
+    for (std::size_t j = first_row; j < row.cells.size(); ++j) rows.add_number(row.cells[j], row.line);
+    rows.end_row(row.line);
+  }
+  result.distances = rows.matrix();
+  if (has_ids && result.ids.size() != static_cast<std::size_t>(result.distances.cols())) {
+    throw InputError(fmt::format("{}: the header row has {} ids, but there are {} rows of {} numbers", source,
+                                 result.ids.size(), result.distances.rows(), result.distances.cols()));
+  }
+  return result;
+}
+
+LabelledTable parse_csv_table(std::string_view text, const std::string& source) {
+  const std::vector<CsvRow> table = parse_csv(text, source, number_separator(text));
+  const bool header = has_header(table);
+  const std::size_t first_row = header ? 1 : 0;
+  const bool row_ids = (header && names_ids(table.front().cells.front())) ||
+                       (table.size() > first_row && !is_number(table[first_row].cells.front()));
+  const std::ptrdiff_t first_column = row_ids ? 1 : 0;
+  LabelledTable result;
+  NumberRows rows(source, TableShape::any);
+  for (std::size_t i = first_row; i < table.size(); ++i) {
+    const CsvRow& row = table[i];
+    if (row_ids) result.row_ids.push_back(row.cells.front());
+    for (auto cell = row.cells.begin() + first_column; cell != row.cells.end(); ++cell)
+      rows.add_number(*cell, row.line);
+    rows.end_row(row.line);
+  }
+  result.numbers = rows.matrix();
+  check_ids(result.row_ids, source);
+  if (!header) return result;
+  result.column_ids.assign(table.front().cells.begin() + first_column, table.front().cells.end());
+  if (result.column_ids.size() != static_cast<std::size_t>(result.numbers.cols())) {
+    throw InputError(fmt::format("{}:{}: the header row has {} names, but the rows have {} numbers", source,
+                                 table.front().line, result.column_ids.size(), result.numbers.cols()));
+  }
+  return result;
+}
+
+LabelledDistances read_csv_matrix(const std::filesystem::path& path) {
+  return parse_csv_matrix(read_plain_bytes(path), path.string());
+}
+
+DistanceMatrix parse_text_matrix(std::string_view text, const std::string& source, TableShape shape) {
+  NumberRows rows(source, shape);
+  std::optional<char> separator;
+  std::size_t number = 0;
+  for (std::string_view line : split_lines(text)) {
+    ++number;
+    line = trim(line);
+    if (line.empty() || line.starts_with('#')) continue;
+    if (!separator) separator = separator_of_line(line);
+    add_numbers(rows, line, *separator, number);
+    rows.end_row(number);
+  }
+  return rows.matrix();
+}
+
+DistanceMatrix read_text_matrix(const std::filesystem::path& path) {
+  return parse_text_matrix(read_plain_bytes(path), path.string());
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "shapegauge/core/base/random_numbers.h"
+#include "shapegauge/datasets/generator/solid.h"
+
+/// The objects of the classes, of about the size of 2 units, drawn at random; z is up. Not for users of the library.
+namespace shapegauge {
+
+/// Draws what an object is like.
+class Draw {
+ public:
+  explicit Draw(RandomNumbers& random) : random_(random) {}
+
+  double operator()(double low, double high) { return random_.uniform(low, high); }
+  bool happens(double probability) { return random_.uniform(0, 1) < probability; }
+  int from(int low, int high) {
+    return low + static_cast<int>(random_.below(static_cast<std::uint64_t>(high - low + 1)));
+  }
+
+ private:
+  RandomNumbers& random_;
+};
+
+/// A straight leg or post, square or round.
+Solid post(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, bool square);
+
+SolidObject draw_aeroplane(RandomNumbers& random);
+SolidObject draw_bracket(RandomNumbers& random);
+SolidObject draw_bust(RandomNumbers& random);
+SolidObject draw_chair(RandomNumbers& random);
+SolidObject draw_fish(RandomNumbers& random);
+SolidObject draw_hammer(RandomNumbers& random);
+SolidObject draw_mug(RandomNumbers& random);
+SolidObject draw_shaft(RandomNumbers& random);
+SolidObject draw_spectacles(RandomNumbers& random);
+SolidObject draw_table(RandomNumbers& random);
+SolidObject draw_teapot(RandomNumbers& random);
+SolidObject draw_vase(RandomNumbers& random);
+
+}  // namespace shapegauge
