@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/experiments/configuration/comparison.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"

@@ -17,8 +17,8 @@ std::vector<int> sample_labels() {
 }
 
 /// Distances of points on a line, near each other in a class, with errors that grow with the method's number.
-DistanceTableRows sample_distances(int method, const std::vector<int>& labels) {
-  DistanceTableRows distances(models, models);
+DistanceMatrix sample_distances(int method, const std::vector<int>& labels) {
+  DistanceMatrix distances(models, models);
   for (int i = 0; i < models; ++i) {
     for (int j = 0; j < models; ++j) {
       const double error = std::sin(12.9898 * (i * models + j) + 78.233 * (method + 1)) * 43758.5453;
