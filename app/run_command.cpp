@@ -1,11 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -16,6 +13,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/output_files.h"
+#include "app/run_report.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/experiments/cache/cache.h"
@@ -99,72 +97,10 @@ void check_results_folder(const fs::path& folder, const RunSource& source,
   check_output_files(inputs, outputs, true);
 }
 
-// Repeating a recorded run.
-
-constexpr std::size_t most_by_name = 10;
-
-void print_lines(const std::vector<std::string>& names, std::string_view verdict) {
-  for (const std::string& name : names) print_output("{:<14}{}\n", verdict, printable(name));
-}
-
-/// Warns on standard error of inputs of a run that are not those recorded, at most ten by name.
-void warn_of_changed_inputs(const std::vector<std::string>& changes) {
-  const std::size_t named = std::min(changes.size(), most_by_name);
-  for (std::size_t i = 0; i < named; ++i) warn("input: " + changes[i]);
-  if (named < changes.size()) {
-    warn(fmt::format("{} more inputs are not those recorded", changes.size() - named));
-  }
-}
-
 /// Warns, before a repeated run begins, of inputs that are not the recorded ones.
 void warn_of_inputs(const RequestedRun& request, const Experiment& experiment, int threads) {
   if (request.recorded.is_null() || !experiment.inputs) return;
   warn_of_changed_inputs(changed_inputs(request.recorded.at("inputs"), experiment.inputs(threads)));
-}
-
-/// Prints for each output of a repeated run whether it is the same bytes as recorded, and what else differs: inputs,
-/// program. Returns the exit status: 1 where an output differs.
-int report_replay(const nlohmann::json& recorded, const fs::path& results) {
-  const nlohmann::json now = read_json(results / manifest_name);
-  const ComparedOutputs outputs = compare_outputs(recorded, now);
-  print_output("\n");
-  print_lines(outputs.same, "same");
-  print_lines(outputs.different, "DIFFERENT");
-  print_lines(outputs.timings, "not compared");
-  print_lines(changed_program(recorded), "program");
-  const std::vector<std::string> inputs = changed_inputs(recorded.at("inputs"), now.at("inputs"));
-  const std::size_t named = std::min(inputs.size(), most_by_name);
-  print_lines({inputs.begin(), inputs.begin() + static_cast<std::ptrdiff_t>(named)}, "input");
-  if (named < inputs.size()) print_output("{:<14}and {} more\n", "input", inputs.size() - named);
-  const std::size_t all = outputs.same.size() + outputs.different.size();
-  if (outputs.different.empty()) {
-    print_output("All {} outputs are the same bytes as recorded.\n", all);
-    return exit_success;
-  }
-  print_output("{} of {} outputs are not the same bytes as recorded{}.\n", outputs.different.size(), all,
-               inputs.empty() ? "" : fmt::format("; {} of its inputs are not those recorded", inputs.size()));
-  return exit_with_failures;
-}
-
-// The cache of a run.
-
-/// What a run took from the cache, as a line: "From the cache: 600 of 600 fields, ..."; empty where that is nothing.
-std::string cache_text(const CacheReport& cache) {
-  constexpr std::array<std::pair<EntryKind, std::string_view>, 6> shown{{{EntryKind::shape, "shapes"},
-                                                                         {EntryKind::field, "fields"},
-                                                                         {EntryKind::histogram, "histograms"},
-                                                                         {EntryKind::features, "features"},
-                                                                         {EntryKind::distances, "distance matrices"},
-                                                                         {EntryKind::segmentation, "segmentations"}}};
-  std::vector<std::string> parts;
-  bool any = false;
-  for (const auto& [kind, name] : shown) {
-    const CacheUse& use = cache.uses.at(static_cast<std::size_t>(kind));
-    if (use.hits + use.computed == 0) continue;
-    parts.push_back(fmt::format("{} of {} {}", use.hits, use.hits + use.computed, name));
-    any = any || use.hits > 0;
-  }
-  return any ? fmt::format("From the cache: {}\n", fmt::join(parts, ", ")) : "";
 }
 
 /// At the end of its scope, however a run ends, says on standard error what the cache could not do.
@@ -185,21 +121,6 @@ class CacheWarnings {
   const Cache* cache_;
   ProgressLine* progress_;
 };
-
-// A run.
-
-/// Prints the notes, the warnings and the shapes left out; returns the exit status.
-int report_flaws(const RunOutcome& outcome) {
-  for (const std::string& text : outcome.notes) note(text);
-  for (const std::string& warning : outcome.warnings) warn(warning);
-  for (const LeftOutShape& one : outcome.left_out) {
-    warn(fmt::format("left out {} {}: {}", outcome.noun, one.id, one.message));
-  }
-  if (outcome.left_out.empty()) return exit_success;
-  print_error(fmt::format("{} of {} {}s could not be used; the results are without them", outcome.left_out.size(),
-                          outcome.left_out.size() + outcome.used, outcome.noun));
-  return exit_with_failures;
-}
 
 /// The folder for the results of the experiment of that name; a repeated run does not overwrite the recorded one.
 fs::path result_folder(const RunArguments& arguments, const std::string& name) {

@@ -149,14 +149,29 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
+/// The method of a short name or, with a note, of a former one.
+std::string with_method_name(std::string text) {
+  if (text == "ball") return "inscribed_ball";
+  if (text != "offset" && text != "cone") return text;
+  note(fmt::format("--method {0} is now --method {0}_sdf", text));
+  return text + "_sdf";
+}
+
+/// Adds --opening-angle, which is now --opening-angle-degrees and not in the help.
+void add_former_options(CLI::App& command, SdfArguments& arguments) {
+  const auto take = [&arguments](const std::string& angle) {
+    note("--opening-angle is now --opening-angle-degrees");
+    arguments.settings["opening_angle_degrees"].text = angle;
+  };
+  command.add_option_function<std::string>("--opening-angle", take)->group("");
+}
+
 /// Adds an option for each parameter of the methods.
 void add_settings(CLI::App& command, SdfArguments& arguments) {
   for (const std::string_view method : methods) {
     for (const Parameter& parameter : field_types().at(method).parameters) {
       if (parameter.name == "offset") continue;
-      const bool angle = parameter.name == "opening_angle_degrees";
-      add_parameter_option(command, parameter, arguments.settings[std::string(parameter.name)],
-                           angle ? "--opening-angle-degrees,--opening-angle" : "",
+      add_parameter_option(command, parameter, arguments.settings[std::string(parameter.name)], "",
                            fmt::format("{}: {}", method, meaning_of(parameter)));
     }
   }
@@ -281,11 +296,13 @@ void add_sdf_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
   command
-      ->add_option("--method", arguments->method,
-                   "offset_sdf (or offset): SDF of the offset surface; cone_sdf (or cone): conventional SDF; "
-                   "inscribed_ball (or ball): largest ball inside")
+      ->add_option(
+          "--method", arguments->method,
+          "offset_sdf: SDF of the offset surface; cone_sdf: conventional SDF; inscribed_ball (or ball): largest "
+          "ball inside")
       ->required()
-      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball", "offset", "cone", "ball"}));
+      ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball"}))
+      ->transform(with_method_name);
   add_shape_outputs(*command, arguments->files,
                     ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
@@ -300,6 +317,7 @@ void add_sdf_command(CLI::App& app, int& status) {
       ->capture_default_str();
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
+  add_former_options(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
   add_colour_options(*command, arguments->colours);
   command->add_flag("--no-legend", arguments->no_legend, "Leave the colours' legend out of a .png");
@@ -312,8 +330,6 @@ void add_sdf_command(CLI::App& app, int& status) {
   command->add_option("--timings", arguments->timings,
                       "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
   command->callback([arguments, &status, offset] {
-    if (arguments->method == "ball") arguments->method = "inscribed_ball";
-    if (arguments->method == "offset" || arguments->method == "cone") arguments->method += "_sdf";
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not go with --method " + arguments->method);
     }

@@ -19,22 +19,6 @@
 
 namespace shapegauge {
 
-/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row; paths are
-/// relative to the root. Further columns are allowed. Throws InputError with the line: a table that is absent, empty or
-/// lacks a column, a row of another length, an empty cell, an id that occurs twice.
-Dataset find_csv_dataset(const DatasetLocation& location);
-
-/// The layout "folders": a folder for each class, in it the models, or folders train and test with the models. The id
-/// of a model is its path below the root without the extension. A folder that cannot be read is a model of its class,
-/// which check_models then names. Throws InputError: no class folders, a class without models, two files of one id, a
-/// split that no class has.
-Dataset find_folders_dataset(const DatasetLocation& location);
-
-/// The layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file that says which of them are used
-/// and their classes. A model of the .cla file without a file gets the name that the file should have. Throws
-/// InputError: a .cla file that is absent or wrong, two files for one model.
-Dataset find_shrec11_dataset(const DatasetLocation& location);
-
 namespace fs = std::filesystem;
 
 namespace {
@@ -62,8 +46,9 @@ int label_of(const std::string& name, Dataset& dataset) {
   return label;
 }
 
-}  // namespace
-
+/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row; paths are
+/// relative to the root. Further columns are allowed. Throws InputError with the line: a table that is absent, empty or
+/// lacks a column, a row of another length, an empty cell, an id that occurs twice.
 Dataset find_csv_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
   const std::vector<CsvRow> rows = parse_csv(read_file_bytes(location.classification), source);
@@ -94,10 +79,6 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
 bool is_readable(const fs::path& folder) {
   std::error_code failure;
   const fs::directory_iterator entries(folder, failure);
@@ -122,8 +103,10 @@ std::vector<fs::path> class_files(const fs::path& folder, const std::string& spl
   return files;
 }
 
-}  // namespace
-
+/// The layout "folders": a folder for each class, in it the models, or folders train and test with the models. The id
+/// of a model is its path below the root without the extension. A folder that cannot be read is a model of its class,
+/// which check_models then names. Throws InputError: no class folders, a class without models, two files of one id, a
+/// split that no class has.
 Dataset find_folders_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
@@ -154,10 +137,6 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
-namespace fs = std::filesystem;
-
-namespace {
-
 /// The models' files by canonical id.
 std::map<std::string, fs::path> files_by_id(const fs::path& folder) {
   std::map<std::string, fs::path> files;
@@ -171,8 +150,9 @@ std::map<std::string, fs::path> files_by_id(const fs::path& folder) {
   return files;
 }
 
-}  // namespace
-
+/// The layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file that says which of them are used
+/// and their classes. A model of the .cla file without a file gets the name that the file should have. Throws
+/// InputError: a .cla file that is absent or wrong, two files for one model.
 Dataset find_shrec11_dataset(const DatasetLocation& location) {
   const Classification classification = read_classification(location.classification);
   const std::vector<std::string> ids = models_in_natural_order(classification);
@@ -189,10 +169,6 @@ Dataset find_shrec11_dataset(const DatasetLocation& location) {
   }
   return dataset;
 }
-
-namespace fs = std::filesystem;
-
-namespace {
 
 void require_folder(const fs::path& folder) {
   std::error_code ignored;

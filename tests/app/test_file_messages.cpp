@@ -41,7 +41,8 @@ class FileMessages : public testing::Test {
 };
 
 TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {
-  const Outcome sdf = run_executable(fmt::format("sdf {} --method cone -o {}", quoted("quads.off"), quoted("q.csv")));
+  const Outcome sdf =
+      run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("quads.off"), quoted("q.csv")));
   EXPECT_EQ(sdf.status, 0) << sdf.errors;
   EXPECT_THAT(sdf.errors, AllOf(HasSubstr("6 faces"), HasSubstr("12 triangles")));
   EXPECT_THAT(test::text_of(at("q.csv")), StartsWith("index,sdf,weight,polygon\n"));
@@ -57,7 +58,8 @@ TEST_F(FileMessages, OfFacesThatArePolygonsAreToldOnce) {
 }
 
 TEST_F(FileMessages, OfFacesThatAreTrianglesSayNothing) {
-  const Outcome sdf = run_executable(fmt::format("sdf {} --method cone -o {}", quoted("ball.off"), quoted("b.csv")));
+  const Outcome sdf =
+      run_executable(fmt::format("sdf {} --method cone_sdf -o {}", quoted("ball.off"), quoted("b.csv")));
   EXPECT_THAT(sdf.errors, Not(HasSubstr("polygon")));
   EXPECT_THAT(test::text_of(at("b.csv")), StartsWith("index,sdf,weight\n"));
   EXPECT_THAT(run_executable("info " + quoted("ball.off")).output, Not(HasSubstr("polygon")));

@@ -44,8 +44,8 @@ std::vector<WriterOfFiles> writers() {
           {.call = "rerank @d.csv -o", .input = "d.csv", .output = "x.npy"},
           {.call = "describe @box.off --descriptor d2 --set points=64 -o", .input = "box.off", .output = "x.csv"},
           {.call = "view @box.off --no-parts --field cone_sdf -o", .input = "box.off", .output = "x.html"},
-          {.call = "sdf @box.off --method cone -o @y.csv --timings", .input = "box.off", .output = "x.json"},
-          {.call = "sdf @box.off --method cone -o", .input = "box.off", .output = "x.csv", .shapes = true},
+          {.call = "sdf @box.off --method cone_sdf -o @y.csv --timings", .input = "box.off", .output = "x.json"},
+          {.call = "sdf @box.off --method cone_sdf -o", .input = "box.off", .output = "x.csv", .shapes = true},
           {.call = "normals @box.off --offset 0.1 -o", .input = "box.off", .output = "x.csv", .shapes = true},
           {.call = "perturb @box.off --noise 0.01 -o", .input = "box.off", .output = "x.off", .shapes = true},
           {.call = "convert @box.off -o", .input = "box.off", .output = "x.ply", .shapes = true},
@@ -121,7 +121,7 @@ TEST_F(OutputFiles, AreNoOtherOutputs) {
   fs::create_symlink(at("x.csv"), at("link.csv"));  // to a file that is not there yet
   expect_error_line(run(evaluate + "--pr @x.csv --pr-per-class @link.csv --replace"), "would both be written to");
   fs::create_symlink(at("z.json"), at("z.csv"));
-  expect_error_line(run("sdf @box.off --method cone -o @z.csv --timings @z.json"), "would both be written to");
+  expect_error_line(run("sdf @box.off --method cone_sdf -o @z.csv --timings @z.json"), "would both be written to");
   EXPECT_FALSE(fs::exists(at("x.csv")));
   EXPECT_FALSE(fs::exists(at("z.json")));
 }
@@ -137,8 +137,8 @@ TEST_F(OutputFiles, HaveTheExtensionOfTheirFormat) {
            {"rerank @d.csv -o @x.pdf", ".npy"},
            {"describe @box.off --descriptor d2 -o @x.pdf", ".npy"},
            {"view @box.off -o @x.pdf", ".html"},
-           {"sdf @box.off --method cone -o @x.pdf", ".csv"},
-           {"sdf @box.off --method cone -o @x.csv --timings @x.pdf", ".json"},
+           {"sdf @box.off --method cone_sdf -o @x.pdf", ".csv"},
+           {"sdf @box.off --method cone_sdf -o @x.csv --timings @x.pdf", ".json"},
            {"normals @box.off -o @x.pdf", ".csv"},
            {"perturb @box.off --noise 0.01 -o @x.pdf", ".off"},
            {"convert @box.off -o @x.pdf", ".off"},

@@ -108,15 +108,15 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
     return line.status;
   };
   for (const char* offset : {"0", "-1", "1.1", "1", "0.5"}) {
-    const int status = agree(fmt::format("--method offset --offset {}", offset),
+    const int status = agree(fmt::format("--method offset_sdf --offset {}", offset),
                              fmt::format(R"({{"type":"offset_sdf","offset":{}}})", offset));
     EXPECT_EQ(status, offset == std::string("1") || offset == std::string("0.5") ? 0 : 2) << offset;
   }
   for (const char* rays : {"0", "-3", "1", "1000001"}) {
-    agree(fmt::format("--method cone --rays {}", rays), fmt::format(R"({{"type":"cone_sdf","rays":{}}})", rays));
+    agree(fmt::format("--method cone_sdf --rays {}", rays), fmt::format(R"({{"type":"cone_sdf","rays":{}}})", rays));
   }
   for (const char* angle : {"0", "180", "179", "-1"}) {
-    agree(fmt::format("--method cone --opening-angle {}", angle),
+    agree(fmt::format("--method cone_sdf --opening-angle-degrees {}", angle),
           fmt::format(R"({{"type":"cone_sdf","opening_angle_degrees":{}}})", angle));
   }
   const std::string perturb =
@@ -142,7 +142,7 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
   const std::vector<Call> calls = {
       {"evaluate " + quoted("d.csv") + " --labels " + quoted("l.txt"), 0, true},
       {"normals " + quoted("data/T0.off") + " -o " + quoted("x.npy") + " --replace", 0, false},
-      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " --method cone -o " + quoted("sdfs/") +
+      {"sdf " + quoted("data/T0.off") + " " + quoted("absent.off") + " --method cone_sdf -o " + quoted("sdfs/") +
            " --replace",
        1, false},
       {"dataset info " + quoted("data"), 0, true},

@@ -39,7 +39,7 @@ class SdfCommand : public testing::Test {
 };
 
 TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
-  const Outcome outcome = sdf("--method cone --at vertices -o '" + at("x.csv") + "'");
+  const Outcome outcome = sdf("--method cone_sdf --at vertices -o '" + at("x.csv") + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, "");
   EXPECT_EQ(outcome.errors, "");
@@ -57,7 +57,7 @@ TEST_F(SdfCommand, GivesValuesInTheInputsUnitsAndOrder) {
 }
 
 TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
-  ASSERT_EQ(sdf("--method offset --offset 0.02 -o '" + at("x.csv") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --offset 0.02 -o '" + at("x.csv") + "'").status, 0);
   // The icosphere is a little thinner than the sphere, and its flat faces are nearer to the centre than its corners.
   const std::vector<CsvRow> rows = parse_csv(text_of(at("x.csv")), "x.csv");
   ASSERT_EQ(rows.size(), static_cast<std::size_t>(shape.triangles.rows()) + 1);
@@ -75,8 +75,8 @@ TEST_F(SdfCommand, TheAutomaticOffsetDoesNotClaimToCloseWhatItLeavesOpen) {
   };
   const auto errors_of = [&](const Shape& open) {
     write_off(at("open.off"), open);
-    const Outcome outcome =
-        run_executable("sdf '" + at("open.off") + "' --method offset --offset auto --replace -o '" + at("x.csv") + "'");
+    const Outcome outcome = run_executable("sdf '" + at("open.off") +
+                                           "' --method offset_sdf --offset auto --replace -o '" + at("x.csv") + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return outcome.errors;
   };
@@ -96,7 +96,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
     lines += fmt::format("{} {} {}\n", point[0], point[1], point[2]);
   }
   write_text(at("cloud.pts"), lines);
-  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset --offset 0.2 -o '";
+  const std::string command = "sdf '" + at("cloud.pts") + "' --method offset_sdf --offset 0.2 -o '";
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
     const Outcome outcome = run_executable(command + at(file) + "'");
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
@@ -117,7 +117,7 @@ TEST_F(SdfCommand, ACloudIsMeasuredAtItsPointsInEveryFormat) {
 }
 
 TEST_F(SdfCommand, TimingsCountTheSamples) {
-  ASSERT_EQ(sdf("--method offset -o '" + at("x.ply") + "' --timings '" + at("t.json") + "'").status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf -o '" + at("x.ply") + "' --timings '" + at("t.json") + "'").status, 0);
   const auto timings = nlohmann::json::parse(text_of(at("t.json")));
   for (const char* key : {"read_seconds", "build_seconds", "query_seconds"}) EXPECT_GE(timings.at(key), 0) << key;
   EXPECT_EQ(timings["samples"]["total"], shape.triangles.rows());
@@ -129,8 +129,8 @@ TEST_F(SdfCommand, TimingsCountTheSamples) {
 
 TEST_F(SdfCommand, TheSameBytesForAnyNumberOfThreads) {
   for (const char* file : {"x.csv", "x.npy", "x.ply", "x.png"}) {
-    ASSERT_EQ(sdf("--method offset --threads 1 -o '" + at(std::string("1") + file) + "'").status, 0);
-    ASSERT_EQ(sdf("--method offset --threads 3 -o '" + at(std::string("3") + file) + "'").status, 0);
+    ASSERT_EQ(sdf("--method offset_sdf --threads 1 -o '" + at(std::string("1") + file) + "'").status, 0);
+    ASSERT_EQ(sdf("--method offset_sdf --threads 3 -o '" + at(std::string("3") + file) + "'").status, 0);
     const std::string bytes = text_of(at(std::string("1") + file));
     EXPECT_FALSE(bytes.empty()) << file;
     EXPECT_TRUE(bytes == text_of(at(std::string("3") + file))) << file;
@@ -149,36 +149,36 @@ TEST_F(SdfCommand, SummariesAreInAnyFormatAndUnit) {
   const std::vector<CsvRow> rows = parse_csv(csv, "summary");
   ASSERT_EQ(rows.size(), 2U);
   EXPECT_EQ(rows[1].cells.back(), "0.00");
-  EXPECT_THAT(sdf("--method cone --summary --unit mm").output, HasSubstr("median (mm)"));
+  EXPECT_THAT(sdf("--method cone_sdf --summary --unit mm").output, HasSubstr("median (mm)"));
 }
 
 TEST_F(SdfCommand, AnOffsetMayBeALength) {
   const double diagonal = bounding_box_diagonal(shape);
-  ASSERT_EQ(sdf("--method offset --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
-  ASSERT_EQ(sdf(fmt::format("--method offset --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
+  ASSERT_EQ(sdf("--method offset_sdf --unit cm --offset 10mm -o '" + at("length.npy") + "'").status, 0);
+  ASSERT_EQ(sdf(fmt::format("--method offset_sdf --offset {} -o '{}'", 1 / diagonal, at("fraction.npy"))).status, 0);
   EXPECT_TRUE(text_of(at("length.npy")) == text_of(at("fraction.npy")));
 }
 
 TEST_F(SdfCommand, PicturesHaveALegendAndARange) {
-  const std::string picture = "--method cone --picture-size 640x480 -o '";
+  const std::string picture = "--method cone_sdf --picture-size 640x480 -o '";
   ASSERT_EQ(sdf(picture + at("with.png") + "' --unit mm").status, 0);
   ASSERT_EQ(sdf(picture + at("without.png") + "' --no-legend").status, 0);
   EXPECT_NE(text_of(at("with.png")), text_of(at("without.png")));
-  ASSERT_EQ(sdf("--method cone --unit mm --range 1,40 --scale log --below 1cm -o '" + at("x.ply") + "'").status, 0);
+  ASSERT_EQ(sdf("--method cone_sdf --unit mm --range 1,40 --scale log --below 1cm -o '" + at("x.ply") + "'").status, 0);
   EXPECT_THAT(text_of(at("x.ply")),
               HasSubstr("comment SDF (mm): colours (viridis) from 1 to 40, logarithmic; less than 10 is red\n"));
   EXPECT_EQ(read_shape(at("x.ply")).triangles, shape.triangles);
 }
 
 TEST_F(SdfCommand, PlotsAHistogram) {
-  ASSERT_EQ(sdf("--method cone --unit mm --below 3 --plot '" + at("x.svg") + "'").status, 0);
+  ASSERT_EQ(sdf("--method cone_sdf --unit mm --below 3 --plot '" + at("x.svg") + "'").status, 0);
   EXPECT_THAT(text_of(at("x.svg")),
               testing::AllOf(HasSubstr(">SDF (mm)<"), HasSubstr(">3 mm<"), HasSubstr(">sphere.off<")));
 }
 
 TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
   write_off(at("sphere.off"), test::joined({shape, test::flipped(test::sphere(8, 3))}));
-  EXPECT_THAT(sdf("--method offset -o '" + at("x.csv") + "'").errors,
+  EXPECT_THAT(sdf("--method offset_sdf -o '" + at("x.csv") + "'").errors,
               testing::AllOf(HasSubstr("warning"), HasSubstr("hollow"), HasSubstr("hull")));
   const Outcome outcome = sdf("--method ball --summary --format json");
   EXPECT_THAT(outcome.errors, testing::AllOf(HasSubstr("wall"), testing::Not(HasSubstr("warning"))));
@@ -187,7 +187,7 @@ TEST_F(SdfCommand, SaysWhichThicknessOfAHollowBody) {
 
 TEST_F(SdfCommand, MissingValuesAreTold) {
   write_text(at("sphere.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Outcome outcome = sdf("--method cone -o '" + at("x.csv") + "'");
+  const Outcome outcome = sdf("--method cone_sdf -o '" + at("x.csv") + "'");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, "shapegauge: warning: 1 of 1 samples missing\n");
   EXPECT_THAT(text_of(at("x.csv")), HasSubstr("0,nan,0.5"));
@@ -201,36 +201,45 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
   const std::string good = "sdf '" + at("sphere.off") + "' ";
   const std::string out = " -o '" + at("x.csv") + "' ";
   const std::vector<UnusableCall> cases{
-      {"sdf /nowhere.off --method cone" + out, "/nowhere.off"},
-      {"sdf '" + at("cloud.off") + "' --method cone" + out, "cloud.off: the conventional SDF needs triangles"},
-      {"sdf '" + at("cloud.off") + "' --method cone --engine cgal" + out,
+      {"sdf /nowhere.off --method cone_sdf" + out, "/nowhere.off"},
+      {"sdf '" + at("cloud.off") + "' --method cone_sdf" + out, "cloud.off: the conventional SDF needs triangles"},
+      {"sdf '" + at("cloud.off") + "' --method cone_sdf --engine cgal" + out,
        "cloud.off: the conventional SDF needs triangles"},
-      {"sdf '" + at("point.xyz") + "' --method offset" + out, "point.xyz: the shape has no usable extent"},
-      {"sdf '" + at("nan.xyz") + "' --method offset" + out, "nan.xyz:2"},
-      {"sdf '" + at("nan.off") + "' --method cone" + out, "nan.off:5"},
-      {good + "--method cone", "--output is required"},
+      {"sdf '" + at("point.xyz") + "' --method offset_sdf" + out, "point.xyz: the shape has no usable extent"},
+      {"sdf '" + at("nan.xyz") + "' --method offset_sdf" + out, "nan.xyz:2"},
+      {"sdf '" + at("nan.off") + "' --method cone_sdf" + out, "nan.off:5"},
+      {good + "--method cone_sdf", "--output is required"},
       {good + out, "--method is required"},
       {good + "--method heat" + out, "--method"},
-      {good + "--method cone -o x.xlsx", "must end in .csv"},
-      {good + "--method cone -o /nowhere/x.csv", "/nowhere/x.csv"},
-      {good + "--method offset --offset 0" + out, "offset"},
-      {good + "--method offset --offset nan" + out, "offset"},
-      {good + "--method offset --offset 1mm" + out, "--unit"},
-      {good + "--method offset --offset 3m --unit mm" + out, "diagonal"},
-      {good + "--method cone --below 2parsecs" + out, "--below"},
-      {good + "--method cone --range 4" + out, "--range"},
-      {good + "--method cone --range 4,1" + out, "--range"},
-      {good + "--method cone --range 0,1 --scale log" + out, "--range"},
-      {good + "--method cone --separation-angle-degrees 30" + out, "--separation-angle-degrees"},
+      {good + "--method cone_sdf -o x.xlsx", "must end in .csv"},
+      {good + "--method cone_sdf -o /nowhere/x.csv", "/nowhere/x.csv"},
+      {good + "--method offset_sdf --offset 0" + out, "offset"},
+      {good + "--method offset_sdf --offset nan" + out, "offset"},
+      {good + "--method offset_sdf --offset 1mm" + out, "--unit"},
+      {good + "--method offset_sdf --offset 3m --unit mm" + out, "diagonal"},
+      {good + "--method cone_sdf --below 2parsecs" + out, "--below"},
+      {good + "--method cone_sdf --range 4" + out, "--range"},
+      {good + "--method cone_sdf --range 4,1" + out, "--range"},
+      {good + "--method cone_sdf --range 0,1 --scale log" + out, "--range"},
+      {good + "--method cone_sdf --separation-angle-degrees 30" + out, "--separation-angle-degrees"},
       {good + "--method ball --separation-angle-degrees 180" + out, "angle"},
-      {good + "--method cone --plot x.eps", ".svg, .pdf or .png"},
-      {good + "--method cone --rays 0" + out, "rays"},
-      {good + "--method cone --opening-angle 400" + out, "angle"},
-      {good + "--method cone --engine cgal --at vertices" + out, "faces only"},
-      {good + "--method cone --accuracy fine" + out, "--accuracy does not go with --method cone_sdf"},
-      {good + "--method cone --offset 0.1" + out, "--offset does not go with --method cone_sdf"},
-      {good + "--method offset --rays 3" + out, "--rays does not go with --method offset_sdf"}};
+      {good + "--method cone_sdf --plot x.eps", ".svg, .pdf or .png"},
+      {good + "--method cone_sdf --rays 0" + out, "rays"},
+      {good + "--method cone_sdf --opening-angle-degrees 400" + out, "angle"},
+      {good + "--method cone_sdf --engine cgal --at vertices" + out, "faces only"},
+      {good + "--method cone_sdf --accuracy fine" + out, "--accuracy does not go with --method cone_sdf"},
+      {good + "--method cone_sdf --offset 0.1" + out, "--offset does not go with --method cone_sdf"},
+      {good + "--method offset_sdf --rays 3" + out, "--rays does not go with --method offset_sdf"}};
   expect_error_lines(cases);
+}
+
+TEST_F(SdfCommand, FormerNamesStillWorkWithANote) {
+  ASSERT_EQ(sdf("--method cone_sdf --opening-angle-degrees 80 -o '" + at("now.csv") + "'").errors, "");
+  const Outcome former = sdf("--method cone --opening-angle 80 -o '" + at("former.csv") + "'");
+  EXPECT_EQ(former.status, 0);
+  EXPECT_EQ(text_of(at("former.csv")), text_of(at("now.csv")));
+  EXPECT_THAT(former.errors, AllOf(HasSubstr("cone_sdf"), HasSubstr("--opening-angle-degrees")));
+  EXPECT_THAT(run_executable("sdf --help").output, Not(HasSubstr("--opening-angle ")));
 }
 
 }  // namespace

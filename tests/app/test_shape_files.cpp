@@ -43,7 +43,7 @@ class ShapeFiles : public testing::Test {
 };
 
 TEST_F(ShapeFiles, SeveralGiveWhatEachGivesAlone) {
-  for (const std::string command : {"sdf --method cone", "normals", "convert", "perturb --noise 0.01"}) {
+  for (const std::string command : {"sdf --method cone_sdf", "normals", "convert", "perturb --noise 0.01"}) {
     ASSERT_EQ(run(command + " @sphere.off @box.off -o @many/").status, 0) << command;
     for (const std::string name : {"sphere", "box"}) {
       const std::string file = command.starts_with("sdf") || command == "normals" ? name + ".csv" : name + ".off";
@@ -67,7 +67,7 @@ TEST_F(ShapeFiles, OneFailureDoesNotEndTheRest) {
 
 TEST_F(ShapeFiles, RemarksNameTheShape) {
   write_text(at("sheet.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  const Outcome outcome = run("sdf @sphere.off @sheet.off --method cone -o @out/");
+  const Outcome outcome = run("sdf @sphere.off @sheet.off --method cone_sdf -o @out/");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.errors, fmt::format("shapegauge: warning: {}: 1 of 1 samples missing\n", at("sheet.off").string()));
 }
@@ -88,8 +88,8 @@ TEST_F(ShapeFiles, NothingIsWrittenTwiceOrOverAnInput) {
 }
 
 TEST_F(ShapeFiles, StandardInputAndOutputAreFilesLikeOthers) {
-  ASSERT_EQ(run("sdf @box.off --method cone -o @box.csv").status, 0);
-  EXPECT_EQ(run("sdf - --method cone -o - < @box.off").output, text_of(at("box.csv")));
+  ASSERT_EQ(run("sdf @box.off --method cone_sdf -o @box.csv").status, 0);
+  EXPECT_EQ(run("sdf - --method cone_sdf -o - < @box.off").output, text_of(at("box.csv")));
   ASSERT_EQ(run("convert @box.off -o @box.ply").status, 0);
   EXPECT_EQ(run("convert - -o - --output-format ply < @box.off").output, text_of(at("box.ply")));
   EXPECT_THAT(run("info - < @box.off").output, HasSubstr("volume                  6.0\n"));
@@ -147,7 +147,7 @@ TEST_F(ShapeFiles, InfoOfSeveralIsAListInTheirOrder) {
 
 TEST_F(ShapeFiles, PicturesHaveTheSizeAndTheViewAskedFor) {
   const auto picture = [&](const std::string& more) {
-    const Outcome outcome = run("sdf @box.off --method cone --replace -o @x.png " + more);
+    const Outcome outcome = run("sdf @box.off --method cone_sdf --replace -o @x.png " + more);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return text_of(at("x.png"));
   };
@@ -159,7 +159,7 @@ TEST_F(ShapeFiles, PicturesHaveTheSizeAndTheViewAskedFor) {
   EXPECT_NE(picture("--view 0,1,0"), usual);
   for (const char* wrong : {"--picture-size 300", "--picture-size 0x5", "--picture-size 1e9x1", "--view up",
                             "--view 1,2", "--view 0,0,0"}) {
-    EXPECT_EQ(run(std::string("sdf @box.off --method cone -o @x.png ") + wrong).status, 2) << wrong;
+    EXPECT_EQ(run(std::string("sdf @box.off --method cone_sdf -o @x.png ") + wrong).status, 2) << wrong;
   }
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/segmentation/regions.h"
 #include "shapegauge/segmentation/thick_surface.h"
 
 namespace shapegauge::test {
@@ -58,6 +59,21 @@ inline ThickSurface hand_made_surface(SurfaceGraph graph, double unit) {
   surface.unit = unit;
   surface.graph = std::move(graph);
   return surface;
+}
+
+/// Regions in a row, each of one node, neighbours of the next.
+inline Regions regions_in_a_row(std::int32_t count) {
+  Regions regions(count);
+  for (std::int32_t i = 0; i < count; ++i) {
+    RegionSum sum;
+    sum.nodes = 1;
+    sum.area = i + 1;
+    regions.add(i, sum);
+    if (i == 0) continue;
+    regions.make_neighbours(i - 1, i);
+    regions.add(i - 1, i, PairSum::border, 1 << i);
+  }
+  return regions;
 }
 
 }  // namespace shapegauge::test

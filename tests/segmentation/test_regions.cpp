@@ -13,7 +13,6 @@
 
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_features.h"
-#include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/regions.h"
 #include "shapegauge/segmentation/surface_regions.h"
 #include "tests/segmentation/hand_made_surface.h"
@@ -22,23 +21,8 @@
 namespace shapegauge {
 namespace {
 
-/// Regions in a row, each of one node, neighbours of the next.
-Regions row_of(std::int32_t count) {
-  Regions regions(count);
-  for (std::int32_t i = 0; i < count; ++i) {
-    RegionSum sum;
-    sum.nodes = 1;
-    sum.area = i + 1;
-    regions.add(i, sum);
-    if (i == 0) continue;
-    regions.make_neighbours(i - 1, i);
-    regions.add(i - 1, i, PairSum::border, 1 << i);
-  }
-  return regions;
-}
-
 TEST(Regions, MergingAddsUp) {
-  Regions regions = row_of(4);
+  Regions regions = test::regions_in_a_row(4);
   regions.add(0, 2, PairSum::pairs, 5);
   regions.add(1, 1, PairSum::pairs, 3);
   regions.merge(1, 2);
@@ -86,47 +70,6 @@ TEST(Regions, MergingAddsEverySum) {
   EXPECT_EQ(sum.squared_place, expected.squared_place);
   EXPECT_EQ(sum.squared_normal, expected.squared_normal);
   EXPECT_TRUE(sum.histogram.isApprox(expected.histogram, 1e-15));
-}
-
-double area_affinity(const Regions& regions, std::int32_t a, std::int32_t b) {
-  return 1 / (regions.of(a).area + regions.of(b).area);
-}
-
-TEST(RegionMerging, TakesTheHighestAffinityFirstAndAsksAnew) {
-  Regions regions = row_of(5);  // areas 1 to 5
-  merge_regions(regions, area_affinity, {.parts = 2});
-  // 1 + 2 = 3, then 3 + 3 = 6, then 4 + 5 = 9 against 6 + 4 = 10.
-  EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {0, 2}, {3, 4}}));
-}
-
-TEST(RegionMerging, StopsBelowTheLeastAffinity) {
-  Regions regions = row_of(5);
-  merge_regions(regions, area_affinity, {.least_affinity = 1.0 / 6});
-  EXPECT_EQ(regions.size(), 3);
-}
-
-TEST(RegionMerging, OfEqualAffinitiesTakesTheLowerNumbersFirst) {
-  Regions regions = row_of(5);
-  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 2});
-  EXPECT_THAT(regions.merges(), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(0, 3)));
-}
-
-TEST(RegionMerging, WithoutPartsWantedStopsAtOneRegion) {
-  Regions regions = row_of(3);
-  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.5; }, {});
-  EXPECT_EQ(regions.size(), 1) << "an affinity that is just enough";
-  Regions apart = row_of(3);
-  merge_regions(apart, [](const Regions&, std::int32_t, std::int32_t) { return 0.499; }, {});
-  EXPECT_EQ(apart.size(), 3);
-}
-
-TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
-  Regions regions(3);
-  regions.make_neighbours(0, 2);
-  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 1});
-  EXPECT_EQ(regions.size(), 2);
-  EXPECT_EQ(regions.region_of(2), 0);
-  EXPECT_EQ(regions.region_of(1), 1);
 }
 
 TEST(RegionFeatures, HaveNamesOfTheirOwn) {

@@ -193,21 +193,6 @@ TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
   EXPECT_THAT(bytes_of(folder_.path() / "results/report.html"), Not(HasSubstr("nan")));
 }
 
-TEST(PartConsistency, ComparesSizesFromTheLargestOnAndLeavesCrumbsOutOfTheCount) {
-  SegmentationResults results;
-  results.experiment.methods.resize(1);
-  results.experiment.methods[0].name = "m";
-  results.scores.classes = {"a"};
-  results.scores.labels = {0, 0, 0};
-  for (const std::vector<double>& sizes : {std::vector<double>{0.6, 0.4}, {0.5, 0.495, 0.005}, {0.7, 0.2, 0.1}}) {
-    results.shapes.push_back({});
-    results.shapes.back().part_sizes = {sizes};
-  }
-  // Differences: (0.1 + 0.095 + 0.005) / 2, (0.1 + 0.2 + 0.1) / 2, (0.2 + 0.295 + 0.095) / 2.
-  EXPECT_THAT(consistency_table(results).rows.front(),
-              testing::ElementsAre("m", "a", "2.000", "0.333", fmt::format("{:.3f}", (0.1 + 0.2 + 0.295) / 3), "-"));
-}
-
 /// A closed box of six quadrilaterals, which become twelve triangles.
 constexpr const char* box_of_quads =
     "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"

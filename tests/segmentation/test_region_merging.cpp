@@ -1,0 +1,74 @@
+#include <cstdint>
+#include <gmock/gmock.h>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/segmentation/region_merging.h"
+#include "tests/segmentation/hand_made_surface.h"
+
+namespace shapegauge {
+namespace {
+
+using test::regions_in_a_row;
+
+double area_affinity(const Regions& regions, std::int32_t a, std::int32_t b) {
+  return 1 / (regions.of(a).area + regions.of(b).area);
+}
+
+TEST(RegionMerging, TakesTheHighestAffinityFirstAndAsksAnew) {
+  Regions regions = regions_in_a_row(5);  // areas 1 to 5
+  merge_regions(regions, area_affinity, {.parts = 2});
+  // 1 + 2 = 3, then 3 + 3 = 6, then 4 + 5 = 9 against 6 + 4 = 10.
+  EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {0, 2}, {3, 4}}));
+}
+
+TEST(RegionMerging, StopsBelowTheLeastAffinity) {
+  Regions regions = regions_in_a_row(5);
+  merge_regions(regions, area_affinity, {.least_affinity = 1.0 / 6});
+  EXPECT_EQ(regions.size(), 3);
+}
+
+TEST(RegionMerging, OfEqualAffinitiesTakesTheLowerNumbersFirst) {
+  Regions regions = regions_in_a_row(5);
+  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 2});
+  EXPECT_THAT(regions.merges(), testing::ElementsAre(testing::Pair(0, 1), testing::Pair(0, 2), testing::Pair(0, 3)));
+}
+
+TEST(RegionMerging, WithoutPartsWantedStopsAtOneRegion) {
+  Regions regions = regions_in_a_row(3);
+  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.5; }, {});
+  EXPECT_EQ(regions.size(), 1) << "an affinity that is just enough";
+  Regions apart = regions_in_a_row(3);
+  merge_regions(apart, [](const Regions&, std::int32_t, std::int32_t) { return 0.499; }, {});
+  EXPECT_EQ(apart.size(), 3);
+}
+
+TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
+  Regions regions(3);
+  regions.make_neighbours(0, 2);
+  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 1.0; }, {.parts = 1});
+  EXPECT_EQ(regions.size(), 2);
+  EXPECT_EQ(regions.region_of(2), 0);
+  EXPECT_EQ(regions.region_of(1), 1);
+}
+
+TEST(RegionMerging, AsksAnewForThePairsOfAMergedRegion) {
+  // 1 and 2 go together first; of what they are together, 0 is no longer worth it.
+  const RegionAffinity affinity = [](const Regions& regions, std::int32_t a, std::int32_t b) {
+    if (regions.of(a).nodes + regions.of(b).nodes > 2) return 0.1;
+    return a == 1 && b == 2 ? 0.9 : 0.8;
+  };
+  Regions regions = regions_in_a_row(3);
+  merge_regions(regions, affinity, {});
+  EXPECT_EQ(regions.merges(), (std::vector<std::pair<std::int32_t, std::int32_t>>{{1, 2}}));
+}
+
+TEST(RegionMerging, WantedPartsGoBeforeTheLeastAffinity) {
+  Regions regions = regions_in_a_row(4);
+  merge_regions(regions, [](const Regions&, std::int32_t, std::int32_t) { return 0.0; },
+                {.least_affinity = 0.5, .parts = 2});
+  EXPECT_EQ(regions.size(), 2);
+}
+
+}  // namespace
+}  // namespace shapegauge
