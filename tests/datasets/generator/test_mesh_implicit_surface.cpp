@@ -68,8 +68,8 @@ TEST(SelfIntersections, AreFoundWhereTwoSpheresCross) {
     return test::transformed(sphere, 1, Eigen::Matrix3d::Identity(), {x, 0.01, 0.02});
   };
   EXPECT_FALSE(self_intersects(sphere));
-  EXPECT_TRUE(self_intersects(test::joined({sphere, transformed_solid(1.9)})));
-  EXPECT_FALSE(self_intersects(test::joined({sphere, transformed_solid(2.1)})));
+  EXPECT_TRUE(self_intersects(test::joined({sphere, moved(1.9)})));
+  EXPECT_FALSE(self_intersects(test::joined({sphere, moved(2.1)})));
 }
 
 }  // namespace

@@ -20,6 +20,7 @@ SegmentationResults found() {
   results.experiment.methods.resize(2);
   results.experiment.methods[0].name = "best";
   results.experiment.methods[1].name = "of/the paper";
+  results.experiment.generator = GeneratorOptions{};
   results.experiment.pictures = false;
   results.has_people = false;
   results.scores.classes = {"a"};
