@@ -6,8 +6,8 @@
 
 #include "shapegauge/core/render/image.h"
 #include "shapegauge/core/render/render_shape.h"
-#include "shapegauge/core/render/splats.h"
 #include "shapegauge/core/render/shading.h"
+#include "shapegauge/core/render/splats.h"
 #include "shapegauge/pages/packed_numbers.h"
 #include "shapegauge/pages/palette.h"
 #include "shapegauge/pages/shape_view.h"

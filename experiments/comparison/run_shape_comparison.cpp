@@ -131,7 +131,8 @@ void check_files(const ShapeComparison& comparison, Measured& measured) {
   }
 }
 
-Measured measure_shapes(const ShapeComparison& comparison, std::span<const PlannedField> plan, const RunControl& control) {
+Measured measure_shapes(const ShapeComparison& comparison, std::span<const PlannedField> plan,
+                        const RunControl& control) {
   Measured measured;
   measured.shapes.resize(comparison.shapes.size());
   measured.failures.resize(comparison.shapes.size());

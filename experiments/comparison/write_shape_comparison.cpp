@@ -34,7 +34,8 @@ void for_each_row(const ShapeComparisonResults& results,
   }
 }
 
-const FieldMeasurement& measurement_of(const ShapeComparisonResults& results, std::size_t signature, std::size_t shape) {
+const FieldMeasurement& measurement_of(const ShapeComparisonResults& results, std::size_t signature,
+                                       std::size_t shape) {
   return results.shapes[shape].fields[results.signatures[signature].field];
 }
 

@@ -44,6 +44,6 @@ nlohmann::json to_json(const ShapeComparison& comparison);
 /// what messages call it; relative paths are relative to `folder`. Throws InputError with the source, the path to the
 /// value, what is wrong and the nearest valid word.
 ShapeComparison comparison_from_json(const nlohmann::json& document, const std::string& source,
-                                const std::filesystem::path& folder);
+                                     const std::filesystem::path& folder);
 
 }  // namespace shapegauge

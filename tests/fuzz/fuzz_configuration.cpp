@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "tests/fuzz/fuzz_targets.h"
 #include "tests/fuzz/promises.h"
 

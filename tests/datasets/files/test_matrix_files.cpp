@@ -8,8 +8,8 @@
 #include <string>
 
 #include "shapegauge/datasets/files/matrix_files.h"
-#include "shapegauge/datasets/files/open_matrix.h"
 #include "shapegauge/datasets/files/npy.h"
+#include "shapegauge/datasets/files/open_matrix.h"
 #include "tests/datasets/files/random_matrices.h"
 #include "tests/datasets/files/write_matrix.h"
 #include "tests/support/test_files.h"

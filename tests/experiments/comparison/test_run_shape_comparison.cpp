@@ -5,8 +5,8 @@
 #include "shapegauge/datasets/files/csv.h"
 #include "shapegauge/experiments/comparison/run_shape_comparison.h"
 #include "shapegauge/experiments/comparison/write_shape_comparison.h"
-#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 

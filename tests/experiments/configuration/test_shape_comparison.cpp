@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "tests/support/test_files.h"
 
 namespace shapegauge {

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
-#include "shapegauge/experiments/configuration/shape_comparison.h"
 #include "shapegauge/experiments/configuration/json_document.h"
 #include "shapegauge/experiments/configuration/read_configuration.h"
 #include "shapegauge/experiments/configuration/segmentation_experiment.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
 
 namespace shapegauge {
 
