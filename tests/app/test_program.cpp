@@ -94,7 +94,7 @@ TEST_F(Program, CompletionKnowsCommandsOptionsAndChoices) {
   EXPECT_EQ(complete("shapegauge norm", 1), "normals\n");
   EXPECT_EQ(complete("shapegauge dataset inf", 2), "info\n");
   EXPECT_EQ(complete("shapegauge run --rep", 2), "--replace --replay\n");
-  EXPECT_EQ(complete("shapegauge sdf --method c", 3), "cone_sdf cone\n");
+  EXPECT_EQ(complete("shapegauge sdf --method c", 3), "cone_sdf\n");
   EXPECT_THAT(run_executable("completion zsh").output, HasSubstr("'*--method[offset"));
 }
 
