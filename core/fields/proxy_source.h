@@ -19,7 +19,7 @@ class ProxySource {
   /// Landmarks of geodesics().
   static constexpr int landmarks = 500;
   /// Eigenvalues that spectrum() computes at least.
-  static constexpr int shared_eigenvalues = 100;
+  static constexpr int shared_eigenvalues = 40;
 
   explicit ProxySource(const Shape& shape) : shape_(&shape) {}
 

@@ -67,7 +67,7 @@ class Canvas {
     const std::int32_t top = first_centre_from(std::min(std::min(a.y, b.y), c.y));
     const std::int32_t bottom = last_centre_to(std::max(std::max(a.y, b.y), c.y));
     if (top > bottom) return;
-    if (left == right && top == bottom && image_[index(left, top)] != 0) return;
+    if (is_filled({left, top}, {right, bottom})) return;
     fill(a, b, c, {left, top}, {right, bottom});
   }
 
@@ -76,6 +76,16 @@ class Canvas {
  private:
   [[nodiscard]] std::size_t index(std::int32_t x, std::int32_t y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(x);
+  }
+
+  /// Whether all pixels of a box are filled, as most are behind the first layer of a surface.
+  [[nodiscard]] bool is_filled(const ImagePoint& first, const ImagePoint& last) const {
+    for (std::int32_t y = first.y; y <= last.y; ++y) {
+      for (std::size_t k = index(first.x, y); k <= index(last.x, y); ++k) {
+        if (image_[k] == 0) return false;
+      }
+    }
+    return true;
   }
 
   /// - first, last: pixels at opposite corners of what may be covered

@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
                            {1, 0.341142676, 1, 0.341161616, 0.999999999, 0.341070076, 0.524040404, 0.347878784}},
         RecordedDescriptor{
             {{"type", "shape_dna"}},
-            3002,
+            3003,
             {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
