@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/fields/geodesics.h"
 #include "shapegauge/core/fields/laplacian.h"
 #include "shapegauge/core/fields/proxy_source.h"
 #include "shapegauge/core/proxy/proxy_geodesics.h"
@@ -94,6 +95,22 @@ TEST(SurfaceProxy, DistancesOnTheSphereAreGreatCircles) {
   }
   EXPECT_NEAR(sum / exact, 1, 0.03);
   EXPECT_NEAR(geodesics.areas.sum(), 4 * pi, 0.01 * 4 * pi);
+}
+
+TEST(SurfaceProxy, DistancesAgreeWithExactOnesOnTheMesh) {
+  const Shape mesh = test::torus(1, 0.4, 40, 100);
+  const SurfaceProxy proxy = surface_proxy(mesh);
+  const ProxyGeodesics geodesics = proxy_geodesics(proxy, 3);
+  const PointNeighbours vertices = nearest_among(proxy.points, mesh.vertices, 1);
+  const GeodesicDistances exact_from = geodesic_distances(mesh, {.method = GeodesicMethod::exact});
+  for (Eigen::Index landmark = 0; landmark < 3; ++landmark) {
+    const Eigen::VectorXd exact = exact_from(vertices.indices(landmark, 0))(vertices.indices.col(0));
+    EXPECT_NEAR(geodesics.distances.col(landmark).mean(), exact.mean(), 0.03 * exact.mean());
+    for (Eigen::Index i = 0; i < exact.size(); ++i) {
+      const double to_vertices = vertices.distances(i, 0) + vertices.distances(landmark, 0);
+      ASSERT_NEAR(geodesics.distances(i, landmark), exact[i], 0.05 * exact[i] + proxy.covering_radius + to_vertices);
+    }
+  }
 }
 
 TEST(SurfaceProxy, EigenvaluesOfARectangleAreThoseOfCosines) {

@@ -138,7 +138,17 @@ INSTANTIATE_TEST_SUITE_P(
                               {2.92259960366, 0.155531032212, 1}}},
                     Recorded{{{"type", "wave_kernel"}, {"energy", 3}, {"eigenvalues", 20}},
                              {{"heat_kernel", 3}},
-                             {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}}));
+                             {{1, 0.000779669197191, 1}, {1, 0.369587130602, 1}, {1, 0.672852617938, 1}}},
+                    Recorded{{{"type", "centricity"}, {"on", "proxy"}},
+                             {{"centricity", 2}, {"surface_proxy", 3}},
+                             {{0.493723502611, 0.0949150207929, 1},
+                              {0.466656530342, 0.0326466806524, 1},
+                              {0.470003779904, 0.0476988769337, 1}}},
+                    Recorded{{{"type", "heat_kernel"}, {"on", "proxy"}, {"eigenvalues", 20}},
+                             {{"heat_kernel", 3}, {"surface_proxy", 3}},
+                             {{4.27886408988, 0.693281556472, 1},
+                              {4.1256332695, 0.359699427998, 1},
+                              {4.87597480109, 1.03229537213, 1}}}));
 
 /// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
 /// counted from 1, over their number; and the distances between the first shape and the others.
@@ -219,7 +229,19 @@ INSTANTIATE_TEST_SUITE_P(
         RecordedDescriptor{
             {{"type", "shape_dna"}},
             3003,
-            {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}}));
+            {49.002709, 28.2505905, 18.4892659, 9.94892606, 14.7858938, 7.83061545, 7.57527677, 8.28459551}},
+        RecordedDescriptor{
+            {{"type", "shape_dna"}, {"on", "proxy"}},
+            3003,
+            {20.0490271, 10.5833258, 21.2519672, 10.8234316, 17.9607571, 9.54263312, 1.28719979, 1.08769922}},
+        RecordedDescriptor{
+            {{"type", "geodesic_spectrum"}},
+            1003,
+            {-81.4436155, -49.0773442, -80.2422322, -48.4127842, -80.4336050, -48.6842827, 1.77136818, 0.952826244}},
+        RecordedDescriptor{
+            {{"type", "panorama"}},
+            1,
+            {36.8988422, 18.0941078, 36.8494960, 18.1157077, 43.6810435, 21.4226862, 15.0555583, 13.9557794}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),
