@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -48,7 +49,6 @@ std::vector<std::array<std::int32_t, 3>> SoupBuilder::fan_replacement(std::size_
   positions.reserve(corners.size());
   for (const std::int32_t corner : corners) positions.emplace_back(vertices_[static_cast<std::size_t>(corner)].data());
   std::vector<PolygonTriangle> others = triangles_in_place_of_fan(positions);
-  if (others.size() > end - begin) return {};
   for (PolygonTriangle& triangle : others) {
     for (std::int32_t& corner : triangle) corner = corners[static_cast<std::size_t>(corner)];
   }
@@ -56,21 +56,24 @@ std::vector<std::array<std::int32_t, 3>> SoupBuilder::fan_replacement(std::size_
 }
 
 void SoupBuilder::replace_fans() {
-  std::size_t kept = 0;
-  const auto keep = [&](const std::array<std::int32_t, 3>& triangle, std::int32_t polygon) {
-    triangles_[kept] = triangle;
-    polygons_[kept++] = polygon;
-  };
+  std::vector<std::array<std::int32_t, 3>> triangles;
+  std::vector<std::int32_t> polygons;
+  triangles.reserve(triangles_.size());
+  polygons.reserve(polygons_.size());
   for (std::size_t begin = 0, end = 0; begin < triangles_.size(); begin = end) {
     const std::int32_t polygon = polygons_[begin];
     while (end < triangles_.size() && polygons_[end] == polygon) ++end;
     const std::vector<std::array<std::int32_t, 3>> others = fan_replacement(begin, end);
-    for (const std::array<std::int32_t, 3>& triangle : others) keep(triangle, polygon);
-    if (!others.empty()) continue;
-    for (std::size_t f = begin; f < end; ++f) keep(triangles_[f], polygon);
+    if (others.empty()) {
+      triangles.insert(triangles.end(), triangles_.begin() + static_cast<std::ptrdiff_t>(begin),
+                       triangles_.begin() + static_cast<std::ptrdiff_t>(end));
+    } else {
+      triangles.insert(triangles.end(), others.begin(), others.end());
+    }
+    polygons.resize(triangles.size(), polygon);
   }
-  triangles_.resize(kept);
-  polygons_.resize(kept);
+  triangles_ = std::move(triangles);
+  polygons_ = std::move(polygons);
 }
 
 Shape SoupBuilder::shape() {

@@ -18,7 +18,8 @@ inline constexpr std::size_t most_polygon_corners = 100000;
 
 /// Triangulates a polygon whose fan of triangles about the first corner does not cover it: the polygon is projected
 /// onto its plane (Newell's normal) and its constrained Delaunay triangulation taken. A corner may touch other corners
-/// or edges, as where an edge leads to a hole and back.
+/// or edges, as where an edge leads to a hole and back. Where an edge leads inside and back there are more triangles
+/// than in the fan.
 ///
 /// Returns nothing where the fan is kept: it covers the polygon, as it does every convex one, or the projected polygon
 /// crosses itself or has no area. The triangles have the polygon's orientation, in ascending order. They do not depend

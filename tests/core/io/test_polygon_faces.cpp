@@ -101,6 +101,19 @@ TEST(PolygonFaces, OfConcavePolygonsCoverThemOnce) {
   }
 }
 
+TEST(PolygonFaces, OfAnEdgeInsideAndBackCoverThePolygonOnce) {
+  // A square whose last corner but one is inside it: the fan about the first corner folds over.
+  const Corners square = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {2, 4, 0}, {2, 1, 0}, {2, 4, 0}, {0, 4, 0}};
+  expect_covered(square, 16);
+  const std::vector<std::array<std::int32_t, 3>> triangles = triangles_of(read(square));
+  EXPECT_TRUE(std::ranges::any_of(triangles, [](const auto& corners) { return std::ranges::count(corners, 4) == 1; }))
+      << "the corner inside is a corner of triangles";
+  // From a side that ends inside to one below it: one triangle more than the fan.
+  const Corners kite = {{16, 31, 0}, {-3, 0, 0}, {0, -6, 0}, {0, 0, 0}, {0, -22, 0}};
+  expect_covered(kite, 231.5);
+  EXPECT_EQ(read(kite).triangles.rows(), 4);
+}
+
 TEST(PolygonFaces, OfConcavePolygonsKeepTheirOrientation) {
   Corners turned = u_profile();
   std::ranges::reverse(turned);
