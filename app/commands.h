@@ -8,7 +8,7 @@ class App;
 
 namespace shapegauge {
 
-/// Exit statuses of the program (docs/definitions.md#exit-status).
+/// Exit statuses of the program (docs/reference/definitions.md#exit-status).
 /// @{
 inline constexpr int exit_success = 0;
 inline constexpr int exit_with_failures = 1;   ///< finished, but something failed that the messages name

@@ -1,5 +1,5 @@
-// What docs/offset_sdf.md and docs/performance.md say of the offset SDF of given meshes, beside scripts/benchmark's
-// tables:
+// What docs/methods/offset_sdf.md and docs/notes/performance.md say of the offset SDF of given meshes, beside
+// scripts/benchmark's tables:
 //
 //   measure_offset times|threads|turned|exact [--cut N] [--every N] [--offsets 0.05,0.03,0.01] MESH...
 //

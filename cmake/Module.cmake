@@ -6,7 +6,7 @@
 #
 # A library has the headers of its sources' folders. It sees those of the libraries that it uses and no others: each
 # library's headers are reachable only through an include directory of its own, <build>/include/NAME, which has a link
-# to each. An include across a border that docs/architecture.md does not have is therefore a build error
+# to each. An include across a border that docs/developer/architecture.md does not have is therefore a build error
 # (tests/borders).
 function(shapegauge_add_library name folder)
   cmake_parse_arguments(arg "SEPARATELY;INTERNAL" "" "SOURCES;USES;USES_PRIVATELY;PRIVATE_HEADERS" ${ARGN})

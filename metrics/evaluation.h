@@ -55,9 +55,9 @@ struct Evaluation {
 };
 
 /// Evaluates a distance matrix against the models' classes, every model a query to all others
-/// (docs/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may be
-/// infinite; the diagonal plays no part. Models that are no queries stay in the others' lists. Parallel over queries;
-/// the same bytes for any number of threads. Throws ArgumentError: matrix empty, not square or of another size
+/// (docs/reference/definitions.md#measures). labels[i] is the class of model i. Distances need not be symmetric and may
+/// be infinite; the diagonal plays no part. Models that are no queries stay in the others' lists. Parallel over
+/// queries; the same bytes for any number of threads. Throws ArgumentError: matrix empty, not square or of another size
 /// than labels, a distance that is NaN (naming row and column, counted from 0), a minimum class size below 2, no class
 /// large enough.
 Evaluation evaluate(const DistanceTable& distances, std::span<const int> labels, const EvaluationOptions& options);

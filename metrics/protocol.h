@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// Conventions under which a ranked list is judged (docs/definitions.md#protocols).
+/// Conventions under which a ranked list is judged (docs/reference/definitions.md#protocols).
 ///
 /// psb, trec: the query is left out of its list. They differ in the measures and the precision-recall curve that are
 /// theirs: those of the Princeton Shape Benchmark, and those of text retrieval.

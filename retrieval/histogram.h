@@ -18,7 +18,7 @@ struct Interval {
   double high = 1;
 };
 
-/// Settings of a weighted histogram (docs/definitions.md#histograms).
+/// Settings of a weighted histogram (docs/reference/definitions.md#histograms).
 struct HistogramOptions {
   int bins = 80;
   double smoothing_bins = 0;  ///< standard deviation of a Gaussian (smooth_gaussian), in bins, at most bins; 0: none

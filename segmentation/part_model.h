@@ -27,7 +27,7 @@ struct PartModel {
 };
 
 /// The model that part_segmentation() uses, trained by train_part_model() on generated shapes, which carry their parts
-/// (docs/segmentation.md says how).
+/// (docs/manual/segmentation.md says how).
 const PartModel& trained_part_model();
 
 }  // namespace shapegauge

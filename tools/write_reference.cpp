@@ -1,5 +1,5 @@
 // Writes what the registries say into the files of the repository: configs/experiment.schema.json and the tables of
-// docs/configuration.md. Run by the target update_reference.
+// docs/reference/configuration.md. Run by the target update_reference.
 //
 //     write_reference REPOSITORY
 //     write_reference REPOSITORY --check    says which of the files are not up to date, and fails
@@ -18,7 +18,7 @@
 int main(int count, char** arguments) try {
   if (count < 2) throw shapegauge::InputError("usage: write_reference REPOSITORY [--check]");
   const std::filesystem::path repository = arguments[1];
-  const std::filesystem::path page = repository / "docs/configuration.md";
+  const std::filesystem::path page = repository / "docs/reference/configuration.md";
   const std::vector<std::pair<std::filesystem::path, std::string>> files{
       {repository / "configs/experiment.schema.json", shapegauge::experiment_schema()},
       {page, shapegauge::with_reference_tables(shapegauge::read_file_bytes(page))}};

@@ -108,8 +108,8 @@ struct FieldType {
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
 };
 
-/// All types of fields: those of this folder (docs/extending.md), then those that were added. An entry has a `make`,
-/// and no parameters called type, at or bilateral.
+/// All types of fields: those of this folder (docs/developer/extending.md), then those that were added. An entry has a
+/// `make`, and no parameters called type, at or bilateral.
 Registry<FieldType>& field_types();
 
 /// The settings by which any field is smoothed along the surface (bilateral_smoothing()).

@@ -21,7 +21,8 @@ inline Eigen::Vector3d raised(const Eigen::Vector3d& p, const Eigen::Vector3d& n
   return p + r * ((1 - part) * normal + part * mean);
 }
 
-/// Means of a surface's normals over places, by which samples are raised (docs/offset_sdf.md#why-the-sample-is-raised).
+/// Means of a surface's normals over places, by which samples are raised
+/// (docs/methods/offset_sdf.md#why-the-sample-is-raised).
 class MeanNormals {
  public:
   MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSurface& surface);

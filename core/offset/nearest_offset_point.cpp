@@ -213,7 +213,7 @@ Contacts contacts_for(const Surroundings& around, const Contacts& before, const 
 
 /// What a step to the projection lacks, because the balls about edges and corners bend away from the half-spaces that
 /// touch them: tangentially to the contacts that hold it, where the curvature is 1 / r, it is short by the factor
-/// 1 - push / r (docs/offset_sdf.md#the-steps-to-q).
+/// 1 - push / r (docs/methods/offset_sdf.md#the-steps-to-q).
 Eigen::Vector3d lacking(const TriangleTable& table, const Eigen::Vector3d& step, const Projected& to,
                         const Contacts& contacts, double r) {
   constexpr double most_bent = 0.85;
@@ -250,7 +250,7 @@ Eigen::Vector3d step_to(const Projected& to, const Eigen::Vector3d& x, const Tri
   return length > room ? (step + room / length * more).eval() : (step + more).eval();
 }
 
-/// The steps from the site to the nearest point of the offset surface (docs/offset_sdf.md#the-steps-to-q).
+/// The steps from the site to the nearest point of the offset surface (docs/methods/offset_sdf.md#the-steps-to-q).
 class OffsetPointSearch {
  public:
   OffsetPointSearch(const ExteriorGrid& exterior, const Eigen::Vector3d& p, const Eigen::Vector3d& site,

@@ -34,7 +34,8 @@ struct OffsetAnswers {
   double build_seconds = 0;  ///< points, flood and sites
 };
 
-/// The SDF of the offset surface (docs/offset_sdf.md) at points of a shape with normals of length 1 or 0, by a grid.
+/// The SDF of the offset surface (docs/methods/offset_sdf.md) at points of a shape with normals of length 1 or 0, by a
+/// grid.
 ///
 /// The shape's bounding box must have a diagonal of about 1. The grid's cells measure r / cells_per_offset. Memory is
 /// bounded: of an offset so small that there would be more than 2^24 blocks or 6 million points on the surface, the

@@ -66,8 +66,8 @@ struct DenoisedShape {
 };
 
 /// Smooths a mesh whose vertices are noisy beyond doubt (is_noisy()), with a pass band of 0.025 / noise.relative(),
-/// clamped to 0.02 to 0.3 (docs/figures.md, Fig 6, shows the effect). Doubled triangles stay doubled. Other meshes and
-/// clouds are returned unchanged.
+/// clamped to 0.02 to 0.3 (docs/notes/figures.md, Fig 6, shows the effect). Doubled triangles stay doubled. Other
+/// meshes and clouds are returned unchanged.
 DenoisedShape denoised(Shape shape);
 
 }  // namespace shapegauge

@@ -18,7 +18,7 @@ inline constexpr int surface_proxy_version = 3;
 /// The version of a descriptor that may be computed on the proxy: its own and the proxy's.
 constexpr int version_on_proxy(int version) { return 1000 * version + surface_proxy_version; }
 
-/// Settings of surface_proxy(). docs/surface_proxy.md has the measurements behind the defaults.
+/// Settings of surface_proxy(). docs/methods/surface_proxy.md has the measurements behind the defaults.
 struct SurfaceProxyOptions {
   static constexpr Bounds points_bounds{.low = 2, .high = 100'000};
   static constexpr Bounds neighbours_bounds{.low = 6, .high = 64};

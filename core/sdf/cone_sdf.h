@@ -49,7 +49,7 @@ struct ConeSdfResult {
 };
 
 /// Conventional SDF at the given samples of the shape (Shapira et al. 2008, with the choices of CGAL 5.5;
-/// docs/definitions.md#conventional-sdf).
+/// docs/reference/definitions.md#conventional-sdf).
 ///
 /// From each sample, rays go out in a cone about the inward normal, denser near its axis; they pass through the
 /// triangles that touch the sample. Of each ray the nearest hit counts, and only if the ray leaves the shape there (the

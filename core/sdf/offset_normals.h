@@ -13,7 +13,8 @@ struct OffsetNormals {
 };
 
 /// Outward unit normals at samples of a shape, a mesh or a cloud: the direction from the sample to the closest point of
-/// the outer offset surface, (q - p)/|q - p| (the paper, section "Normal estimation"; docs/definitions.md#offset-sdf).
+/// the outer offset surface, (q - p)/|q - p| (the paper, section "Normal estimation";
+/// docs/reference/definitions.md#offset-sdf).
 ///
 /// Outward is where the unbounded space is, whatever the orientation of triangles or the normals of a cloud say. An
 /// offset above the noise and the gaps (automatic_offset) looks past both; one above the radius of a concavity looks

@@ -18,7 +18,7 @@ namespace shapegauge {
 /// earlier versions is then computed anew.
 inline constexpr int offset_sdf_version = 9;
 
-/// How fine the grid is (docs/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
+/// How fine the grid is (docs/methods/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<OffsetAccuracy>{"fast", "standard", "fine"};
@@ -67,8 +67,9 @@ class OffsetSdfSolver {
   /// The shape may be a point cloud. Throws InputError where it is unusable (require_usable()) or has no extent.
   explicit OffsetSdfSolver(const Shape& shape);
 
-  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1; docs/definitions.md#offset-sdf). Throws
-  /// InputError where the offset is out of range. The build's seconds do not include the constructor's.
+  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1;
+  /// docs/reference/definitions.md#offset-sdf). Throws InputError where the offset is out of range. The build's seconds
+  /// do not include the constructor's.
   [[nodiscard]] OffsetSdfResult solve(const Samples& samples, const OffsetSdfOptions& options) const;
 
   /// Seconds that the constructor took.

@@ -9,7 +9,7 @@ namespace shapegauge {
 
 /// A mesh without its doubled triangles. Doubles are triangles with the same three corners in any order, vertices at
 /// the same place taken as one; the first of them, in the order of the shape, stands for all
-/// (docs/definitions.md#doubled-triangles).
+/// (docs/reference/definitions.md#doubled-triangles).
 struct DistinctTriangles {
   Shape shape;                            ///< all vertices of the mesh, and its triangles without the doubles
   std::vector<std::int32_t> triangle_of;  ///< by triangle of the mesh: its index, or that of its first, in `shape`

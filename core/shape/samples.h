@@ -24,7 +24,8 @@ SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumber
 /// versions stale.
 inline constexpr int samples_version = 3;
 
-/// Where a field is sampled (docs/definitions.md#samples-and-weights). The points of a cloud are its vertices.
+/// Where a field is sampled (docs/reference/definitions.md#samples-and-weights). The points of a cloud are its
+/// vertices.
 enum class SampleSite {
   faces,     ///< at the triangles' centroids
   vertices,  ///< at the vertices, or the points of a cloud

@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// Layouts in which published data sets come (docs/datasets.md). find_* throw InputError as find_dataset();
+/// Layouts in which published data sets come (docs/manual/datasets.md). find_* throw InputError as find_dataset();
 /// looks_like_* say whether a folder has the layout, from the names in it.
 
 /// The layout "shrec07": models 1.off to 400.off, twenty of each class in a row. A class that lacks models stays, and

@@ -21,7 +21,7 @@
 
 namespace shapegauge {
 
-/// Where the range of a histogram comes from (docs/definitions.md#histograms).
+/// Where the range of a histogram comes from (docs/reference/definitions.md#histograms).
 enum class HistogramRange { per_shape, dataset, fixed };
 
 /// How a field becomes a histogram.

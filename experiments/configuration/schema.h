@@ -33,9 +33,9 @@ std::vector<ParameterGroup> section_groups();
 /// configs/experiment.schema.json is this text, for editors.
 std::string experiment_schema();
 
-/// The text of docs/configuration.md with its tables filled in: what stands between a line `<!-- NAME -->` and the next
-/// line `<!-- end -->` is replaced by the tables of the group of that name, or of all `fields`, `perturbations`,
-/// `descriptors` or ways to `rerank`.
+/// The text of docs/reference/configuration.md with its tables filled in: what stands between a line `<!-- NAME -->`
+/// and the next line `<!-- end -->` is replaced by the tables of the group of that name, or of all `fields`,
+/// `perturbations`, `descriptors` or ways to `rerank`.
 std::string with_reference_tables(std::string_view page);
 
 /// Holds a configuration to the experiment schema. Throws InputError for the first thing that is wrong, most telling

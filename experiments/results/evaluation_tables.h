@@ -85,9 +85,9 @@ std::string psb_plot(const PrecisionRecallCurve& curve);
 /// The measures of each query by its id, as fractions.
 nlohmann::ordered_json per_query_json(const Evaluation& evaluation, std::span<const std::string> ids);
 
-/// An evaluation as JSON (docs/definitions.md#result-files): protocol, ties, number of queries, of those that ties
-/// could change, and of models that are never queries; the measures as fractions: micro, macro, and per class by the
-/// class's name; and where there are intervals those of the averages.
+/// An evaluation as JSON (docs/reference/definitions.md#result-files): protocol, ties, number of queries, of those that
+/// ties could change, and of models that are never queries; the measures as fractions: micro, macro, and per class by
+/// the class's name; and where there are intervals those of the averages.
 nlohmann::ordered_json evaluation_json(const Evaluation& evaluation, std::span<const std::string> class_names,
                                        const EvaluationIntervals& intervals = {});
 

@@ -15,7 +15,7 @@
 #include "shapegauge/experiments/search/shape_index.h"
 #include "shapegauge/retrieval/diffusion.h"
 
-/// Searches: which shapes of a collection are like this one (docs/search.md).
+/// Searches: which shapes of a collection are like this one (docs/manual/search.md).
 
 namespace shapegauge {
 

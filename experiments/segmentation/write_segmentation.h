@@ -11,8 +11,8 @@ namespace shapegauge {
 /// The entry of the registry (experiment_kinds()).
 ExperimentKind segmentation_kind();
 
-/// Writes all result files of a segmentation experiment (docs/segmentation.md#experiments) into the folder, each whole
-/// or not at all, the manifest last, as write_results() does.
+/// Writes all result files of a segmentation experiment (docs/manual/segmentation.md#experiments) into the folder, each
+/// whole or not at all, the manifest last, as write_results() does.
 void write_segmentation(const std::filesystem::path& destination, const SegmentationResults& results);
 
 /// The errors of all methods, in a terminal's tables.

@@ -73,7 +73,7 @@ class Answer(_abc.Sequence):
 
 
 class Index:
-    """The index of a collection of shape files, as `shapegauge search` has it (docs/search.md).
+    """The index of a collection of shape files, as `shapegauge search` has it (docs/manual/search.md).
 
     collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: the file of the index; by
     default beside the collection. method: the path of a configuration, or a dict; by default the recommended method.

@@ -76,7 +76,7 @@ def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
 @shape_function
 def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None, threads: int = 0,
           **settings: Any) -> ScalarField:
-    """A scalar field of any type that configurations know (docs/configuration.md), in the units of the input.
+    """A scalar field of any type that configurations know (docs/reference/configuration.md), in the units of the input.
 
     at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type.
     Returns a ScalarField, which unpacks as values and weights.
@@ -173,7 +173,7 @@ def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, th
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
     method: "best", or the paper's pipeline, "paper". settings: those of a method in a configuration
-    (docs/configuration.md, "Segmentation"), as parts=3: how many are wanted.
+    (docs/reference/configuration.md, "Segmentation"), as parts=3: how many are wanted.
 
     >>> labels = sg.segment(vertices, faces)
     >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
@@ -188,7 +188,7 @@ def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, th
 @shape_function
 def describe(shape: ShapeArrays, descriptor: str = "light_field", *, normals: Any = None, threads: int = 0,
              **settings: Any) -> _numpy.ndarray:
-    """The features of a shape under a descriptor (docs/descriptors.md), float32. The shape is scaled to unit area.
+    """The features of a shape under a descriptor (docs/manual/descriptors.md), float32. The shape is scaled to unit area.
 
     >>> features = sg.describe(vertices, faces, "light_field")
     >>> features = sg.describe(mesh, "d2")

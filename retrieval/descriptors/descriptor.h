@@ -63,8 +63,8 @@ struct Descriptor {
   void (*check)(const DescriptorSettings&) = nullptr;
 };
 
-/// All descriptors: those of this folder, one line each in descriptor.cpp (docs/extending.md), then those that were
-/// added. An entry has `describe` and `distance`, and no parameters called type, fields or axes.
+/// All descriptors: those of this folder, one line each in descriptor.cpp (docs/developer/extending.md), then those
+/// that were added. An entry has `describe` and `distance`, and no parameters called type, fields or axes.
 Registry<Descriptor>& descriptors();
 
 /// Whether the descriptor must see all shapes before it can describe one.

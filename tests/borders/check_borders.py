@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the libraries to the borders of docs/architecture.md.
+"""Holds the libraries to the borders of docs/developer/architecture.md.
 
     check_borders.py ARCHITECTURE.md LIBRARIES COMPILER
 
@@ -49,8 +49,8 @@ def main():
     for line in pathlib.Path(listing).read_text().splitlines():
         name, headers, folders = line.split("|")
         libraries[name] = (headers.split(";"), [folder for folder in folders.split(";") if folder])
-    errors = [f"docs/architecture.md has no library {name}" for name in libraries.keys() - known.keys()]
-    errors += [f"there is no library {name} of docs/architecture.md" for name in known.keys() - libraries.keys()]
+    errors = [f"docs/developer/architecture.md has no library {name}" for name in libraries.keys() - known.keys()]
+    errors += [f"there is no library {name} of docs/developer/architecture.md" for name in known.keys() - libraries.keys()]
     for name in known:
         errors += [f"{name} knows {other}, which is no library" for other in known[name] if other not in known]
     if errors:

@@ -7,7 +7,7 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/metrics/random_cases.h"
 
-// The known answers of docs/definitions.md#measures.
+// The known answers of docs/reference/definitions.md#measures.
 
 namespace shapegauge {
 namespace {

@@ -17,10 +17,10 @@ struct ExteriorEntry {
 };
 
 /// Finds the first point at which a ray from a point of the surface enters the exterior E(r)
-/// (docs/definitions.md#offset-sdf), for one ray after another. The first stretch of length r is in the offset solid,
-/// as the surface is. From there the search walks from cube to cube of the octree, and in cubes that may hold exterior
-/// points from the end of one rounded triangle to the next. It remembers the triangles of the rays before: pass
-/// neighbouring rays one after the other. Keeps a reference to the exterior.
+/// (docs/reference/definitions.md#offset-sdf), for one ray after another. The first stretch of length r is in the
+/// offset solid, as the surface is. From there the search walks from cube to cube of the octree, and in cubes that may
+/// hold exterior points from the end of one rounded triangle to the next. It remembers the triangles of the rays
+/// before: pass neighbouring rays one after the other. Keeps a reference to the exterior.
 class ExteriorEntrySearch {
  public:
   explicit ExteriorEntrySearch(const OffsetExterior& exterior) : exterior_(exterior) { recent_.fill(-1); }

@@ -15,7 +15,7 @@
 namespace shapegauge {
 
 /// Finds the point of the outer offset surface that is closest to a point p of the surface
-/// (docs/definitions.md#offset-sdf), to within 0.008 r, for one point after another.
+/// (docs/reference/definitions.md#offset-sdf), to within 0.008 r, for one point after another.
 ///
 /// A descent gives a local minimum: p is projected onto the half-spaces that the nearest triangles leave free, again
 /// and again. Branch and bound then proves or improves it. Space is covered with cubes, first those of the octree; of a

@@ -43,7 +43,8 @@ struct ExteriorNode {
 class ExteriorFlood;
 
 /// The space around a shape, sorted into offset solid O(r), exterior E(r) and enclosed free space
-/// (docs/definitions.md#offset-sdf): an octree, refined where the boundary of O(r) runs, flooded from outside.
+/// (docs/reference/definitions.md#offset-sdf): an octree, refined where the boundary of O(r) runs, flooded from
+/// outside.
 ///
 /// The tree's smallest cubes measure r/2 or 1/256 of the diagonal, whichever is larger; on a closed surface, for small
 /// r, up to 3r/4, but 3r/8 around free space outside of it that seems to lead nowhere. Free space narrower than such a

@@ -11,8 +11,8 @@
 
 namespace shapegauge {
 
-/// The offset SDF (docs/definitions.md#offset-sdf) of a shape with a diagonal of 1, by a search that proves its
-/// minimum. Slow, and without a bound on time and memory; for shapes too large for OffsetSdfReference.
+/// The offset SDF (docs/reference/definitions.md#offset-sdf) of a shape with a diagonal of 1, by a search that proves
+/// its minimum. Slow, and without a bound on time and memory; for shapes too large for OffsetSdfReference.
 class ProvenOffsetSdf {
  public:
   ProvenOffsetSdf(const Shape& shape, double r);

@@ -14,7 +14,7 @@
 #include "tests/support/test_shapes.h"
 
 /// The exterior is one, whether a closed surface helps to decide it or connectivity alone does
-/// (docs/definitions.md#offset-sdf). Of the proven search.
+/// (docs/reference/definitions.md#offset-sdf). Of the proven search.
 namespace shapegauge {
 namespace {
 

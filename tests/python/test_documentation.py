@@ -1,4 +1,4 @@
-"""What docs/python.md shows is what one gets."""
+"""What docs/manual/python.md shows is what one gets."""
 
 import contextlib
 import io
@@ -10,7 +10,7 @@ import sys
 
 import pytest
 
-DOCS = os.path.join(os.environ["SHAPEGAUGE_CONFIGS"], "..", "docs")
+DOCS = os.path.join(os.environ["SHAPEGAUGE_CONFIGS"], "..", "docs/manual")
 
 
 def test_the_example_prints_what_the_page_says():

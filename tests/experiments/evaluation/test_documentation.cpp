@@ -7,7 +7,7 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/support/test_files.h"
 
-// The worked example of docs/evaluation.md: what stands there is what the library gives.
+// The worked example of docs/manual/evaluation.md: what stands there is what the library gives.
 
 namespace shapegauge {
 namespace {
