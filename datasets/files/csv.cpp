@@ -1,6 +1,7 @@
 #include "shapegauge/datasets/files/csv.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -130,6 +131,23 @@ std::optional<char> first_separator(std::string_view text) {
     if (line.find(separator) != std::string_view::npos) return separator;
   }
   return std::nullopt;
+}
+
+std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source) {
+  std::vector<CsvRow> rows = parse_csv(text, source, first_separator(text).value_or(','));
+  for (const CsvRow& row : rows) {
+    if (row.cells.size() == rows.front().cells.size()) continue;
+    throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
+                                 rows.front().cells.size()));
+  }
+  return rows;
+}
+
+std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names) {
+  const auto found = std::ranges::find_if(
+      header.cells, [&](const std::string& cell) { return std::ranges::find(names, lower_case(cell)) != names.end(); });
+  if (found == header.cells.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - header.cells.begin());
 }
 
 char number_separator(std::string_view text) {

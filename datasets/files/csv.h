@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,16 @@ std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, 
 /// The separator of a table: the first of tab, semicolon and comma that occurs in the first line that is not blank;
 /// nothing where none does.
 std::optional<char> first_separator(std::string_view text);
+
+/// The rows of a table of words with first_separator(), else a comma, between cells. Throws InputError as parse_csv,
+/// and for a row of another length than the first.
+std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source);
+
+/// Names of the column that holds the class of each model, in the order of preference.
+inline constexpr std::array<std::string_view, 3> class_column_names{"class", "label", "category"};
+
+/// Position of the first column with one of these lower-case names, in any case; nothing where there is none.
+std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
 
 /// The separator of a table of numbers, with or without names in quotation marks: a comma, unless the first line has
 /// tabs or semicolons but no other commas than those in quotation marks and decimal ones (between digits).

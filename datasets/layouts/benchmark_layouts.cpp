@@ -166,9 +166,9 @@ bool looks_like_tree(const fs::path& root) {
 
 namespace {
 
-std::size_t column_of(const CsvRow& header, std::string_view name, const std::string& source) {
-  const auto found = std::ranges::find(header.cells, name);
-  if (found != header.cells.end()) return static_cast<std::size_t>(found - header.cells.begin());
+std::size_t shapenet_column(const CsvRow& header, std::string_view name, const std::string& source) {
+  const std::string lower = lower_case(std::string(name));
+  if (const auto found = find_column(header, std::array<std::string_view, 1>{lower})) return *found;
   throw InputError(
       fmt::format("{}:{}: expected the columns id, synsetId, subSynsetId, modelId and split; there is no {}", source,
                   header.line, name));
@@ -186,19 +186,15 @@ fs::path shapenet_file(const fs::path& root, const std::string& split, const std
 
 Dataset find_shapenet_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
-  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(location.classification), source);
+  const std::vector<CsvRow> rows = parse_word_table(read_file_bytes(location.classification), source);
   if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
-  const std::size_t id = column_of(rows[0], "id", source);
-  const std::size_t synset = column_of(rows[0], "synsetId", source);
-  const std::size_t split = column_of(rows[0], "split", source);
+  const std::size_t id = shapenet_column(rows[0], "id", source);
+  const std::size_t synset = shapenet_column(rows[0], "synsetId", source);
+  const std::size_t split = shapenet_column(rows[0], "split", source);
   Dataset dataset;
   std::set<std::string> ids;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const CsvRow& row = rows[i];
-    if (row.cells.size() != rows[0].cells.size()) {
-      throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
-                                   rows[0].cells.size()));
-    }
     if (location.split != "all" && row.cells[split] != location.split) continue;
     add_model({.id = row.cells[id],
                .file = shapenet_file(location.root, row.cells[split], row.cells[synset], row.cells[id]),
@@ -211,7 +207,7 @@ Dataset find_shapenet_dataset(const DatasetLocation& location) {
 
 bool looks_like_shapenet(const fs::path& root) {
   if (!is_there(root / "all.csv")) return false;
-  return read_file_bytes(root / "all.csv", 200).find("synsetId") != std::string::npos;
+  return lower_case(read_file_bytes(root / "all.csv", 200)).find("synsetid") != std::string::npos;
 }
 
 }  // namespace shapegauge

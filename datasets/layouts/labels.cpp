@@ -86,15 +86,11 @@ struct LabelColumns {
 };
 
 LabelColumns columns_of(const CsvRow& first, const std::string& source) {
-  static constexpr std::array ids = {"id", "name", "model", "file", "filename"};
-  static constexpr std::array names = {"class", "label", "category"};
-  LabelColumns columns;
-  for (std::size_t i = 0; i < first.cells.size(); ++i) {
-    const std::string cell = lower_case(first.cells[i]);
-    if (!columns.id && std::ranges::find(ids, cell) != ids.end()) columns.id = i;
-    if (!columns.name && std::ranges::find(names, cell) != names.end()) columns.name = i;
-    if (!columns.split && cell == "split") columns.split = i;
-  }
+  static constexpr std::array<std::string_view, 5> ids{"id", "name", "model", "file", "filename"};
+  static constexpr std::array<std::string_view, 1> splits{"split"};
+  LabelColumns columns{.id = find_column(first, ids),
+                       .name = find_column(first, class_column_names),
+                       .split = find_column(first, splits)};
   columns.named = columns.id || columns.name;
   const bool two = first.cells.size() == 2;
   if (!columns.named && two) return {.id = 0, .name = 1, .split = std::nullopt, .named = false};
@@ -104,10 +100,7 @@ LabelColumns columns_of(const CsvRow& first, const std::string& source) {
       source));
 }
 
-void check_cells(const CsvRow& row, std::size_t columns, const LabelColumns& where_is, const std::string& where) {
-  if (row.cells.size() != columns) {
-    throw InputError(fmt::format("{}: {} cells where the first row has {}", where, row.cells.size(), columns));
-  }
+void check_cells(const CsvRow& row, const LabelColumns& where_is, const std::string& where) {
   if (row.cells[*where_is.id].empty() || row.cells[*where_is.name].empty()) {
     throw InputError(fmt::format("{}: the {} is empty", where, row.cells[*where_is.id].empty() ? "id" : "class"));
   }
@@ -121,7 +114,7 @@ ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string
   for (std::size_t i = columns.named ? 1 : 0; i < rows.size(); ++i) {
     const std::string where = fmt::format("{}:{}", source, rows[i].line);
     const std::vector<std::string>& cells = rows[i].cells;
-    check_cells(rows[i], rows.front().cells.size(), columns, where);
+    check_cells(rows[i], columns, where);
     collector.add(cells[*columns.id], cells[*columns.name], where);
     labels.models.push_back(cells[*columns.id]);
     const Roles roles = columns.split ? roles_of(cells[*columns.split], where) : Roles{};
@@ -206,9 +199,7 @@ std::vector<CsvRow> rows_of_words(std::string_view text) {
 ModelLabels read_list(const fs::path& path) {
   if (format_extension(path) == ".npy") return read_label_array(path);
   const std::string text = read_plain_bytes(path);
-  if (const std::optional<char> separator = first_separator(text)) {
-    return parse_label_table(parse_csv(text, path.string(), *separator), path.string());
-  }
+  if (first_separator(text)) return parse_label_table(parse_word_table(text, path.string()), path.string());
   if (const std::vector<CsvRow> rows = rows_of_words(text); !rows.empty())
     return parse_label_table(rows, path.string());
   std::vector<std::string> names;

@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <map>
+#include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/text.h"
 #include "shapegauge/core/io/file_bytes.h"
 #include "shapegauge/core/io/shape_file.h"
 #include "shapegauge/datasets/files/classification.h"
@@ -23,14 +26,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Position of a column by its name in the first row.
-std::size_t column(const CsvRow& header, const std::string& name, const std::string& source) {
-  const auto found = std::ranges::find(header.cells, name);
-  if (found == header.cells.end()) {
+/// Positions of the columns of a table of models.
+struct ModelColumns {
+  std::size_t id = 0;
+  std::size_t path = 0;
+  std::size_t name = 0;  ///< of the class
+};
+
+ModelColumns model_columns(const CsvRow& header, const std::string& source) {
+  static constexpr std::array<std::string_view, 3> ids{"id", "name", "model"};
+  static constexpr std::array<std::string_view, 3> paths{"path", "file", "filename"};
+  const auto column = [&](std::span<const std::string_view> names) {
+    if (const std::optional<std::size_t> found = find_column(header, names)) return *found;
     throw InputError(fmt::format("{}:{}: the first row must name the columns id, path and class; there is no \"{}\"",
-                                 source, header.line, name));
-  }
-  return static_cast<std::size_t>(found - header.cells.begin());
+                                 source, header.line, names.front()));
+  };
+  return {.id = column(ids), .path = column(paths), .name = column(class_column_names)};
 }
 
 const std::string& cell(const CsvRow& row, std::size_t position, const std::string& name, const std::string& source) {
@@ -46,28 +57,23 @@ int label_of(const std::string& name, Dataset& dataset) {
   return label;
 }
 
-/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row; paths are
-/// relative to the root. Further columns are allowed. Throws InputError with the line: a table that is absent, empty or
-/// lacks a column, a row of another length, an empty cell, an id that occurs twice.
+/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row in any case,
+/// with commas, semicolons or tabs; paths are relative to the root. Further columns are allowed. Throws InputError with
+/// the line: a table that is absent, empty or lacks a column, a row of another length, an empty cell, an id that occurs
+/// twice.
 Dataset find_csv_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
-  const std::vector<CsvRow> rows = parse_csv(read_file_bytes(location.classification), source);
+  const std::vector<CsvRow> rows = parse_word_table(read_file_bytes(location.classification), source);
   if (rows.size() < 2) throw InputError(fmt::format("{}: no models; expected rows id,path,class", source));
-  const std::size_t id = column(rows[0], "id", source);
-  const std::size_t path = column(rows[0], "path", source);
-  const std::size_t name = column(rows[0], "class", source);
+  const ModelColumns columns = model_columns(rows[0], source);
 
   Dataset dataset;
   std::map<std::string, std::size_t> lines;
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const CsvRow& row = rows[i];
-    if (row.cells.size() != rows[0].cells.size()) {
-      throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
-                                   rows[0].cells.size()));
-    }
-    Model model{.id = cell(row, id, "id", source),
-                .file = location.root / cell(row, path, "path", source),
-                .label = label_of(cell(row, name, "class", source), dataset)};
+    Model model{.id = cell(row, columns.id, "id", source),
+                .file = location.root / cell(row, columns.path, "path", source),
+                .label = label_of(cell(row, columns.name, "class", source), dataset)};
     const auto [earlier, added] = lines.emplace(model.id, row.line);
     if (!added) {
       throw InputError(
@@ -215,10 +221,15 @@ Dataset find_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
+bool is_model_table(const fs::path& path) {
+  const std::string extension = lower_case(path.extension().string());
+  return extension == ".csv" || extension == ".tsv";
+}
+
 DatasetLocation recognise_dataset(const fs::path& root, const fs::path& classification) {
   require_folder(root);
   if (!classification.empty()) {
-    const bool table = classification.extension() == ".csv";
+    const bool table = is_model_table(classification);
     const std::string layout = table ? "csv" : looks_like_psb(root) ? "psb" : "shrec11";
     return {.layout = layout, .root = root, .classification = classification};
   }

@@ -28,6 +28,9 @@ Registry<DatasetLayout>& dataset_layouts();
 /// The data set at the location. Throws InputError: a folder or a classification that is absent or wrong, no models.
 Dataset find_dataset(const DatasetLocation& location);
 
+/// Whether the file is named like a table of the layout "csv": .csv or .tsv, in any case.
+bool is_model_table(const std::filesystem::path& path);
+
 /// The location in a folder whose layout is told by what is there: the first layout that recognises it, else folders. A
 /// classification that is named is a table (csv) or, unless the folder is one of psb, that of shrec11. Throws
 /// InputError where the folder is absent.

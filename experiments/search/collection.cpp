@@ -92,7 +92,7 @@ Collection files_named_by(const fs::path& path) {
   if (extension == ".cla") {
     return files_of_dataset({.layout = "shrec11", .root = folder, .classification = path});
   }
-  if (extension == ".csv") return files_of_dataset({.layout = "csv", .root = folder, .classification = path});
+  if (is_model_table(path)) return files_of_dataset({.layout = "csv", .root = folder, .classification = path});
   if (extension == ".json") return files_of_dataset(location_in(path));
   throw InputError(fmt::format(
       "{} is not a collection; the last argument must be a folder, a list of files (.txt), or a data set (.cla, .csv, "

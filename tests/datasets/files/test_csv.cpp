@@ -65,6 +65,23 @@ TEST(Csv, RowsKnowTheirLinesAndEmptyLinesDoNotCount) {
   EXPECT_THAT(test::input_error_of([] { parse_csv("a\n\"b", "f"); }), HasSubstr("f:2: "));
 }
 
+TEST(Csv, TablesOfWordsHaveTheSeparatorOfTheirFirstLine) {
+  for (const char* text : {"id,x\na,1\n", "id;x\na;1\n", "id\tx\na\t1\n"}) {
+    const auto rows = parse_word_table(text, "f");
+    ASSERT_EQ(rows.size(), 2U) << text;
+    EXPECT_THAT(rows[1].cells, ElementsAre("a", "1")) << text;
+  }
+  EXPECT_THAT(parse_word_table("id\na\n", "f")[1].cells, ElementsAre("a"));
+  EXPECT_THAT(test::input_error_of([] { parse_word_table("id;x\na,1;2\nb\n", "f"); }),
+              HasSubstr("f:3: 1 cells where the first row has 2"));
+}
+
+TEST(Csv, ColumnsAreFoundInAnyCase) {
+  const CsvRow header{.cells = {"x", "LABEL", "Class"}, .line = 1};
+  EXPECT_EQ(find_column(header, class_column_names), 1U);
+  EXPECT_EQ(find_column(header, std::array<std::string_view, 1>{"id"}), std::nullopt);
+}
+
 RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));

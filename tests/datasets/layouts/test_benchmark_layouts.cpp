@@ -108,6 +108,8 @@ TEST_F(BenchmarkLayouts, ShapeNetsTableNamesSplitsAndSynsets) {
       "000003,02691156,y,c,test\n");
   EXPECT_THAT(recognised(), ElementsAre("shapenet", "000001:04090263", "000002:04090263", "000003:02691156"));
   EXPECT_THAT(recognised("test"), ElementsAre("shapenet", "000002:04090263", "000003:02691156"));
+  add("all.csv", "ID;SynsetID;Split\n000003;02691156;test\n");
+  EXPECT_THAT(recognised(), ElementsAre("shapenet", "000003:02691156"));
   add("all.csv", "id,synsetId,split\n000001,1\n");
   EXPECT_THAT(error("shapenet"), HasSubstr(":2:"));
   add("all.csv", "id,class\n000001,1\n");

@@ -144,12 +144,23 @@ TEST_F(Layouts, CsvTakesTheTable) {
   EXPECT_EQ(dataset.models[0].file, root() / "sub/x.off");
 }
 
+TEST_F(Layouts, CsvColumnsMayBeOfAnyCaseAndSeparator) {
+  for (const char* text : {"ID;Path;Class\nm10;sub/x.off;red\nm2;\"sub/x.off\";blue, light\n",
+                           "CLASS\tid\tPATH\nred\tm10\tsub/x.off\nblue, light\tm2\tsub/x.off\n",
+                           "\xEF\xBB\xBFName,File,Label\r\nm10,sub/x.off,red\r\nm2,sub/x.off,\"blue, light\"\r\n"}) {
+    write("models.csv", text);
+    const Dataset dataset = find("csv");
+    EXPECT_THAT(ids(dataset), ElementsAre("m2:blue, light", "m10:red")) << text;
+    EXPECT_EQ(dataset.models[0].file, root() / "sub/x.off") << text;
+  }
+}
+
 TEST_F(Layouts, CsvErrorsNameTheLine) {
   write("models.csv", "");
   EXPECT_THAT(error("csv"), HasSubstr("models.csv"));
   write("models.csv", "id,path,class\n");
   EXPECT_THAT(error("csv"), HasSubstr("no models"));
-  write("models.csv", "id,file,class\n1,x,a\n");
+  write("models.csv", "id,place,class\n1,x,a\n");
   EXPECT_THAT(error("csv"),
               HasSubstr("models.csv:1: the first row must name the columns id, path and class; there is no \"path\""));
   write("models.csv", "id,path,class\n1,x\n");
@@ -168,6 +179,7 @@ TEST_F(Layouts, AreRecognised) {
   write("test.cla");
   EXPECT_EQ(recognise_dataset(root()).layout, "shrec11");
   EXPECT_EQ(recognise_dataset(root(), "other.csv").layout, "csv");
+  EXPECT_EQ(recognise_dataset(root(), "OTHER.TSV").layout, "csv");
   EXPECT_EQ(recognise_dataset(root(), "other.cla").classification, "other.cla");
 }
 
