@@ -72,6 +72,7 @@ int show_dataset(const LookArguments& arguments) {
   const std::string flaw = failures.empty() ? "" : fmt::format(", {} of them unusable", failures.size());
   print_output("layout {}: {} models in {} classes{}\n\n{}", location.layout, dataset.models.size(), table.rows.size(),
                flaw, to_plain_text(table));
+  if (const std::string skipped = skipped_text(dataset.skipped); !skipped.empty()) print_output("\n{}\n", skipped);
   for (const ModelFailure& failure : failures) {
     warn(fmt::format("model {}: {}", dataset.models[failure.model].id, failure.message));
   }

@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 /// What is to be run: a configuration, or a recorded run.
 struct RunSource {
   fs::path configuration;
-  std::vector<std::string> overrides;  ///< of the configuration, see apply_override
+  std::vector<std::string> overrides;  ///< of the configuration, see apply_overrides
   fs::path replay;                     ///< the manifest of the run to repeat, instead of a configuration
   fs::path dataset_root;               ///< with replay: where the data set is here; empty: where it was then
 };
@@ -68,8 +68,8 @@ RequestedRun requested_run(const RunSource& source) {
     RequestedRun request;
     request.recorded = read_manifest(source.replay);
     request.document = recorded_configuration(request.recorded, source.dataset_root);
-    for (const std::string& assignment : source.overrides) apply_override(request.document, assignment);
     request.source = source.replay.string() + ": configuration";
+    apply_overrides(request.document, request.source, request.folder, source.overrides);
     return request;
   }
   if (source.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
@@ -284,7 +284,8 @@ void add_run_command(CLI::App& app, int& status) {
   command
       ->add_option(
           "--set", arguments->source.overrides,
-          "Change a value of the configuration: dotted.key=value, where signatures[Sum] is the one of that name")
+          "Change a value of the configuration: dotted.key=value, where signatures[Sum] is the one of that name; paths "
+          "in it are relative to the working directory")
       ->allow_extra_args(false);
   command->add_option("--plot", arguments->plot, "Chart of the precision-recall curves: .svg, .pdf or .png");
   command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");

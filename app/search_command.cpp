@@ -189,6 +189,7 @@ class SearchRun {
     const std::size_t all = contents.models.size() + contents.failures.size();
     if (update_.rebuilt) {
       note(fmt::format("{} of {} shapes are described in {}", contents.models.size(), all, index_.file.string()));
+      if (const std::string skipped = skipped_text(index_.collection.skipped); !skipped.empty()) note(skipped);
     } else if (!contents.failures.empty()) {
       note(fmt::format(
           "{} of {} shapes of the collection cannot be described and are left out; --format json names them",

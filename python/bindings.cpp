@@ -476,7 +476,7 @@ FinishedRun run_configuration(const std::string& document, const std::string& so
   const RunControl control = interruptible_control(threads, cancellation, progress);
   run_interruptibly(cancellation, [&] {
     Json configuration = document.empty() ? read_json(source) : parse_json(document, source);
-    for (const std::string& assignment : overrides) apply_override(configuration, assignment);
+    apply_overrides(configuration, source, folder, overrides);
     const Experiment experiment = read_experiment(configuration, source, folder);
     Cache cache(cache_folder.value_or(default_cache_folder()), false);
     RunOutcome outcome = run_into_folder(experiment, output, replace, control, cache, *single_process());

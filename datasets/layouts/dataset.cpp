@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -43,9 +45,51 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, ignored);
 }
 
+bool is_readable_folder(const fs::path& path) {
+  std::error_code failure;
+  const fs::directory_iterator entries(path, failure);
+  return !failure;
+}
+
 bool leads_nowhere(const fs::path& path) {
   std::error_code ignored;
   return fs::is_symlink(path, ignored) && !fs::exists(path, ignored);
+}
+
+std::string skipped_text(const SkippedEntries& skipped) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::size_t count, std::string_view one, std::string_view several) {
+    if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
+  };
+  add(skipped.files, "file that is no shape", "files that are no shapes");
+  add(skipped.shapes, "shape outside of the layout", "shapes outside of the layout");
+  add(skipped.folders, "folder", "folders");
+  return parts.empty() ? "" : fmt::format("skipped: {}", fmt::join(parts, ", "));
+}
+
+SkippedEntries skipped_entries(const fs::path& root, const std::vector<Model>& models) {
+  std::set<fs::path> files;
+  std::set<fs::path> holders{root};
+  for (const Model& model : models) {
+    files.insert(model.file);
+    for (fs::path folder = model.file.parent_path(); holders.insert(folder).second;) folder = folder.parent_path();
+  }
+  SkippedEntries skipped;
+  std::vector<fs::path> waiting{root};
+  while (!waiting.empty()) {
+    const fs::path folder = waiting.back();
+    waiting.pop_back();
+    for (const fs::path& entry : entries(folder, [&](const fs::path& path) { return !files.contains(path); })) {
+      if (!is_folder(entry)) {
+        ++(is_model_file(entry) ? skipped.shapes : skipped.files);
+      } else if (holders.contains(entry)) {
+        waiting.push_back(entry);
+      } else {
+        ++skipped.folders;
+      }
+    }
+  }
+  return skipped;
 }
 
 std::vector<fs::path> model_files(const fs::path& folder) { return entries(folder, is_model_file); }

@@ -85,21 +85,15 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
-bool is_readable(const fs::path& folder) {
-  std::error_code failure;
-  const fs::directory_iterator entries(folder, failure);
-  return !failure;
-}
-
 /// The models in the folder or, where it cannot be read, the folder itself as a model that fails.
 std::vector<fs::path> models_or_itself(const fs::path& folder) {
-  return is_readable(folder) ? model_files(folder) : std::vector{folder};
+  return is_readable_folder(folder) ? model_files(folder) : std::vector{folder};
 }
 
 /// The files of a class: those of the split, and with "all" also those right in the class's folder.
 std::vector<fs::path> class_files(const fs::path& folder, const std::string& split) {
   std::vector<fs::path> files;
-  if (split == "all" || !is_readable(folder)) files = models_or_itself(folder);
+  if (split == "all" || !is_readable_folder(folder)) files = models_or_itself(folder);
   for (const char* part : {"test", "train"}) {
     const bool there = is_folder(folder / part) || leads_nowhere(folder / part);
     if (!there || (split != "all" && split != part)) continue;
@@ -213,10 +207,18 @@ Registry<DatasetLayout>& dataset_layouts() {
 
 Dataset find_dataset(const DatasetLocation& location) {
   require_folder(location.root);
-  Dataset dataset = dataset_layouts().at(location.layout).find(location);
+  const DatasetLayout& layout = dataset_layouts().at(location.layout);
+  Dataset dataset = layout.find(location);
   if (dataset.models.empty()) {
     throw InputError(fmt::format("{}: no models ({}) in the layout \"{}\"", location.root.string(),
                                  fmt::join(unambiguous_shape_extensions(), ", "), location.layout));
+  }
+  if (!layout.has_classification) {
+    // The models of other splits are no news.
+    DatasetLocation whole = location;
+    whole.split = "all";
+    dataset.skipped =
+        skipped_entries(location.root, location.split == "all" ? dataset.models : layout.find(whole).models);
   }
   return dataset;
 }

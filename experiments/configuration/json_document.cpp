@@ -73,6 +73,11 @@ std::string value_of_variable(const std::string& name) {
   throw InputError(fmt::format("--set {}: {}", printable(assignment, 100), message));
 }
 
+/// Key of an object, or index of an array.
+std::string key_in(const nlohmann::json& parent, const nlohmann::json& element, std::string_view key) {
+  return parent.is_array() ? std::to_string(&element - &parent.front()) : std::string(key);
+}
+
 nlohmann::json& element(nlohmann::json& array, std::string_view index, std::string_view assignment) {
   std::size_t position = 0;
   const auto [end, failure] = std::from_chars(index.data(), index.data() + index.size(), position);
@@ -210,7 +215,7 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
   return (folder / expanded).lexically_normal();
 }
 
-void apply_override(nlohmann::json& document, std::string_view assignment) {
+nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment) {
   if (!is_utf8(assignment)) fail(assignment, "the bytes are not UTF-8");
   const std::size_t equals = place_of_equals(assignment);
   if (equals == std::string_view::npos || equals == 0) {
@@ -218,15 +223,20 @@ void apply_override(nlohmann::json& document, std::string_view assignment) {
   }
   constexpr auto most_keys = 100;
   nlohmann::json* target = &document;
+  nlohmann::json::json_pointer place;
   std::string_view keys = assignment.substr(0, equals);
   for (int depth = 0; !keys.empty(); ++depth) {
     if (depth >= most_keys) fail(assignment, fmt::format("more than {} keys", most_keys));
     const OverrideStep step = take_step(keys, assignment);
     const bool by_name = step.bracketed && !is_index(step.text);
-    target = by_name ? &named_element(*target, step.text, assignment) : &child(*target, step.text, assignment);
+    nlohmann::json& next =
+        by_name ? named_element(*target, step.text, assignment) : child(*target, step.text, assignment);
+    place /= key_in(*target, next, step.text);
+    target = &next;
   }
   const std::string_view value = assignment.substr(equals + 1);
   *target = parse_if_json(value, "--set " + printable(assignment, 100)).value_or(nlohmann::json(value));
+  return place;
 }
 
 }  // namespace shapegauge

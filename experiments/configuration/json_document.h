@@ -54,7 +54,7 @@ std::filesystem::path path_value(const nlohmann::json& object, const std::string
 /// quotation marks may be left out). The value is JSON where it parses as JSON, else a string. Objects that are absent
 /// on the way are made. Throws InputError for an assignment without key or `=`, an index beyond the array, a name that
 /// no element has, a key that leads into something that is neither object nor array, bytes that are not UTF-8, or a
-/// value in JSON that parse_json would refuse.
-void apply_override(nlohmann::json& document, std::string_view assignment);
+/// value in JSON that parse_json would refuse. Returns the place of the value.
+nlohmann::json::json_pointer apply_override(nlohmann::json& document, std::string_view assignment);
 
 }  // namespace shapegauge

@@ -331,10 +331,46 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
   }
 }
 
+namespace {
+
+/// Where a document of any kind of experiment has texts that are paths relative to the configuration.
+std::vector<Json::json_pointer> places_of_paths(const Json& document) {
+  using Place = Json::json_pointer;
+  std::vector<Place> candidates{Place("/dataset"), Place("/dataset/root")};
+  for (const auto& [list, key] : {std::pair("datasets", "root"), std::pair("shapes", "file")}) {
+    const std::size_t count = document.contains(list) && document[list].is_array() ? document[list].size() : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      candidates.push_back(Place() / list / i);
+      candidates.push_back(Place() / list / i / key);
+    }
+  }
+  std::erase_if(candidates,
+                [&](const Place& place) { return !document.contains(place) || !document[place].is_string(); });
+  return candidates;
+}
+
+bool is_at_or_below(const Json::json_pointer& place, const Json::json_pointer& above) {
+  return (place.to_string() + "/").starts_with(above.to_string() + "/");
+}
+
+}  // namespace
+
+void apply_overrides(Json& document, const std::string& source, const fs::path& folder,
+                     std::span<const std::string> overrides) {
+  read_dataset_files(document, source, folder);
+  for (const std::string& assignment : overrides) {
+    const Json::json_pointer changed = apply_override(document, assignment);
+    for (const Json::json_pointer& place : places_of_paths(document)) {
+      if (!is_at_or_below(place, changed)) continue;
+      const std::string path = expand_variables(document[place].get<std::string>());
+      document[place] = fs::absolute(path).lexically_normal().string();
+    }
+  }
+}
+
 Json read_configuration_document(const fs::path& path, std::span<const std::string> overrides) {
   Json document = read_json(path);
-  read_dataset_files(document, path.string(), path.parent_path());  // overrides change what the files say
-  for (const std::string& assignment : overrides) apply_override(document, assignment);
+  apply_overrides(document, path.string(), path.parent_path(), overrides);
   return document;
 }
 

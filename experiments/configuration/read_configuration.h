@@ -11,7 +11,7 @@
 
 namespace shapegauge {
 
-/// Reads the configuration file of a retrieval experiment, applies the overrides (see apply_override), and checks
+/// Reads the configuration file of a retrieval experiment, applies the overrides (apply_overrides()), and checks
 /// everything that can be checked without looking at the data: the schema, unique names, `concatenate` that points
 /// somewhere and not to itself, settings that contradict each other. Paths are relative to the file's folder,
 /// `${VARIABLE}` in them is expanded. Throws InputError with the file, the path to the value, what is wrong and the
@@ -21,6 +21,12 @@ Configuration read_configuration(const std::filesystem::path& path, std::span<co
 /// The document that read_configuration checks: the file's, with the overrides applied.
 nlohmann::json read_configuration_document(const std::filesystem::path& path,
                                            std::span<const std::string> overrides = {});
+
+/// Applies overrides as `--set` says them (apply_override()) to a document that was read already. Data sets that the
+/// document names by files are read first, so that overrides change what the files say. A relative path in the document
+/// begins at `folder`, one in an override at the working directory, and a "classification" at the root of its data set.
+void apply_overrides(nlohmann::json& document, const std::string& source, const std::filesystem::path& folder,
+                     std::span<const std::string> overrides);
 
 /// Whether the document is one of a comparison of shapes (comparison.h) and not of a retrieval experiment.
 bool is_comparison(const nlohmann::json& document);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "shapegauge/core/shape/shape.h"
+#include "shapegauge/datasets/layouts/dataset.h"
 #include "shapegauge/metrics/segmentation_errors.h"
 
 namespace shapegauge {
@@ -22,6 +23,7 @@ struct SegmentationBenchmark {
   std::vector<SegmentedModel> models;  ///< in natural order of their ids
   std::vector<std::string> classes;
   std::vector<std::string> without_people;  ///< ids of meshes that nobody segmented; they are not among the models
+  SkippedEntries skipped = {};
 };
 
 /// The Princeton Segmentation Benchmark as it is handed out: meshes `off/N.off` and people's segmentations

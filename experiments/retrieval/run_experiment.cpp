@@ -233,6 +233,7 @@ void run_stages(const Configuration& configuration, const RunPlaces& places, con
 
   ComputedSignatures computed = compute_signatures(dataset, configuration, control, cache, ranks);
   results.classes = dataset.classes;
+  results.skipped = dataset.skipped;
   for (const std::size_t model : computed.models) results.models.push_back(dataset.models[model]);
   for (const ModelFailure& failure : computed.failures) {
     results.failures.push_back({.model = dataset.models[failure.model], .message = failure.message});

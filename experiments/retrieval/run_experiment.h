@@ -46,6 +46,7 @@ struct ExperimentResults {
   std::vector<std::string> views;     ///< the same, for shapes that one can turn (model_view())
   std::vector<ViewedField> viewed;    ///< the fields of the views
   std::vector<FailedModel> failures;
+  SkippedEntries skipped;  ///< in the folder of the data set
   std::vector<FieldReport> fields;
   std::vector<MethodResults> methods;
   CacheReport cache;

@@ -129,6 +129,7 @@ RunOutcome write_files(const fs::path& folder, const ExperimentResults& results)
                      .warnings = run_warnings(results),
                      .used = results.models.size(),
                      .cache = results.cache};
+  if (const std::string skipped = skipped_text(results.skipped); !skipped.empty()) outcome.notes.push_back(skipped);
   for (const FailedModel& failure : results.failures) {
     outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
   }

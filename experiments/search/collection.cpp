@@ -29,24 +29,26 @@ fs::path relative_to(const fs::path& folder, const fs::path& path) {
 }
 
 Collection files_below(const fs::path& folder) {
-  Collection collection{.base = folder, .files = {}, .skipped = 0};
+  Collection collection{.base = folder, .files = {}};
   std::error_code failure;
   const auto options = fs::directory_options::follow_directory_symlink | fs::directory_options::skip_permission_denied;
   std::set<fs::path> visited{fs::canonical(folder, failure)};
   fs::recursive_directory_iterator entry(folder, options, failure);
   for (; !failure && entry != fs::recursive_directory_iterator(); entry.increment(failure)) {
     const fs::path& path = entry->path();
+    const bool hidden = path.filename().string().starts_with('.');
     if (is_folder(path)) {
       std::error_code lost;
-      const bool hidden = path.filename().string().starts_with('.');
-      if (hidden || !visited.insert(fs::canonical(path, lost)).second) entry.disable_recursion_pending();
+      const bool known = !visited.insert(fs::canonical(path, lost)).second;
+      if (hidden || known) entry.disable_recursion_pending();
+      if (!hidden && (known || !is_readable_folder(path))) ++collection.skipped.folders;
       continue;
     }
     if (is_model_file(path)) {
       const fs::path relative = path.lexically_relative(folder);
       collection.files.push_back({.id = relative.generic_string(), .path = relative});
-    } else {
-      ++collection.skipped;
+    } else if (!hidden) {
+      ++collection.skipped.files;
     }
   }
   if (failure) throw InputError(fmt::format("cannot read {}: {}", folder.string(), failure.message()));
@@ -54,7 +56,7 @@ Collection files_below(const fs::path& folder) {
 }
 
 Collection files_of_list(const fs::path& list) {
-  Collection collection{.base = list.parent_path(), .files = {}, .skipped = 0};
+  Collection collection{.base = list.parent_path(), .files = {}};
   const std::string text = read_file_bytes(list);
   for (const std::string_view line : split_lines(text)) {
     const std::string path(trim(line));
@@ -65,8 +67,10 @@ Collection files_of_list(const fs::path& list) {
 }
 
 Collection files_of_dataset(const DatasetLocation& location) {
-  Collection collection{.base = location.root, .files = {}, .skipped = 0};
-  for (const Model& model : find_dataset(location).models) {
+  Collection collection{.base = location.root, .files = {}};
+  const Dataset dataset = find_dataset(location);
+  collection.skipped = dataset.skipped;
+  for (const Model& model : dataset.models) {
     collection.files.push_back({.id = model.id, .path = relative_to(location.root, model.file)});
   }
   return collection;

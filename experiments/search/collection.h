@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include "shapegauge/datasets/layouts/dataset.h"
 
 namespace shapegauge {
 
@@ -17,7 +18,7 @@ struct CollectionFile {
 struct Collection {
   std::filesystem::path base;
   std::vector<CollectionFile> files;  ///< in natural order of their ids
-  std::size_t skipped = 0;            ///< other files that were met
+  SkippedEntries skipped = {};        ///< of a folder: what else is in it and below
 
   [[nodiscard]] std::filesystem::path file(const std::filesystem::path& path) const { return base / path; }
 };

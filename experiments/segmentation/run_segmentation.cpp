@@ -154,7 +154,8 @@ class ShapeJob {
 
 /// A data set that nobody has cut.
 SegmentationBenchmark without_people(const Dataset& dataset) {
-  SegmentationBenchmark shapes{.models = {}, .classes = dataset.classes, .without_people = {}};
+  SegmentationBenchmark shapes{
+      .models = {}, .classes = dataset.classes, .without_people = {}, .skipped = dataset.skipped};
   for (const Model& model : dataset.models) {
     shapes.models.push_back({.id = model.id, .mesh = model.file, .people = {}, .label = model.label});
   }

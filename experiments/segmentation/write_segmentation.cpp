@@ -104,20 +104,23 @@ std::vector<std::string> write_parts(const std::filesystem::path& folder, const 
   return files;
 }
 
-std::vector<std::string> notes(const SegmentationResults& results) {
+std::vector<std::string> notes_of(const SegmentationResults& results) {
+  std::vector<std::string> notes;
+  if (const std::string skipped = skipped_text(results.benchmark.skipped); !skipped.empty()) notes.push_back(skipped);
   const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons);
-  if (count == 0) return {};
-  return {
+  if (count == 0) return notes;
+  notes.push_back(
       fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a line for "
                   "each face of the file, the part with most of its area",
-                  count, results.shapes.size())};
+                  count, results.shapes.size()));
+  return notes;
 }
 
 RunOutcome write_files(const std::filesystem::path& folder, const SegmentationResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),
                      .summary = summary_text(results),
-                     .notes = notes(results),
+                     .notes = notes_of(results),
                      .left_out = results.failures,
                      .used = results.shapes.size(),
                      .noun = "shape",

@@ -56,6 +56,16 @@ TEST_F(DatasetCommand, InfoCountsWhatCannotBeUsed) {
   EXPECT_THAT(outcome.errors, HasSubstr("warning: model 2: "));
 }
 
+TEST_F(DatasetCommand, InfoCountsWhatIsSkipped) {
+  EXPECT_THAT(dataset("info").output, testing::Not(HasSubstr("skipped")));
+  std::filesystem::create_directories(at("classes/box/old"));
+  std::filesystem::copy(at("T1.off"), at("classes/box/T1.off"));
+  write_text(at("classes/box/T1.mtl"), "newmtl x");
+  const Outcome outcome = run_executable("dataset info '" + at("classes") + "'");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is no shape, 1 folder\n"));
+}
+
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {
   EXPECT_EQ(dataset("validate").output, "9 of 9 models can be used\n");
   write_text(at("T2.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");

@@ -54,6 +54,15 @@ TEST_F(SearchCommand, NamesTheNearestShapes) {
   EXPECT_TRUE(std::filesystem::exists(at("models.fast.search-index")));
 }
 
+TEST_F(SearchCommand, CountsWhatIsSkippedWhenTheCollectionIsDescribed) {
+  const std::size_t others = 1;  // test.cla
+  test::write_text(at("models/readme.txt"), "hello");
+  test::write_text(at("models/.hidden"), "hello");
+  EXPECT_THAT(search("query.off", "").errors,
+              HasSubstr("skipped: " + std::to_string(others + 1) + " files that are no shapes"));
+  EXPECT_THAT(search("query.off", "").errors, Not(HasSubstr("skipped")));
+}
+
 TEST_F(SearchCommand, AllFormatsHaveTheSameAnswer) {
   const nlohmann::json json = nlohmann::json::parse(search("models/T4.off", "-k 4 --format json").output);
   EXPECT_EQ(json["models"], 9);

@@ -125,6 +125,30 @@ TEST_F(Layouts, FoldersWithSplits) {
   EXPECT_EQ(find("folders").models.size(), 4U);
 }
 
+TEST_F(Layouts, WhatIsSkippedIsCounted) {
+  for (const char* name : {"chair/train/c1.off", "bed/b1.ply", "bed/test/b2.off"}) write(name);
+  EXPECT_EQ(skipped_text(find("folders").skipped), "");
+  for (const char* name : {"readme.txt", "bed/notes.txt", "chair/train/c1.mtl", "chair/deep/er/c4.off", "loose.off",
+                           ".git/x.off", "bed/.b1.ply"}) {
+    write(name);
+  }
+  const auto counts = [](const SkippedEntries& skipped) {
+    return std::vector{skipped.files, skipped.shapes, skipped.folders};
+  };
+  EXPECT_THAT(counts(find("folders").skipped), ElementsAre(3, 1, 1));
+  EXPECT_EQ(skipped_text(find("folders").skipped),
+            "skipped: 3 files that are no shapes, 1 shape outside of the layout, 1 folder");
+  // Each folder has to have models, and "chair" has them in "train" only: the rest belongs to the other split.
+  write("bed/train/b3.off");
+  EXPECT_THAT(counts(find("folders", "train").skipped), ElementsAre(3, 1, 1));
+}
+
+TEST_F(Layouts, AListOfModelsSkipsNothing) {
+  for (const char* name : {"T0.off", "T1.off", "readme.txt", "more/x.off"}) write(name);
+  write("test.cla", "PSB 1\n1 1\na 0 1\n0\n");
+  EXPECT_EQ(skipped_text(find("shrec11").skipped), "");
+}
+
 TEST_F(Layouts, FoldersErrors) {
   write("T1.off");
   EXPECT_THAT(error("folders"), HasSubstr("needs a folder for each class"));

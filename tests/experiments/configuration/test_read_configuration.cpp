@@ -229,6 +229,39 @@ TEST(ReadConfiguration, AppliesOverridesBeforeItChecks) {
               Eq(path.string() + ": signatures.0.histogram: unknown key \"bin\"; did you mean \"bins\"?"));
 }
 
+TEST(ReadConfiguration, PathsOfOverridesBeginAtTheWorkingDirectory) {
+  namespace fs = std::filesystem;
+  const test::TemporaryFolder folder;
+  const auto path = folder.file("x.json", experiment_document().dump());
+  const auto location = [&](const std::vector<std::string>& overrides) {
+    return read_configuration(path, overrides).location.value();
+  };
+  const fs::path here = fs::current_path();
+  EXPECT_EQ(location({}).root, folder.path() / "data");
+  EXPECT_EQ(location({"name=x"}).root, folder.path() / "data");
+  EXPECT_EQ(location({"dataset.root=data"}).root, here / "data");
+  EXPECT_EQ(location({"dataset.root=../models"}).root, here.parent_path() / "models");
+  EXPECT_EQ(location({"dataset.root=/models"}).root, "/models");
+  EXPECT_EQ(location({R"(dataset={"layout":"folders","root":"m"})"}).root, here / "m");
+  EXPECT_EQ(location({"dataset.root=m", "dataset.classification=c.cla"}).classification, here / "m/c.cla");
+  EXPECT_EQ(location({"dataset.classification=c.cla"}).classification, folder.path() / "data/c.cla");
+  setenv("SHAPEGAUGE_TEST_ROOT", "/elsewhere", 1);
+  EXPECT_EQ(location({"dataset.root=${SHAPEGAUGE_TEST_ROOT}/m"}).root, "/elsewhere/m");
+}
+
+TEST(ApplyOverrides, FindsThePathsOfEveryKind) {
+  const std::string here = std::filesystem::current_path().string();
+  auto document = nlohmann::json::parse(
+      R"({"datasets": [{"name": "a", "layout": "csv", "root": "x"}, {"name": "b", "layout": "csv", "root": "x"}],
+          "shapes": [{"name": "s", "file": "x.off"}]})");
+  const std::vector<std::string> overrides{"datasets[b].root=y", "shapes.0.file=s.off", "shapes.0.name=t"};
+  apply_overrides(document, "x.json", "/folder", overrides);
+  EXPECT_EQ(document["datasets"][0]["root"], "x");
+  EXPECT_EQ(document["datasets"][1]["root"], here + "/y");
+  EXPECT_EQ(document["shapes"][0]["file"], here + "/s.off");
+  EXPECT_EQ(document["shapes"][0]["name"], "t");
+}
+
 }  // namespace
 
 }  // namespace shapegauge
