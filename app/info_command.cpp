@@ -33,23 +33,23 @@ struct InfoArguments {
 /// The number of handles of a closed mesh, summed over its parts: parts - (V - E + F) / 2. A vertex counts once for
 /// each fan of triangles about it, so that parts that touch in a point are parts.
 long genus(const Shape& shape) {
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welded_vertices(shape.vertices));
   std::vector<std::size_t> leader(static_cast<std::size_t>(3 * shape.triangles.rows()));
   std::iota(leader.begin(), leader.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
     while (leader[i] != i) i = leader[i] = leader[leader[i]];
     return i;
   };
-  const auto corner_of = [](const EdgeUse& use, bool low) {
+  const auto corner_of = [](const HalfEdge& use, bool low) {
     const int corner = low == use.forward ? use.corner : (use.corner + 1) % 3;
     return 3 * static_cast<std::size_t>(use.triangle) + static_cast<std::size_t>(corner);
   };
   long edges = 0;
   std::set<std::int32_t> faces;
-  for_each_edge(std::span(uses), [&](std::span<const EdgeUse> sides) {
+  for_each_edge(std::span(uses), [&](std::span<const HalfEdge> sides) {
     ++edges;
     for (const bool low : {true, false}) leader[find(corner_of(sides[0], low))] = find(corner_of(sides[1], low));
-    for (const EdgeUse& side : sides) faces.insert(side.triangle);
+    for (const HalfEdge& side : sides) faces.insert(side.triangle);
   });
   std::set<std::size_t> fans;
   for (const std::int32_t face : faces) {

@@ -4,11 +4,11 @@
 
 namespace shapegauge {
 
-/// The version of this library, as in the project() command of the top CMakeLists.txt: "major.minor.patch".
+/// Returns the version of this library, as in the project() command of the top CMakeLists.txt: "major.minor.patch".
 std::string_view version();
 
-/// The git commit this library was built from, 40 hexadecimal digits, with "-dirty" appended when files under version
-/// control had been changed; "unknown" where the sources are not a git checkout.
+/// Returns the git commit that this library was built from, 40 hexadecimal digits, with "-dirty" appended if tracked
+/// files had changed; "unknown" if the sources are not a git checkout.
 std::string_view commit();
 
 }  // namespace shapegauge

@@ -26,20 +26,21 @@ std::int64_t in_units(double distance, double unit) {
   return std::llround(std::clamp(distance / unit, -most, most));
 }
 
-void add_to_sums(std::span<const double> row, Eigen::Index model, SeenRows& seen) {
+void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOverview& seen) {
   const std::int32_t cell_row = seen.places[static_cast<std::size_t>(model)] / static_cast<std::int32_t>(seen.block);
-  SeenRows::Cell* const cells = seen.sums.data() + cell_row * seen.side;
+  PartialOverview::Cell* const cells = seen.sums.data() + cell_row * seen.side;
   for (std::size_t other = 0; other < row.size(); ++other) {
     const double distance = static_cast<Eigen::Index>(other) == model ? 0 : row[other];
     if (!std::isfinite(distance)) continue;
-    SeenRows::Cell& cell = cells[seen.places[other] / seen.block];
+    PartialOverview::Cell& cell = cells[seen.places[other] / seen.block];
     cell.sum += in_units(distance, seen.unit);
     ++cell.count;
   }
 }
 
 /// The rows by the cells that they add to: those of one cell must not be added at the same time.
-std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::Index count, const SeenRows& seen) {
+std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::Index count,
+                                                    const PartialOverview& seen) {
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));
   std::iota(rows.begin(), rows.end(), Eigen::Index{0});
   const auto cell = [&](Eigen::Index row) { return seen.places[static_cast<std::size_t>(first + row)] / seen.block; };
@@ -73,8 +74,8 @@ double largest_finite(std::span<const double> row, Eigen::Index itself) {
   return largest;
 }
 
-SeenRows begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last) {
-  SeenRows seen;
+PartialOverview begin_overview(std::span<const int> labels, double largest, Eigen::Index first, Eigen::Index last) {
+  PartialOverview seen;
   const auto models = static_cast<Eigen::Index>(labels.size());
   seen.first = first;
   seen.unit = unit_for(largest);
@@ -96,7 +97,7 @@ SeenRows begin_overview(std::span<const int> labels, double largest, Eigen::Inde
   return seen;
 }
 
-void look_at(const DistanceTable& rows, Eigen::Index first, SeenRows& seen) {
+void accumulate(const DistanceTable& rows, Eigen::Index first, PartialOverview& seen) {
   const Eigen::Index kept = seen.nearest.cols();
   parallel_for(Eigen::Index{0}, rows.rows(), [&](Eigen::Index i) {
     const std::vector<Eigen::Index> nearest = first_ranked(row_of(rows, i), first + i, kept);
@@ -115,16 +116,16 @@ void look_at(const DistanceTable& rows, Eigen::Index first, SeenRows& seen) {
   });
 }
 
-DistanceOverview overview_of(std::span<const SeenRows> parts) {
-  const SeenRows& any = parts.front();
+DistanceOverview overview_of(std::span<const PartialOverview> parts) {
+  const PartialOverview& any = parts.front();
   const auto models = static_cast<Eigen::Index>(any.places.size());
   DistanceOverview overview;
   overview.block = any.block;
   overview.cells.resize(any.side, any.side);
   overview.nearest.resize(models, any.nearest.cols());
   overview.nearest_distances.resize(models, any.nearest.cols());
-  std::vector<SeenRows::Cell> sums(any.sums.size());
-  for (const SeenRows& part : parts) {
+  std::vector<PartialOverview::Cell> sums(any.sums.size());
+  for (const PartialOverview& part : parts) {
     overview.nearest.middleRows(part.first, part.nearest.rows()) = part.nearest;
     overview.nearest_distances.middleRows(part.first, part.nearest.rows()) = part.nearest_distances;
     for (std::size_t i = 0; i < sums.size(); ++i) {
@@ -150,9 +151,9 @@ DistanceOverview overview_of(std::span<const SeenRows> parts) {
 }
 
 DistanceOverview overview_of(const DistanceTable& distances, std::span<const int> labels) {
-  std::vector<SeenRows> all;
+  std::vector<PartialOverview> all;
   all.push_back(begin_overview(labels, largest_finite(row_of(distances, 0), 0), 0, distances.rows()));
-  look_at(distances, 0, all.back());
+  accumulate(distances, 0, all.back());
   return overview_of(all);
 }
 

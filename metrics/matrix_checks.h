@@ -9,36 +9,36 @@
 
 namespace shapegauge {
 
-/// What is odd about a matrix of distances. None of it keeps scores from being computed; each may mean that the matrix
-/// is not what it is taken for.
+/// Anomalies of a distance matrix. None prevents scores from being computed; each may indicate that the matrix is not
+/// what it is assumed to be.
 struct MatrixFindings {
   Eigen::Index infinite = 0;          ///< entries off the diagonal
   Eigen::Index negative = 0;          ///< entries off the diagonal
-  Eigen::Index asymmetric_pairs = 0;  ///< entries (i, j) and (j, i) that are not equal; i < j
-  double largest_asymmetry = 0;       ///< |(i, j) - (j, i)|, infinite ones left out
+  Eigen::Index asymmetric_pairs = 0;  ///< pairs i < j with different entries (i, j) and (j, i)
+  double largest_asymmetry = 0;       ///< maximum finite |(i, j) - (j, i)|
   Eigen::Index nonzero_diagonal = 0;
-  /// Rows in which the diagonal holds the largest entry and not the smallest as well: in a matrix of distances none.
+  /// Rows whose diagonal entry is the largest and not also the smallest; none in a matrix of distances.
   Eigen::Index rows_nearest_to_others = 0;
   std::vector<std::pair<Eigen::Index, Eigen::Index>>
-      equal_rows;                           ///< each row that repeats an earlier one, and that one
-  std::vector<Eigen::Index> constant_rows;  ///< all entries off the diagonal are equal
+      equal_rows;                           ///< rows that repeat an earlier one, each with that one
+  std::vector<Eigen::Index> constant_rows;  ///< rows whose entries off the diagonal are all equal
 };
 
-/// Looks for what is odd about a matrix that comes a few rows at a time. In parallel; the same findings for any number
-/// of threads and however many rows come at a time.
+/// Detects anomalies of a matrix streamed in blocks of rows. Parallel; the findings depend neither on the number of
+/// threads nor on the size of blocks.
 class MatrixChecks {
  public:
-  /// `square`: row i and column i are the same model, so that there is a diagonal.
+  /// `square`: row i and column i are the same model, that is, the matrix has a diagonal.
   explicit MatrixChecks(bool square) : square_(square) {}
 
   /// Adds the next rows.
   void add(const DistanceTable& rows);
 
-  /// Looks for asymmetry: `rows` are the matrix's rows from `first` on, `mirrored` as many of its columns from `first`
-  /// on, without the rows before `first`. To be called once for every row of a square matrix.
+  /// Detects asymmetry. `rows` are rows of the matrix from `first` on; `mirrored` are as many of its columns from
+  /// `first` on, without the rows before `first`. Call once for every row of a square matrix.
   void compare(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored);
 
-  /// Of all rows so far. Rows count as equal if their 128-bit hashes are.
+  /// Returns the findings of all rows so far. Rows are compared by 128-bit hashes.
   [[nodiscard]] MatrixFindings findings() const;
 
  private:

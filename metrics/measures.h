@@ -12,11 +12,11 @@
 
 namespace shapegauge {
 
-/// A measure: what it is called, what it means, and how it judges the answer to one query: by a number from 0 to 1,
-/// larger is better, for every list with at least one relevant model. Exactly one of the two functions is there.
+/// Measure of the ranked answer to one query: a number from 0 to 1, larger being better, for every list with at least
+/// one relevant model. Exactly one of the two functions is set.
 struct MeasureDefinition {
-  std::string name;          ///< in tables and options; it ends in "@k" where there is a number of ranks to choose
-  std::string title{};       ///< spelled out
+  std::string name;          ///< in tables and options; ends in "@k" if it has a cutoff
+  std::string title{};       ///< full name
   std::string definition{};  ///< h(i) is 1 where rank i is a hit, R the number of relevant models
   std::string source{};
   std::string caveat{};
@@ -24,11 +24,11 @@ struct MeasureDefinition {
   double (*value_at)(const RankedList&, std::size_t k) = nullptr;
 };
 
-/// All measures: those of the library (measures.cpp), then those that were added. An entry has the one function that
-/// its name asks for, and no blank, comma or @ in its name other than that of "@k".
+/// Returns the registry of measures: those of the library (measures.cpp), followed by those added. An entry must have
+/// the function that its name implies, and no blank, comma or @ in its name other than that of "@k".
 Registry<MeasureDefinition>& measure_definitions();
 
-/// A measure as tables show it, with its number of ranks where it has one: "FT", "P@10".
+/// Measure as shown in tables, with its cutoff if any: "FT", "P@10".
 struct Measure {
   std::string name;
   const MeasureDefinition* definition = nullptr;
@@ -39,18 +39,18 @@ struct Measure {
   }
 };
 
-/// The measure of that name, "FT" or "P@10"; AP is another name of mAP. Throws ArgumentError with the known
-/// names where there is none, and for a number of ranks that is not from 1 to 1000000000.
+/// Returns the measure of that name, "FT" or "P@10"; AP is an alias of mAP. Throws ArgumentError for an unknown name,
+/// with the known names, and for a cutoff that is not from 1 to 1000000000.
 Measure measure_of(std::string_view name);
 
-/// The measures of those names. Throws ArgumentError as measure_of, and where one is named twice.
+/// Returns the measures of those names. Throws ArgumentError as measure_of() does, and for a repeated name.
 std::vector<Measure> measures_of(std::span<const std::string> names);
 
-/// The measures that a protocol is usually reported with, in the order of the tables' columns. psb, paper: NN, FT, ST,
-/// E, DCG, mAP. trec: mAP, P@10, R@10, MRR, nDCG, R-prec.
+/// Returns the default measures of a protocol, in the order of the tables' columns. psb, paper: NN, FT, ST, E, DCG,
+/// mAP. trec: mAP, P@10, R@10, MRR, nDCG, R-prec.
 std::vector<Measure> default_measures(Protocol protocol);
 
-/// The measures of several protocols, each once, for tables that all of them share.
+/// Returns the union of the default measures of several protocols, for shared tables.
 std::vector<Measure> default_measures(std::span<const Protocol> protocols);
 
 }  // namespace shapegauge

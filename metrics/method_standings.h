@@ -11,7 +11,7 @@
 
 namespace shapegauge {
 
-/// Settings of standings.
+/// Options of standings.
 struct StandingOptions {
   Blocks blocks = Blocks::classes;
   Average average = Average::micro;
@@ -19,26 +19,25 @@ struct StandingOptions {
   ResamplingOptions resampling{};
 };
 
-/// The standing of a method among others under one measure.
+/// Standing of a method among others by one measure.
 struct MethodStanding {
   double average = 0;
-  std::optional<ConfidenceInterval> interval{};  ///< of the average; nothing with fewer than two units
+  std::optional<ConfidenceInterval> interval{};  ///< of the average; absent with fewer than two units
   std::size_t rank = 1;                          ///< 1 + the number of methods with a larger average
-  /// The ranks that the tests leave possible: 1 + the number of methods that are significantly better, to the number of
-  /// methods less those that are significantly worse. Mogstad, Romano, Shaikh, Wilhelm, "Inference for ranks with
-  /// applications to mobility across neighbourhoods and academic achievement across countries", Review of Economic
-  /// Studies 91, 2024.
+  /// Confidence interval of the rank: from 1 + the number of significantly better methods to the number of methods
+  /// minus the significantly worse ones. Mogstad, Romano, Shaikh, Wilhelm, "Inference for ranks with applications to
+  /// mobility across neighbourhoods and academic achievement across countries", Review of Economic Studies 91, 2024.
   /// @{
   std::size_t best_rank = 1;
   std::size_t worst_rank = 1;
   /// @}
-  std::string letters;  ///< compact_letters(): methods that share one do not differ significantly
+  std::string letters;  ///< compact_letters(): methods that share a letter do not differ significantly
 };
 
 /// Computes the standings of one or more methods by their values on the same queries: per_query is queries x methods,
-/// classes[i] the class of query i. Two methods differ significantly where the p-value of tukey_hsd_p_values() is at
-/// most 1 - confidence; with fewer than two units no two do. The same for any number of threads. Throws ArgumentError:
-/// no methods, no queries, a value that is not finite.
+/// classes[i] the class of query i. Two methods differ significantly if the p-value of tukey_hsd_p_values() is at most
+/// 1 - confidence; with fewer than two units no two do. The same for any number of threads. Throws ArgumentError
+/// without methods or queries, and for a value that is not finite.
 std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::span<const int> classes,
                                          const StandingOptions& options = {});
 

@@ -10,36 +10,36 @@ namespace shapegauge {
 
 /// Distances, row-major: entry (i, j) is the distance from query i to model j.
 using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// A matrix of distances that is someone else's.
+/// Non-owning view of a distance matrix.
 using DistanceTable = Eigen::Ref<const DistanceMatrix>;
 
-/// The class of a row that is no query, or of a column that is not to be found.
+/// Class of a row that is not a query, or of a column that is not a target.
 inline constexpr int no_class = std::numeric_limits<int>::min();
 
-/// What the rows and columns of a distance matrix mean: which rows are queries, which columns are the models to be
-/// found (the targets), and which of them are relevant to which query.
+/// Interpretation of a distance matrix: which rows are queries, which columns are the models to be retrieved (the
+/// targets), and which targets are relevant to which query.
 struct RetrievalTask {
-  std::vector<int> query_classes;   ///< by row; no_class: the row is no query
-  std::vector<int> target_classes;  ///< by column; no_class: the column is no target
-  /// By row the column that is the query itself, which is never part of its own answer; -1: none.
+  std::vector<int> query_classes;   ///< by row; no_class if the row is not a query
+  std::vector<int> target_classes;  ///< by column; no_class if the column is not a target
+  /// By row: the column of the query itself, which is excluded from its answer; -1 if there is none.
   std::vector<Eigen::Index> own_column;
-  /// By row the columns that are relevant, ascending. Empty: the targets of the query's class are.
+  /// By row: the relevant columns, ascending. If empty, the targets of the query's class are relevant.
   std::vector<std::vector<Eigen::Index>> judged;
-  /// By row the grades, above 0, of the judged columns. Empty: all are 1. Only measures that say so look at them.
+  /// By row: positive grades of the relevant columns. All 1 if empty. Only used by graded measures.
   std::vector<std::vector<int>> grades;
-  /// By row the columns that are judged and not relevant, ascending. Empty: all that are not relevant.
+  /// By row: the columns judged as not relevant, ascending. If empty, all that are not relevant.
   std::vector<std::vector<Eigen::Index>> judged_irrelevant;
-  /// A distance that is NaN says that the query's answer does not have the model at all (a list that was cut off).
+  /// A NaN distance means that the model is missing from the query's answer, because the list was truncated.
   bool lists_may_end_early = false;
 };
 
-/// Every model is a query to all others. labels[i] is the class of model i.
+/// Makes a task with every model as a query to all others. labels[i] is the class of model i.
 RetrievalTask leave_one_out(std::span<const int> labels);
 
-/// Whether the target in the column is relevant to the query in the row.
+/// Returns true if the target in the column is relevant to the query in the row.
 bool is_relevant(const RetrievalTask& task, Eigen::Index row, Eigen::Index column);
 
-/// By row the number of relevant targets, the query itself left out; 0 for rows that are no queries.
+/// Returns, by row, the number of relevant targets without the query itself; 0 for rows that are not queries.
 std::vector<std::size_t> relevant_counts(const RetrievalTask& task);
 
 }  // namespace shapegauge

@@ -86,10 +86,10 @@ struct Tiles {
 DistanceMatrix tile_distances(const NamedDistance& distance, const SignatureBlock& some, const Stretch& rows,
                               const SignatureBlock& others, const Stretch& columns) {
   DistanceMatrix tile(rows.size(), columns.size());
-  if (distance.of_several != nullptr) {
-    distance.of_several(numbers_of(some, rows), numbers_of(others, columns),
-                        static_cast<std::size_t>(some.signatures.cols()),
-                        {tile.data(), static_cast<std::size_t>(tile.size())});
+  if (distance.batch != nullptr) {
+    distance.batch(numbers_of(some, rows), numbers_of(others, columns),
+                   static_cast<std::size_t>(some.signatures.cols()),
+                   {tile.data(), static_cast<std::size_t>(tile.size())});
     return tile;
   }
   for (Eigen::Index i = rows.first; i < rows.last; ++i) {

@@ -8,36 +8,35 @@
 
 namespace shapegauge {
 
-/// Part of cache keys. To be raised with every change of a distance that changes a value.
+/// Cache version of distances; see docs/manual/cache.md.
 inline constexpr int distances_version = 2;
 
 /// Signatures, one shape a row.
 using Signatures = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Distances between all pairs, symmetric with zero diagonal.
+/// Pairwise distances: a symmetric matrix with zero diagonal.
 using DistanceMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// All pairwise distances of the signatures by the named distance, in parallel, the same bytes for any number of
-/// threads. Throws ArgumentError for a name that is not in distances(), and for a signature with an entry
-/// that is not finite, or for which the distance is not defined (DistanceDomain).
+/// Computes all pairwise distances of signatures by the named distance. Parallel, with the same bytes for any number of
+/// threads. Throws ArgumentError for a name that is not in distances(), for an entry that is not finite, and for a
+/// signature outside the distance's domain (DistanceDomain).
 DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& distance = "l1");
 
-/// Signatures that follow each other in a larger set, of which the first has the index `first`.
+/// Consecutive signatures of a larger set, with the index of the first.
 struct SignatureBlock {
   Eigen::Ref<const Signatures> signatures;
   Eigen::Index first = 0;
 };
 
-/// Throws ArgumentError for a signature with an entry that is not finite, or for which the distance is not
-/// defined.
+/// Throws ArgumentError for a signature with an entry that is not finite, or outside the distance's domain.
 void check_signatures(const SignatureBlock& block, const NamedDistance& distance);
 
-/// A part of a distance matrix: the distances from each of `some` to each of `others`, the same bits as in the whole.
-/// In parallel. The signatures must have passed check_signatures().
+/// Computes a block of a distance matrix: the distances from each of `some` to each of `others`, equal to those of the
+/// whole matrix to the bit. Parallel. The signatures must have passed check_signatures().
 DistanceMatrix distances_between(const NamedDistance& distance, const SignatureBlock& some,
                                  const SignatureBlock& others);
 
-/// Streaming version of distance_matrix(): its rows from `first` on, `count` of them, the same to the bit. In parallel.
-/// Throws ArgumentError as check_signatures() does, and where there are no such rows.
+/// Streaming version of distance_matrix(): computes `count` rows from `first` on, equal to the bit. Parallel. Throws
+/// ArgumentError as check_signatures() does, and for rows out of range.
 DistanceMatrix distance_rows(const Signatures& signatures, Eigen::Index first, Eigen::Index count,
                              const NamedDistance& distance);
 

@@ -9,30 +9,31 @@
 
 namespace shapegauge {
 
-/// A distance between two signatures of equal length. It must be symmetric, and zero between equal signatures: a
-/// distance matrix asks for only one of (a, b) and (b, a), and never for (a, a).
+/// Distance between two signatures of equal length. It must be symmetric and zero between equal signatures: distance
+/// matrices evaluate only one of (a, b) and (b, a), and never (a, a).
 using DistanceFunction = double (*)(std::span<const float> a, std::span<const float> b);
 
-/// The same distances to the bit, from each signature of `some` to each of `others`, row by row. Signatures have `size`
-/// entries and follow each other in memory. (a, b) and (b, a) must come out the same to the bit.
-using DistancesFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
-                                   std::span<double> distances);
+/// Batch version of a distance, equal to the bit: from each signature of `some` to each of `others`, row by row.
+/// Signatures have `size` entries and are contiguous. (a, b) and (b, a) must give the same bits.
+using BatchDistanceFunction = void (*)(std::span<const float> some, std::span<const float> others, std::size_t size,
+                                       std::span<double> distances);
 
-/// The signatures for which a distance is defined. histograms: not negative and not all zero.
+/// Signatures for which a distance is defined. `histograms`: non-negative and not all zero.
 enum class DistanceDomain { any, not_zero, not_negative, histograms };
 
-/// The Euclidean distance, for descriptors that are always compared by it.
+/// Computes the Euclidean distance, for descriptors that always use it.
 double l2_distance(std::span<const float> a, std::span<const float> b);
 
-/// A distance by its name.
+/// Distance with its name and domain.
 struct NamedDistance {
   std::string name;
   DistanceFunction function = nullptr;
   DistanceDomain domain = DistanceDomain::any;
-  DistancesFunction of_several = nullptr;  ///< a faster way than one by one, if there is one
+  BatchDistanceFunction batch = nullptr;  ///< faster batch version; may be null
 };
 
-/// All distances: those of the library (distances.cpp), then those that were added. An entry has a function.
+/// Returns the registry of distances: those of the library (distances.cpp), followed by those added. An entry must have
+/// a function.
 Registry<NamedDistance>& distances();
 
 }  // namespace shapegauge

@@ -9,69 +9,71 @@
 
 namespace shapegauge {
 
-/// What a distance matrix is divided by before it is added to others.
+/// Normalisation of a distance matrix before it is added to others.
 enum class DistanceScale {
   none,
-  median,  ///< over the distances between different models
-  mean,    ///< the same
-  /// Each distance by sqrt(s_i s_j), s_i being the mean distance of i to its ten nearest (Zelnik-Manor and Perona
-  /// 2004). Models at distance 0 are doubles and do not count among the ten. s is at least a hundredth of its median,
-  /// so that a group of almost equal models does not outweigh the other matrices.
+  median,  ///< median over pairs of different models
+  mean,    ///< mean over pairs of different models
+  /// Local scaling: divides each distance by sqrt(s_i s_j), where s_i is the mean distance of i to its ten nearest
+  /// (Zelnik-Manor and Perona 2004). Models at distance 0 are duplicates and not among the ten. s is at least a
+  /// hundredth of its median, which limits the effect of groups of almost equal models.
   local,
 };
 
-/// The sum of distance matrices of the same models, each divided by its scale and multiplied by its weight. A distance
-/// that is infinite in a matrix of positive weight is infinite in the sum; scales are over the finite ones. Sums of
-/// finite distances are finite: too large ones become the largest number. Throws ArgumentError where there are
-/// no matrices, they differ in size or are not square, weights are not as many, a weight is negative or not finite, a
-/// distance is negative or not a number, all weights are 0, or a median or mean is 0.
+/// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a
+/// matrix of positive weight is infinite in the sum; scales use the finite distances. Sums of finite distances are
+/// finite, limited to the largest number.
+///
+/// Throws ArgumentError if there are no matrices, they differ in size or are not square; for a wrong number of weights;
+/// if a weight or distance is negative or not a number, a weight is infinite, or all weights are 0; and if a median or
+/// mean is 0.
 DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 DistanceScale scale = DistanceScale::median);
 
-/// Throws ArgumentError where there are no terms, weights are not as many, a weight is negative or not finite, or all
-/// are 0.
+/// Throws ArgumentError if there are no terms, for a wrong number of weights, if a weight is negative or not finite, or
+/// all are 0.
 void check_sum_weights(std::size_t terms, std::span<const double> weights);
 
-/// What distances are divided by with DistanceScale::median (of an even number, the greater of the middle two) or mean:
-/// that of the finite ones between different models. 1 where there are none, and with DistanceScale::none.
+/// Returns the divisor of distances with DistanceScale::median (for an even count, the greater of the middle two) or
+/// mean, over finite distances between different models. 1 if there are none, and with DistanceScale::none.
 double distance_unit(const DistanceMatrix& matrix, DistanceScale scale);
 
-/// What the weights of a sum follow from, besides those that are given. None of it knows classes.
+/// Unsupervised weighting of a sum, in addition to the given weights.
 enum class SumWeights {
-  given,      ///< nothing else
-  agreement,  ///< the neighbours that a matrix has in common with the others, and that neighbours have in common
+  given,      ///< given weights only
+  agreement,  ///< agreement of a matrix's neighbours with those of other matrices, and their cohesion
 };
 
-/// The weights of a sum, each a given one times the cube of (agreement x cohesion) of the matrix, each the mean over
-/// the k of neighbour_counts() that are less than the number of others:
-/// - agreement: the mean share of a model's k nearest that are among its k nearest by another matrix, over the models
+/// Computes the weights of a sum: each given weight times the cube of (agreement x cohesion) of its matrix. Both are
+/// means over those k of neighbour_counts() that are less than the number of other models.
+/// - agreement: mean share of a model's k nearest that are also among its k nearest by another matrix, over the models
 ///   and the other matrices, the latter by their given weights.
-/// - cohesion: the mean Jaccard index of the set of a model and its k nearest and the same set of each of those.
-/// Two matrices that see the same groups agree; in one that sees groups at all, neighbours have the same neighbours.
-/// Nearest are those nearer than the next one, so equal distances do not matter, nor, up to rounding, the order of
-/// models. Where all factors are 0, or only one weight is positive, the weights are as given. Throws as
-/// sum_of_distances().
+/// - cohesion: mean Jaccard index of the set of a model and its k nearest and the same set of each of those.
+///
+/// Matrices that find the same groups agree; a matrix that finds groups is cohesive. A model's nearest are those
+/// strictly nearer than the next one: equal distances and, up to rounding, the order of models have no effect. If all
+/// factors are 0, or only one weight is positive, returns the given weights. Throws as sum_of_distances() does.
 std::vector<double> sum_weights(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                 SumWeights kind);
 
-/// The same with SumWeights::agreement from the nearest models by each matrix, nearest_for_weights() of them where
-/// there are as many; of matrices whose weight is 0 they may be absent.
+/// Computes the weights with SumWeights::agreement from the nearest models by each matrix: nearest_for_weights() of
+/// them, if there are as many. They may be missing for matrices of weight 0.
 std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::span<const double> weights);
 
-/// How many nearest models these weights depend on.
+/// Returns the number of nearest models that the weights depend on.
 int nearest_for_weights();
 
-/// How ranks are turned into a score.
+/// Score of a rank.
 enum class RankScore {
-  reciprocal,  ///< 1 / (60 + rank) (Cormack, Clarke, Buettcher 2009): what is ranked first anywhere counts most
-  borda,       ///< the number of models ranked behind: all ranks count alike
+  reciprocal,  ///< 1 / (60 + rank) (Cormack, Clarke, Buettcher 2009): emphasises first ranks
+  borda,       ///< number of models ranked behind: all ranks count equally
 };
 
-/// Fusion of rankings: each model's row of each matrix is ranked (the model itself left out; of equal distances the
-/// lesser index first), and the ranks' scores are summed by weight. The distance is 1 minus the mean of the scores of
-/// (i, j) and (j, i), over the score of a model that all rank first: symmetric, from 0 to below 1, zero on the
-/// diagonal. It only depends on the orders. Models at an infinite distance have no rank and score 0; those that no
-/// matrix ranks, in neither row, stay at an infinite distance. Throws as sum_of_distances().
+/// Fuses rankings: ranks each model's row of each matrix (without the model itself; ties: lesser index first) and sums
+/// the ranks' scores by weight. The distance is 1 minus the mean of the scores of (i, j) and (j, i), divided by the
+/// score of a model that all rank first. The result is symmetric, in [0, 1), zero on the diagonal, and depends on
+/// orders only. Models at an infinite distance are unranked and score 0; pairs unranked in both rows of all matrices
+/// stay at an infinite distance. Throws as sum_of_distances() does.
 DistanceMatrix fusion_of_ranks(std::span<const DistanceMatrix> matrices, std::span<const double> weights,
                                RankScore score = RankScore::reciprocal);
 

@@ -13,27 +13,25 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// The nearest models of each model, and what the ways to re-rank have in common.
+/// Nearest models of each model, shared by the re-ranking methods.
 namespace shapegauge {
 
-/// The k nearest others of each of n models.
+/// k nearest others of each of n models.
 struct NearestModels {
-  /// n x k, nearest first; of equal distances the lesser index first. -1 where a model has fewer at a finite distance.
+  /// n x k, nearest first (ties: lesser index first). -1 if a model has fewer at a finite distance.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
   DistanceMatrix distances;  ///< n x k; infinite where the index is -1
-  double largest = 0;        ///< finite distance between any two models
+  double largest = 0;        ///< largest finite distance between any two models
 };
 
-/// Rows of a distance matrix, `count` from `first` on. The whole matrix need never be in memory: distance_rows() of
-/// signatures is such a source.
+/// Returns `count` rows of a distance matrix from `first` on. The whole matrix need not be in memory: distance_rows()
+/// of signatures is such a source.
 using RowSource = std::function<DistanceMatrix(Eigen::Index first, Eigen::Index count)>;
 
-/// The rows of a matrix in memory, which must outlive the source. Throws ArgumentError for a matrix that is not
-/// square.
+/// Makes a source from a matrix in memory, which must outlive it. Throws ArgumentError for a matrix that is not square.
 RowSource rows_of(const DistanceMatrix& distances);
 
-/// Calls visit(first, rows) for the rows of n models, 256 at a time. Throws ArgumentError for rows of another
-/// length.
+/// Calls visit(first, rows) for the rows of n models, 256 at a time. Throws ArgumentError for rows of another length.
 template <typename Visit>
 void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   constexpr Eigen::Index rows_at_once = 256;
@@ -48,20 +46,21 @@ void for_each_block(Eigen::Index models, const RowSource& rows, Visit visit) {
   }
 }
 
-/// The nearest others among n models, from the rows of their distances; k is lowered to n - 1. Throws
-/// ArgumentError for a k below 1, and for rows of another length or with a distance that is negative or NaN.
+/// Finds the nearest others among n models from the rows of their distances; k is at most n - 1. Throws ArgumentError
+/// for a k below 1, and for rows of another length or with a distance that is negative or NaN.
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows);
 
-/// The same with all distances multiplied.
+/// Multiplies all distances by a factor.
 NearestModels multiplied(NearestModels nearest, double factor);
 
-/// A power of two that keeps sums and quotients of distances up to `largest` from over- and underflow; 1 if not needed.
+/// Returns a power of two that protects sums and quotients of distances up to `largest` from overflow and underflow; 1
+/// if not needed.
 double safe_factor(double largest);
 
-/// The mean of distances whose sum may overflow; NaN without any.
+/// Returns the mean of distances whose sum may overflow; NaN without any.
 double overflow_safe_mean(std::span<const double> distances);
 
-/// The mean of distances, of the finite ones where not all are; 0 without any.
+/// Returns the mean of distances, over the finite ones if some are infinite; 0 without any.
 template <typename Distances>
 double mean_distance(const Distances& distances) {
   const double plain = distances.size() > 0 ? distances.mean() : 0;
@@ -72,7 +71,7 @@ double mean_distance(const Distances& distances) {
   return std::min(mean, std::numeric_limits<double>::max());
 }
 
-/// The mean of the matrix and its transpose, with a diagonal of zeros.
+/// Returns the mean of the matrix and its transpose, with a zero diagonal.
 DistanceMatrix symmetric(const DistanceMatrix& distances);
 
 }  // namespace shapegauge

@@ -8,17 +8,17 @@
 
 namespace shapegauge {
 
-/// How far borders between parts may move. Lengths are in square roots of the surface's area.
+/// Options of boundary smoothing. Lengths are in square roots of the surface's area.
 struct BoundarySmoothingOptions {
-  double width = 0.03;     ///< how far from its border a part may grow; at least 0 (nothing moves)
-  double strength = 0.03;  ///< what a border costs by its length; at least 0
-  double concavity = 10;   ///< curvature of a concavity, in 1 / length, in which a border costs half; above 0
+  double width = 0.03;     ///< maximum distance by which a border may move; at least 0
+  double strength = 0.03;  ///< cost of a border per length; at least 0
+  double concavity = 10;   ///< curvature of a concavity, in 1 / length, that halves the cost of a border; above 0
 };
 
-/// Labels whose borders are shorter and follow concavities: of all labellings that differ near borders only, one of low
-/// cost (alpha_expansion). A node that goes to another part costs its area times the way to where that part was, as a
-/// share of `width`; a border costs its length, less where the surface is concave. No label disappears. Throws
-/// InputError for options out of range and ArgumentError where there is not one label, from 0 on, a node.
+/// Smooths the borders between parts: makes them shorter and aligns them with concavities. Only nodes near borders
+/// change; the cost is minimised by alpha_expansion(). Changing a node's part costs its area times its distance to the
+/// new part's old border, relative to `width`. A border costs its length, less in concavities. No label disappears.
+/// Throws InputError for options out of range, and ArgumentError unless there is one label a node, from 0 on.
 std::vector<std::int32_t> smoothed_boundaries(const ThickSurface& surface, std::span<const std::int32_t> labels,
                                               const BoundarySmoothingOptions& options);
 

@@ -6,36 +6,37 @@
 
 namespace shapegauge {
 
-/// A mixture of normal distributions with diagonal covariances.
+/// Gaussian mixture with diagonal covariances.
 struct GaussianMixture {
-  Eigen::VectorXd weights;    ///< of the k components; they sum to 1
+  Eigen::VectorXd weights;    ///< weights of the k components; sum 1
   Eigen::MatrixXd means;      ///< k x d
   Eigen::MatrixXd variances;  ///< k x d
-  double log_likelihood = 0;  ///< of the points that it was fitted to: the sum of the logarithms of their densities
+  double log_likelihood = 0;  ///< sum of log densities of the points that it was fitted to
 };
 
-/// How a mixture is fitted.
+/// Options of fit_gaussian_mixture().
 struct MixtureOptions {
-  int components = 0;            ///< wanted; fewer where there are fewer points. 0: by the criterion, up to `most`
-  int most_components = 10;      ///< tried for the criterion; at least 1
-  int restarts = 5;              ///< how many starts the best one is taken of; at least 1
-  int iterations = 200;          ///< of expectation and maximisation, at most; at least 1
-  double regularisation = 1e-2;  ///< added to each variance, as a share of that of all points in that coordinate; > 0
+  int components =
+      0;  ///< number of components, limited by the number of points. 0: chosen by the Bayesian information criterion
+  int most_components = 10;      ///< maximum number chosen by the criterion; at least 1
+  int restarts = 5;              ///< number of starts, of which the best is kept; at least 1
+  int iterations = 200;          ///< maximum number of iterations of expectation maximisation; at least 1
+  double regularisation = 1e-2;  ///< added to each variance, relative to that of all points in that coordinate; > 0
   std::uint64_t seed = 1;
 };
 
-/// Fits a mixture to points, one a row, by expectation maximisation (Dempster, Laird, Rubin 1977), starting from
-/// k-means++ centres (Arthur and Vassilvitskii 2007). Where the number of components is not given, it is the one of
-/// least Bayesian information criterion (Schwarz 1978), -2 log L + (2 k d + k - 1) log n. A component that dies out
-/// keeps a weight of 0. Coordinates in which the points do not differ say nothing.
+/// Fits a Gaussian mixture to points, one a row, by expectation maximisation (Dempster, Laird, Rubin 1977), starting
+/// from k-means++ centres (Arthur and Vassilvitskii 2007). If the number of components is not given, minimises the
+/// Bayesian information criterion (Schwarz 1978), -2 log L + (2 k d + k - 1) log n. A component that becomes empty
+/// keeps a weight of 0. Constant coordinates are ignored.
 ///
-/// Throws InputError for options out of range, and ArgumentError for no points or one that is not finite.
+/// Throws InputError for options out of range, and ArgumentError without points and for a point that is not finite.
 GaussianMixture fit_gaussian_mixture(const Eigen::MatrixXd& points, const MixtureOptions& options);
 
-/// Logarithm of the density of each component, its weight included, at each point: points x components.
+/// Computes the log density of each component, including its weight, at each point: points x components.
 Eigen::MatrixXd log_densities(const GaussianMixture& mixture, const Eigen::MatrixXd& points);
 
-/// Probability of each component for each point: points x components, rows that sum to 1.
+/// Computes the probability of each component for each point: points x components, rows that sum to 1.
 Eigen::MatrixXd component_probabilities(const GaussianMixture& mixture, const Eigen::MatrixXd& points);
 
 }  // namespace shapegauge

@@ -84,7 +84,7 @@ std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<d
   ScalarField field{.values = {}, .weights = graph.samples.weights};
   field.values = offset ? offset_sdf(mesh.shape, graph.samples, {.offset = *offset}).values
                         : cone_sdf(mesh.shape, graph.samples, {}).values;
-  return with_doubles(mesh, paper_segmentation(graph, {&field, 1}, options));
+  return with_duplicates(mesh, paper_segmentation(graph, {&field, 1}, options));
 }
 
 }  // namespace shapegauge

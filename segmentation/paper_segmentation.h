@@ -12,34 +12,32 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of paper_segmentation() that changes a label: what a cache holds of earlier versions
-/// is then computed anew.
+/// Cache version of paper_segmentation(); see docs/manual/cache.md.
 inline constexpr int paper_segmentation_version = 4;
 
-/// How the paper's pipeline is run. The paper gives the number of patches, 50, and leaves the rest open.
+/// Options of the paper's pipeline. The paper gives the number of patches, 50, and leaves the rest open.
 struct PaperSegmentationOptions {
   PatchOptions patches{};
-  int levels = 16;                          ///< of each field's distribution on a patch, at least 1
+  int levels = 16;                          ///< quantiles of each field's distribution on a patch, at least 1
   MixtureOptions mixture{.components = 5};  ///< clusters of patches
-  double smoothness = 1;                    ///< of cuts against clusters; at least 0
+  double smoothness = 1;                    ///< weight of cuts relative to clusters; at least 0
 };
 
-/// Cuts a surface as the paper does (Section "Shape segmentation"): over-segmentation into patches, a feature vector of
-/// each from the distribution of fields on it (the SDF), a Gaussian mixture for the probability of each patch in each
-/// cluster, graph cuts, and the connected parts of each cluster. `fields` are sampled at the graph's nodes; results are
-/// numbered as those of connected_parts().
+/// Segments a surface as in the paper (Section "Shape segmentation"). The steps are: over-segmentation into patches,
+/// feature vectors of patches from the distribution of fields such as the SDF (patch_features()), soft clustering by a
+/// Gaussian mixture, a graph cut, and connected components of each cluster. `fields` are sampled at the graph's nodes.
+/// Labels are numbered as by connected_parts().
 ///
-/// The graph cut is an alpha-expansion over patches: a patch in a cluster costs minus the logarithm of its probability;
-/// two neighbouring patches in different clusters cost, times `smoothness`, the sum over their common border of length
-/// times -log(|turn| / pi) where it is concave, a tenth of that turn where it is convex, divided by the mean length of
-/// borders between patches: as Shapira et al. 2008 weigh edges. Throws InputError for options out of range, and as
-/// patch_features().
+/// The graph cut is an alpha-expansion over patches. A patch in a cluster costs minus the logarithm of its probability.
+/// Two adjacent patches in different clusters cost `smoothness` times the sum over their common border of length times
+/// -log(|turn| / pi), divided by the mean border length between patches. Convex turns count a tenth, as in the edge
+/// weights of Shapira et al. 2008. Throws InputError for options out of range, and as patch_features() does.
 std::vector<std::int32_t> paper_segmentation(const SurfaceGraph& graph, std::span<const ScalarField> fields,
                                              const PaperSegmentationOptions& options);
 
-/// The same of a shape and its SDF, a label for each triangle, or for each point of a cloud. `offset`: of the offset
-/// surface, a fraction of the diagonal; none: the conventional SDF, which takes meshes only. Doubled triangles have the
-/// label of their first. Throws InputError also as offset_sdf() and cone_sdf().
+/// Segments a shape by its SDF: one label a triangle, or a point of a cloud. `offset` is that of the offset surface, as
+/// a fraction of the diagonal; without it, uses the conventional SDF, for meshes only. Duplicate triangles have the
+/// label of their first. Throws InputError also as offset_sdf() and cone_sdf() do.
 std::vector<std::int32_t> paper_segmentation(const Shape& shape, std::optional<double> offset,
                                              const PaperSegmentationOptions& options = {});
 

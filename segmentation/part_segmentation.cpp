@@ -12,7 +12,7 @@
 #include "shapegauge/segmentation/patches.h"
 #include "shapegauge/segmentation/region_merging.h"
 #include "shapegauge/segmentation/segment_labels.h"
-#include "shapegauge/segmentation/stand_in.h"
+#include "shapegauge/segmentation/segmentation_proxy.h"
 #include "shapegauge/segmentation/surface_regions.h"
 
 namespace shapegauge {
@@ -88,10 +88,11 @@ std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmen
   const Shape& shape = mesh.shape;
   // Many parts of few triangles are of single triangles.
   if (triangles_per_part * options.parts > shape.triangles.rows()) {
-    return with_doubles(mesh, part_segmentation(thick_surface(shape), options, model));
+    return with_duplicates(mesh, part_segmentation(thick_surface(shape), options, model));
   }
-  const StandIn cut = stand_in(facing_outward(shape));
-  return with_doubles(mesh, renumbered(cut.carried_back(part_segmentation(thick_surface(cut.shape), options, model))));
+  const SegmentationProxy cut = segmentation_proxy(facing_outward(shape));
+  return with_duplicates(mesh,
+                         renumbered(cut.transferred(part_segmentation(thick_surface(cut.shape), options, model))));
 }
 
 }  // namespace shapegauge

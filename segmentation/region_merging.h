@@ -7,17 +7,17 @@
 
 namespace shapegauge {
 
-/// How far two neighbouring regions belong together, the higher the more: a number, not NaN.
+/// Returns the affinity of two adjacent regions: a number, not NaN; higher means that they belong together.
 using RegionAffinity = std::function<double(const Regions&, std::int32_t, std::int32_t)>;
 
-/// When to stop merging.
+/// Options of merge_regions().
 struct MergingOptions {
-  double least_affinity = 0.5;  ///< regions of a lower affinity stay apart; a given number of parts goes before
-  std::int32_t parts = 0;       ///< regions wanted: neither more nor fewer, as far as neighbours go; 0: as many as come
+  double least_affinity = 0.5;  ///< regions of a lower affinity stay apart, unless `parts` is given
+  std::int32_t parts = 0;  ///< number of regions to reach, as far as adjacency permits; 0: determined by least_affinity
 };
 
-/// Merges neighbouring regions, always the two of the highest affinity, which is asked for anew for the pairs of the
-/// region that came of it. Of equal affinities the pair of lower numbers comes first. The lower number stays.
+/// Merges adjacent regions greedily by highest affinity (ties: the pair of lower numbers). Affinities of a merged
+/// region are recomputed. The merged region has the lower number.
 void merge_regions(Regions& regions, const RegionAffinity& affinity, const MergingOptions& options);
 
 }  // namespace shapegauge

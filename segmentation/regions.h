@@ -10,12 +10,13 @@
 
 namespace shapegauge {
 
-/// Bins of a region's histogram of thickness: log-spaced from 0.005 to 1 times the square root of the surface's area.
+/// Number of bins of a region's thickness histogram: log-spaced from 0.005 to 1 times the square root of the surface's
+/// area.
 inline constexpr int thickness_bins = 32;
 inline constexpr double lowest_thickness = 0.005;
 
-/// What is summed over the nodes of a region. Lengths are in square roots of the surface's area, areas in shares of it,
-/// thickness is its natural logarithm, and all but the first sum are weighted by area.
+/// Sums over the nodes of a region, weighted by area except for `nodes`. Lengths are in square roots of the surface's
+/// area, areas are shares of it, and thickness is its natural logarithm.
 struct RegionSum {
   double nodes = 0;
   double area = 0;
@@ -29,36 +30,36 @@ struct RegionSum {
   RegionSum& operator+=(const RegionSum& other);
 };
 
-/// What is summed over pairs of points or nodes, one in each of two regions, or both in one.
+/// Sums over pairs of points or nodes, one in each of two regions, or both in one.
 enum class PairSum : std::uint8_t {
-  pairs,         ///< of samples, by the product of their areas
-  seen_shallow,  ///< those that see each other from close below the surface
-  seen_deep,     ///< those that see each other from half way into the shape
-  seen_outside,  ///< those that see each other through the outside
-  opposite,      ///< of nodes: area whose inward ray hits the other, either way
-  near_pairs,    ///< of samples closer to each other than 0.1
-  near_tilt,     ///< over those, the sine by which normals lean towards each other: above 0 in a concavity
-  wide_pairs,    ///< of samples closer to each other than 0.25
-  wide_tilt,     ///< as near_tilt
+  pairs,         ///< pairs of samples, weighted by the product of their areas
+  seen_shallow,  ///< pairs that see each other from just below the surface
+  seen_deep,     ///< pairs that see each other from half way into the shape
+  seen_outside,  ///< pairs that see each other through the outside
+  opposite,      ///< of nodes: area whose inward ray hits the other region, in either direction
+  near_pairs,    ///< pairs of samples closer than 0.1
+  near_tilt,     ///< over near_pairs: sine of the tilt of normals towards each other, positive in a concavity
+  wide_pairs,    ///< pairs of samples closer than 0.25
+  wide_tilt,     ///< as near_tilt, over wide_pairs
   border,        ///< length of the common border
-  concave,       ///< over the border, its angle where concave, in radians
-  convex,        ///< over the border, its angle where convex
-  folded,        ///< length of the border where it is concave by more than 0.1
+  concave,       ///< over the border: its angle where concave, in radians
+  convex,        ///< over the border: its angle where convex, in radians
+  folded,        ///< length of the border where its concave angle exceeds 0.1
   thickness      ///< over the border
 };
 inline constexpr std::size_t pair_sums = 14;
 
-/// A surface cut into regions, which are merged two by two. All that is known of a region or of two is a sum, so that
-/// merging adds up.
+/// Surface divided into regions, which are merged pairwise. All statistics of regions and of pairs are sums, which
+/// makes merging additive.
 class Regions {
  public:
-  /// `count` regions of which nothing is known yet.
+  /// Creates `count` regions without statistics.
   explicit Regions(std::int32_t count);
 
   [[nodiscard]] std::int32_t initial_size() const { return static_cast<std::int32_t>(sums_.size()); }
-  [[nodiscard]] std::int32_t size() const { return size_; }  ///< regions left
+  [[nodiscard]] std::int32_t size() const { return size_; }  ///< number of remaining regions
 
-  /// The region that has become of one of the first ones: the one that it was merged into.
+  /// Returns the region that an initial region was merged into.
   [[nodiscard]] std::int32_t region_of(std::int32_t initial) const;
 
   [[nodiscard]] const RegionSum& of(std::int32_t region) const { return sums_[static_cast<std::size_t>(region)]; }
@@ -66,16 +67,16 @@ class Regions {
     return pairs_[static_cast<std::size_t>(what)](a, b);
   }
 
-  /// Length of a region's border with all others.
+  /// Returns the length of a region's border with all others.
   [[nodiscard]] double perimeter(std::int32_t region) const;
 
-  /// The regions that share a border with this one, ascending.
+  /// Returns the regions that share a border with this one, ascending.
   [[nodiscard]] const std::set<std::int32_t>& neighbours(std::int32_t region) const {
     return neighbours_[static_cast<std::size_t>(region)];
   }
 
   void add(std::int32_t region, const RegionSum& sum) { sums_[static_cast<std::size_t>(region)] += sum; }
-  /// Adds to (a, b) and to (b, a); within a region (a == b) once for each order of the two.
+  /// Adds to (a, b) and to (b, a); within a region (a == b), adds twice.
   void add(std::int32_t a, std::int32_t b, PairSum what, double value) {
     Eigen::MatrixXd& sums = pairs_[static_cast<std::size_t>(what)];
     sums(a, b) += value;
@@ -86,7 +87,7 @@ class Regions {
   /// Merges b into a.
   void merge(std::int32_t a, std::int32_t b);
 
-  /// What was merged so far: into which region, and which one.
+  /// Returns the merges so far: the region kept and the one merged into it.
   [[nodiscard]] const std::vector<std::pair<std::int32_t, std::int32_t>>& merges() const { return merges_; }
 
  private:

@@ -10,20 +10,20 @@
 
 namespace shapegauge {
 
-/// Reads a segmentation in the Princeton Segmentation Benchmark's format: for each face of the mesh's file, in its
-/// order, a line with the number of its segment, 0 or more. Returns the numbers of the triangles; each has that of its
-/// polygon. Throws InputError where the file cannot be read, has another number of lines than the mesh's file has
-/// faces, or holds what is no such number.
+/// Reads a segmentation in the Princeton Segmentation Benchmark's format: one line a face of the mesh's file, in order,
+/// with the non-negative number of its segment. Returns the numbers by triangle, each from its polygon. Throws
+/// InputError if the file cannot be read, for a number of lines that differs from the number of faces, and for an
+/// invalid line.
 std::vector<std::int32_t> read_seg(const std::filesystem::path& path, const Shape& mesh);
 
-/// The numbers of the faces in the text of such a file; `name` is what messages call it.
+/// Parses the numbers of faces from such a text; `name` prefixes error messages.
 std::vector<std::int32_t> parse_seg(const std::string& text, const std::string& name, std::size_t faces);
 
-/// Writes a segmentation, given by triangle or point, in that format, whole or not at all. A polygon has the number
-/// that most of its area has. Throws InputError where the file cannot be written.
+/// Writes a segmentation, given by triangle or point, in that format, atomically. A polygon gets the number with the
+/// largest area in it. Throws InputError if the file cannot be written.
 void write_seg(const std::filesystem::path& path, const Shape& shape, std::span<const std::int32_t> labels);
 
-/// Writes the lines as they are, whole or not at all. Throws InputError where the file cannot be written.
+/// Writes one line a label, atomically. Throws InputError if the file cannot be written.
 void write_seg(const std::filesystem::path& path, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

@@ -64,8 +64,8 @@ std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels) {
   return result;
 }
 
-std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels) {
-  if (!mesh.has_doubles()) return labels;
+std::vector<std::int32_t> with_duplicates(const DistinctTriangles& mesh, std::vector<std::int32_t> labels) {
+  if (!mesh.has_duplicates()) return labels;
   std::vector<std::int32_t> all = mesh.triangle_of;
   for (std::int32_t& triangle : all) triangle = labels[static_cast<std::size_t>(triangle)];
   return all;

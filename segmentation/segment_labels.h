@@ -10,21 +10,21 @@
 
 namespace shapegauge {
 
-/// The labels' numbers replaced by 0, 1, ... in the order in which they first occur.
+/// Renumbers labels 0, 1, ... in order of first appearance.
 std::vector<std::int32_t> renumbered(std::span<const std::int32_t> labels);
 
-/// Extends labels of the distinct triangles to all triangles of their mesh: doubles have the label of their first.
-/// Labels of a cloud stay as they are.
-std::vector<std::int32_t> with_doubles(const DistinctTriangles& mesh, std::vector<std::int32_t> labels);
+/// Extends labels of the distinct triangles to all triangles of their mesh: duplicates have the label of their first.
+/// Returns labels of a cloud unchanged.
+std::vector<std::int32_t> with_duplicates(const DistinctTriangles& mesh, std::vector<std::int32_t> labels);
 
-/// The connected parts of each label: nodes have the same number where links lead from one to the other within their
-/// label. Numbers go from 0 on, in the order of the parts' first nodes. Throws ArgumentError where there is not
-/// one label a node.
+/// Computes the connected components of each label: nodes have the same number if a path within their label connects
+/// them. Components are numbered from 0 on in the order of their first nodes. Throws ArgumentError unless there is one
+/// label a node.
 std::vector<std::int32_t> connected_parts(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
-/// A colour for each node by its label, such that neighbouring labels differ as far as a dozen colours can: labels are
-/// coloured one after the other, the largest first, each in a colour that no neighbour has, as far as possible in one
-/// of its own. Throws as connected_parts().
+/// Assigns a colour to each node by its label, such that adjacent labels differ as far as a dozen colours permit.
+/// Labels are coloured greedily, largest first, preferring unused colours and then colours that no neighbour has.
+/// Throws as connected_parts() does.
 std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std::int32_t> labels);
 
 }  // namespace shapegauge

@@ -42,7 +42,8 @@ void add_both_ways(std::vector<Pair>& pairs, Pair pair) {
   pairs.push_back(pair);
 }
 
-void add_edge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, const EdgeUse& a, const EdgeUse& b) {
+void add_edge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, const HalfEdge& a,
+              const HalfEdge& b) {
   const Eigen::Vector3d low = mesh.vertices.row(a.low);
   const Eigen::Vector3d high = mesh.vertices.row(a.high);
   const Eigen::Vector3d from = samples.points.row(a.triangle);
@@ -100,9 +101,9 @@ void add_bridges(std::vector<Pair>& pairs, const Shape& mesh, const Samples& sam
 
 std::vector<Pair> pairs_of_mesh(const Shape& mesh, const Samples& samples) {
   std::vector<Pair> pairs;
-  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   std::vector<BorderEnd> ends;
-  for_each_edge(edge_uses(mesh.triangles, merged), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(half_edges(mesh.triangles, merged), [&](std::span<const HalfEdge> uses) {
     for (std::size_t i = 1; i < uses.size(); ++i) add_edge(pairs, mesh, samples, uses[i - 1], uses[i]);
     if (uses.size() > 1) return;
     const double length = (mesh.vertices.row(uses[0].high) - mesh.vertices.row(uses[0].low)).norm();

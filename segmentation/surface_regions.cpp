@@ -43,8 +43,8 @@ std::vector<PatchSample> sampled(const ThickSurface& surface, std::span<const st
   for (std::size_t i = 0; i < patch.size(); ++i) {
     if (patch[i] >= 0) nodes.push_back(static_cast<std::int32_t>(i));
   }
-  const auto by_patch = counted_by_key(nodes, static_cast<std::size_t>(regions.initial_size()),
-                                       [&](std::int32_t node) { return patch[static_cast<std::size_t>(node)]; });
+  const auto by_patch = bucket_sort(nodes, static_cast<std::size_t>(regions.initial_size()),
+                                    [&](std::int32_t node) { return patch[static_cast<std::size_t>(node)]; });
   std::vector<PatchSample> result;
   const double whole = surface.unit * surface.unit;
   for (std::int32_t p = 0; p < regions.initial_size(); ++p) {
@@ -259,7 +259,7 @@ Regions surface_regions(const ThickSurface& surface, std::span<const std::int32_
   Regions regions(patch.empty() ? 0 : *std::ranges::max_element(patch) + 1);
   add_nodes(regions, surface, patch);
   add_borders(regions, surface, patch);
-  const RayCaster caster(surface.barrier, RaysAtEdges::may_slip);
+  const RayCaster caster(surface.barrier, EdgeHandling::fast);
   add_opposites(regions, surface, patch, caster);
   Sights sights(regions, surface, caster, sampled(surface, patch, regions, samples));
   sights.add_inside();

@@ -7,21 +7,20 @@
 
 namespace shapegauge {
 
-/// Sanitises text from a file, or the name of one, for a terminal and a one-line message. Control characters, which a
-/// terminal would obey, and bytes that are not UTF-8 become `?`. What exceeds `longest` bytes becomes `...`.
+/// Sanitises text from a file, or a file name, for a one-line message on a terminal. Replaces control characters and
+/// invalid UTF-8 by `?`. Truncates text longer than `longest` bytes and appends `...`.
 std::string printable(std::string_view text, std::size_t longest = std::string_view::npos);
 
-/// Unusable input: a file, a configuration, an argument. All errors of the library that a user can mend are of this
-/// type or derive from it. The message is one line that says what, where and what to do,
-/// for example "models/T3.off:12: vertex 4 has a coordinate that is not a finite number; repair or remove the file". It
-/// is sanitised by printable().
+/// Error caused by input: a file, a configuration or an argument. Base of all errors that a user can correct. The
+/// message is one line that names the file, the line, the fault and the remedy, for example "models/T3.off:12: vertex 4
+/// has a coordinate that is not a finite number; repair or remove the file". The constructor applies printable().
 class InputError : public std::runtime_error {
  public:
   explicit InputError(std::string_view message) : std::runtime_error(printable(message)) {}
 };
 
-/// Values that a function of the library cannot use. The message does not say where they come from: who read them from
-/// a file can put its name in front.
+/// Invalid argument of a library function. The message does not name a file; callers that read the value from a file
+/// prefix its name.
 class ArgumentError : public InputError {
  public:
   using InputError::InputError;

@@ -11,23 +11,23 @@
 
 namespace shapegauge {
 
-/// Thrown where work is interrupted. The message says what is left behind.
+/// Exception for interrupted work. The message states what was left behind.
 class Interrupted : public std::runtime_error {
  public:
   explicit Interrupted(const std::string& message = "interrupted; no results were written")
       : std::runtime_error(message) {}
 };
 
-/// Whether the calling thread's work is cancelled: by a Cancellation, or because another part of the same parallel loop
-/// failed. Costs a few nanoseconds.
+/// Returns true if the work of the calling thread is cancelled, by a Cancellation or by a failure elsewhere in the same
+/// parallel loop. Takes a few nanoseconds.
 inline bool interruption_requested() { return tbb::is_current_task_group_canceling(); }
 
-/// Throws Interrupted where interruption_requested(). For long serial loops; those of parallel.h check by themselves.
+/// Throws Interrupted if interruption_requested(). For long serial loops; the loops of parallel.h check on their own.
 inline void check_interruption() {
   if (interruption_requested()) throw Interrupted();
 }
 
-/// check_interruption() for loops of very short steps: checks at every 4096th call. Not to be shared by threads.
+/// Calls check_interruption() in every 4096th call, for loops with very short steps. Not thread-safe.
 class SparseInterruptionCheck {
  public:
   void operator()() const {
@@ -38,14 +38,14 @@ class SparseInterruptionCheck {
   mutable std::uint32_t steps_ = 0;
 };
 
-/// Lets one thread stop the work of others, as on Ctrl-C.
+/// Cancels work from another thread, for example on Ctrl-C.
 class Cancellation {
  public:
-  /// Runs the work in the calling thread and TBB arena. Throws what the work throws, and Interrupted after cancel().
+  /// Runs the work in the calling thread and TBB arena. Rethrows its exceptions; throws Interrupted after cancel().
   void run(const std::function<void()>& work);
 
-  /// Makes run() end soon: its loops (parallel.h) and calls of check_interruption() throw Interrupted. Returns at once.
-  /// Can be called from any thread.
+  /// Requests cancellation and returns at once. The loops (parallel.h) and check_interruption() calls inside run() then
+  /// throw Interrupted. Thread-safe.
   void cancel();
 
   [[nodiscard]] bool requested() const { return requested_; }

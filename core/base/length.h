@@ -7,23 +7,23 @@
 
 namespace shapegauge {
 
-/// A length as a user writes it: 2, 2mm or 0.1 in.
+/// Length as written by a user: 2, 2mm or 0.1 in.
 struct Length {
   double value = 0;
-  std::string unit = {};  ///< a name of length_unit_names(); empty: none is said
+  std::string unit = {};  ///< one of length_unit_names(); empty if not given
 };
 
-/// The units of length by name: um, mm, cm, m, km, in, ft.
+/// Returns the names of the supported units: um, mm, cm, m, km, in, ft.
 std::vector<std::string> length_unit_names();
 
-/// A unit in metres. Throws InputError for an unknown name, with those that are known.
+/// Returns the length of a unit in metres. Throws InputError for an unknown name; the message lists the known ones.
 double metres_of(std::string_view unit);
 
-/// The length in a text; nothing where the text is no finite number, alone or before the name of a unit.
+/// Parses a finite number with an optional unit name. Returns nothing for any other text.
 std::optional<Length> parse_length(std::string_view text);
 
-/// The length in units of a file. A length without a unit is in these already. Throws InputError, beginning with
-/// `what`, where the length has a unit and the file's is not known (empty).
+/// Converts a length to the units of a file. Returns a length without a unit unchanged. Throws InputError, prefixed by
+/// `what`, for a length with a unit if the file's unit is unknown (empty).
 double in_file_units(std::string_view what, const Length& length, std::string_view file_unit);
 
 }  // namespace shapegauge

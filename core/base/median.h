@@ -7,13 +7,13 @@
 /// Medians of one or more numbers.
 namespace shapegauge {
 
-/// Median of sorted numbers; of an even number of them, the mean of the two in the middle.
+/// Returns the median of sorted numbers; for an even count, the mean of the two middle ones.
 inline double sorted_median(std::span<const double> sorted) {
   const std::size_t middle = sorted.size() / 2;
   return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
 }
 
-/// The median, of an even number of values the greater of the two in the middle. Changes the order of the values.
+/// Returns the median; for an even count, the greater of the two middle values. Reorders the values.
 inline double upper_median(std::span<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

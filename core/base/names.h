@@ -9,20 +9,20 @@
 
 namespace shapegauge {
 
-/// A value of an enumeration and its name in files and options.
+/// Pairs an enumeration value with its name in files and options.
 template <typename Value>
 struct Named {
   Value value;
   std::string_view name;
 };
 
-/// The name of a value that is in the table.
+/// Returns the name of a value. The table must contain the value.
 template <typename Value>
 std::string name_in(std::span<const Named<Value>> table, Value value) {
   return std::string(std::ranges::find(table, value, &Named<Value>::value)->name);
 }
 
-/// The value of that name, or nothing.
+/// Returns the value of that name, if any.
 template <typename Value>
 std::optional<Value> value_in(std::span<const Named<Value>> table, std::string_view name) {
   const auto found = std::ranges::find(table, name, &Named<Value>::name);
@@ -30,7 +30,7 @@ std::optional<Value> value_in(std::span<const Named<Value>> table, std::string_v
   return found->value;
 }
 
-/// All names, for configurations and error messages.
+/// Returns all names, for configurations and error messages.
 template <typename Value>
 std::vector<std::string> names_in(std::span<const Named<Value>> table) {
   std::vector<std::string> names;

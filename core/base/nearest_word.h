@@ -8,16 +8,16 @@
 
 namespace shapegauge {
 
-/// Number of insertions, deletions, replacements and swaps of neighbours that turn one word into the other, upper and
-/// lower case being equal (optimal string alignment distance).
+/// Returns the optimal string alignment distance, ignoring case: the least number of insertions, deletions,
+/// substitutions and swaps of adjacent characters that turn one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The candidate that was probably meant: the one with the fewest edits, if those are few for the word's length; the
-/// first of equals.
+/// Returns the candidate with the smallest edit distance, if it is small relative to the word's length. Of equally near
+/// candidates the first wins.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
 
-/// What to add to a message about an unknown word: `; did you mean "offset"?` where a candidate is near, else
-/// `; known here: "at", "offset"`, and nothing where there are no candidates.
+/// Returns the end of a message about an unknown word: `; did you mean "offset"?` if a candidate is near, otherwise `;
+/// known here: "at", "offset"`. Empty without candidates.
 std::string suggestion(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace shapegauge

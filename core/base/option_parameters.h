@@ -12,12 +12,12 @@
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/parameter.h"
 
-/// Structs of options as lists of parameters: a table names members of the struct, one a line, with their bounds and
-/// what they mean. Defaults are those of the struct. What the options may be is then said once.
+/// Tables of options: each entry names a member of an options struct, its bounds and its meaning. Defaults are those of
+/// the struct. Each option is thus specified in one place.
 
 namespace shapegauge {
 
-/// A member of a struct of options, as a parameter.
+/// Member of an options struct, described as a parameter.
 template <typename Options>
 struct OptionParameter {
   Parameter parameter;
@@ -25,7 +25,7 @@ struct OptionParameter {
   void (*set)(Options&, const ParameterValue&);
 };
 
-/// The struct and the type of a pointer to a member.
+/// Struct and value type of a pointer to member.
 template <typename Member>
 struct MemberOf;
 template <typename OptionsOf, typename ValueOf>
@@ -34,20 +34,20 @@ struct MemberOf<ValueOf OptionsOf::*> {
   using Value = ValueOf;
 };
 
-/// The words of an enumeration whose values are 0, 1, 2 and so on. Specialised beside each one that options may have.
+/// Names of the values 0, 1, 2, ... of an enumeration. Specialised beside each enumeration that options use.
 template <typename Enumeration>
 inline constexpr std::array<std::string_view, 0> words_of{};
 
-/// A whole number, which parameters hold with 64 bits.
+/// True for integer types other than bool; parameters store these in 64 bits.
 template <typename Value>
 inline constexpr bool is_integer = std::is_integral_v<Value> && !std::is_same_v<Value, bool>;
 
-/// How a parameter holds the value of a member.
+/// Type in which a parameter stores the value of a member.
 template <typename Value>
 using HeldValue = std::conditional_t<is_integer<Value>, std::int64_t,
                                      std::conditional_t<std::is_enum_v<Value>, std::string_view, Value>>;
 
-/// A member's value as the parameter holds it.
+/// Converts a member's value to the type that the parameter stores.
 template <typename Value>
 constexpr HeldValue<Value> held_value(const Value& value) {
   if constexpr (std::is_enum_v<Value>) {
@@ -57,7 +57,8 @@ constexpr HeldValue<Value> held_value(const Value& value) {
   }
 }
 
-/// The value of a member; a word means the empty list, or the value of an enumeration.
+/// Converts a parameter's value to the type of the member. A word stands for the empty list or for an enumeration
+/// value.
 template <typename Value>
 Value member_value(const ParameterValue& value) {
   if constexpr (std::is_same_v<Value, IntegerList>) {
@@ -71,8 +72,8 @@ Value member_value(const ParameterValue& value) {
   }
 }
 
-/// Makes a parameter for a member (a whole number, an IntegerList, a double, a bool, or an enumeration that has
-/// words_of) of a struct of options. The choices of a list all mean the empty list.
+/// Makes an OptionParameter for a member of an options struct: an integer, an IntegerList, a double, a bool or an
+/// enumeration with words_of. The choices of a list all mean the empty list.
 template <auto member>
 constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view description,
                          std::span<const std::string_view> choices = {}) {
@@ -101,20 +102,20 @@ constexpr auto option_of(std::string_view name, Bounds bounds, std::string_view 
       .set = [](Options& options, const ParameterValue& value) { options.*member = member_value<Value>(value); }};
 }
 
-/// The same for a bool or an enumeration.
+/// Overload for a bool or an enumeration, which have no bounds.
 template <auto member>
 constexpr auto option_of(std::string_view name, std::string_view description) {
   return option_of<member>(name, Bounds{}, description);
 }
 
-/// The same option without a default: whoever chooses the options must give it.
+/// Removes the default of an option, which makes it mandatory.
 template <typename Options>
 constexpr OptionParameter<Options> required(OptionParameter<Options> option) {
   option.parameter.default_value = {};
   return option;
 }
 
-/// An option of a struct that is itself a member of a struct of options. `table`: that of the member's own type.
+/// Makes an OptionParameter for an option of a nested options struct. `table` is the table of the nested struct.
 template <auto member, const auto& table, std::size_t index>
 constexpr auto option_within() {
   using Options = typename MemberOf<decltype(member)>::Options;
@@ -124,7 +125,7 @@ constexpr auto option_within() {
       .set = [](Options& options, const ParameterValue& value) { table.at(index).set(options.*member, value); }};
 }
 
-/// The parameters of a table of options.
+/// Returns the parameters of a table of options.
 template <typename Options, std::size_t count>
 constexpr std::array<Parameter, count> parameters_of(const std::array<OptionParameter<Options>, count>& table) {
   return [&]<std::size_t... indices>(std::index_sequence<indices...>) {
@@ -133,7 +134,7 @@ constexpr std::array<Parameter, count> parameters_of(const std::array<OptionPara
   (std::make_index_sequence<count>());
 }
 
-/// Throws InputError, beginning with `what`, where a value of the options is out of the table's bounds.
+/// Validates options against the bounds of their table. Throws InputError, prefixed by `what`.
 template <typename Options, std::size_t count>
 void check_options(std::string_view what, const std::array<OptionParameter<Options>, count>& table,
                    const Options& options) {
@@ -146,7 +147,7 @@ void check_options(std::string_view what, const std::array<OptionParameter<Optio
   }
 }
 
-/// The options of the values of the table's parameters.
+/// Returns the options with the given parameter values.
 template <typename Options, std::size_t count>
 Options options_from(const std::array<OptionParameter<Options>, count>& table, const ParameterValues& values) {
   Options options;

@@ -6,13 +6,13 @@
 
 #include "shapegauge/core/base/interruption.h"
 
-/// Interruptible versions of TBB's loops. A cancelled loop of TBB returns as if it were complete, with only a part of
-/// its results; these throw Interrupted.
+/// Interruptible versions of TBB's loops. A cancelled TBB loop returns normally with partial results; these throw
+/// Interrupted.
 
 namespace shapegauge {
 
-/// Calls body(i) for each index from `first` to before `last`, in parallel in the calling TBB arena. Throws what the
-/// body throws, and Interrupted.
+/// Calls body(i) for each index in [first, last), in parallel in the calling TBB arena. Rethrows exceptions of the
+/// body; throws Interrupted.
 template <typename Index, typename Body>
 void parallel_for(Index first, Index last, const Body& body) {
   if (!(first < last)) return;
@@ -22,7 +22,7 @@ void parallel_for(Index first, Index last, const Body& body) {
   check_interruption();
 }
 
-/// Calls body(i) for each index, in parallel or one after the other. Throws as above.
+/// Calls body(i) for each index, in parallel or serially. Throws like parallel_for().
 template <typename Index, typename Body>
 void for_each_index(bool parallel, Index first, Index last, const Body& body) {
   if (parallel) return parallel_for(first, last, body);
@@ -32,14 +32,14 @@ void for_each_index(bool parallel, Index first, Index last, const Body& body) {
   }
 }
 
-/// Calls body(part) for the parts that TBB splits the range into. Throws as above.
+/// Calls body(subrange) for subranges chosen by TBB. Throws like parallel_for().
 template <typename Range, typename Body>
 void parallel_for_parts(const Range& range, const Body& body) {
   tbb::parallel_for(range, body);
   check_interruption();
 }
 
-/// Joins the results of body(part, value so far) for the parts that TBB splits the range into. Throws as above.
+/// Combines the results of body(subrange, partial value) over subranges chosen by TBB. Throws like parallel_for().
 template <typename Range, typename Value, typename Body, typename Join>
 Value parallel_reduce_parts(const Range& range, const Value& identity, const Body& body, const Join& join) {
   const Value result = tbb::parallel_reduce(range, identity, body, join);

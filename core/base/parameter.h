@@ -17,8 +17,8 @@
 
 namespace shapegauge {
 
-/// An interval of legal values. An open end does not belong to it; an infinite end is no limit, but infinity itself is
-/// never legal, nor is NaN.
+/// Interval of valid values, closed unless an end is marked as open. Infinite ends mean no limit; infinity itself and
+/// NaN are never valid.
 struct Bounds {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -28,13 +28,13 @@ struct Bounds {
   [[nodiscard]] bool contains(double value) const;
 };
 
-/// The interval in words, to follow "it must be": "from 0 to 1", "above 0 and at most 1", "at least 1".
+/// Describes the interval, to follow "it must be": "from 0 to 1", "above 0 and at most 1", "at least 1".
 std::string to_string(const Bounds& bounds);
 
 /// Throws InputError "<what> is <value>; it must be <bounds>" unless the bounds contain the value.
 void require_in_bounds(std::string_view what, double value, const Bounds& bounds);
 
-/// A list of at most 16 whole numbers. As an option, the empty list means "auto".
+/// List of at most 16 integers. As an option, the empty list means "auto".
 class IntegerList {
  public:
   static constexpr std::size_t most = 16;
@@ -43,7 +43,7 @@ class IntegerList {
   constexpr IntegerList(int value) : IntegerList{std::int64_t{value}} {}  // NOLINT: one number is a list of one
   constexpr IntegerList(std::initializer_list<std::int64_t> values) : IntegerList(std::span(values)) {}
 
-  /// Throws ArgumentError for more than 16.
+  /// Throws ArgumentError for more than 16 values.
   constexpr explicit IntegerList(std::span<const std::int64_t> values) : size_(values.size()) {
     if (size_ > most) throw ArgumentError("a list of more than 16 whole numbers");
     std::copy(values.begin(), values.end(), values_.begin());
@@ -60,23 +60,23 @@ class IntegerList {
 };
 
 enum class ParameterKind {
-  number,    ///< a finite double within the bounds, or one of the choices where there are any ("auto")
-  integer,   ///< a whole number within the bounds
-  integers,  ///< whole numbers within the bounds: one, or a list of up to 16; or one of the choices
+  number,    ///< finite double within the bounds, or one of the choices if there are any ("auto")
+  integer,   ///< integer within the bounds
+  integers,  ///< up to 16 integers within the bounds, or one of the choices
   boolean,
   choice  ///< one of the choices
 };
 
-/// A value of a parameter, or none. A word is one of the parameter's own choices, and lives as long as they do.
+/// Value of a parameter, or none. A word refers to one of the parameter's own choices and lives as long as they do.
 using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view, IntegerList>;
 
-/// What there is to know of a setting of an algorithm. Entries of registries list their parameters; configurations, the
-/// JSON schema, the command line and the documentation are made from such lists, and the algorithm checks its options
-/// against the same bounds.
+/// Describes one setting of an algorithm. Registry entries list their parameters. Configurations, the JSON schema, the
+/// command line and the documentation are generated from these lists, and algorithms validate their options against the
+/// same bounds.
 struct Parameter {
   std::string_view name;
   ParameterKind kind = ParameterKind::number;
-  ParameterValue default_value = {};               ///< of the parameter's kind; none: must be given
+  ParameterValue default_value = {};               ///< of the parameter's kind; none if mandatory
   Bounds bounds = {};                              ///< of numbers and integers
   std::span<const std::string_view> choices = {};  ///< legal words
   std::string_view description;                    ///< one sentence
@@ -84,34 +84,34 @@ struct Parameter {
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
 
-/// The value as the parameter holds it: a whole number becomes a double where the parameter is a number and a list of
-/// one where it takes lists; a word becomes the equal choice, and an empty list the choice "auto". Throws InputError,
-/// with the parameter's name, for a value of another kind, out of bounds, or not among the choices.
+/// Validates a value and converts it to the parameter's kind. An integer becomes a double for a number parameter and a
+/// list of one for a list parameter; an empty list becomes the choice "auto". Throws InputError, with the parameter's
+/// name, for a value of another kind, out of bounds or not among the choices.
 ParameterValue checked_value(const Parameter& parameter, const ParameterValue& value);
 
-/// The value that a text spells: a number, whole numbers between commas, true or false, or one of the choices. Throws
-/// InputError as checked_value().
+/// Parses a value from text: a number, integers separated by commas, true or false, or one of the choices. Throws
+/// InputError as checked_value() does.
 ParameterValue parse_value(const Parameter& parameter, std::string_view text);
 
-/// The value as parse_value() reads it; empty for none.
+/// Formats a value as parse_value() reads it; empty for none.
 std::string to_string(const ParameterValue& value);
 
-/// What the parameter takes, in words: "a number from 0 to 1, or auto".
+/// Describes the valid values: "a number from 0 to 1, or auto".
 std::string legal_values(const Parameter& parameter);
 
-/// A value for each parameter of a list. Refers to the list, which must outlive it.
+/// Values for a list of parameters. Refers to the list, which must outlive it.
 class ParameterValues {
  public:
-  /// All defaults.
+  /// Sets all values to their defaults.
   explicit ParameterValues(std::span<const Parameter> parameters);
 
-  /// Throws InputError for a name that is not in the list, and what checked_value() throws.
+  /// Sets one value. Throws InputError for a name that is not in the list, and as checked_value() does.
   void set(std::string_view name, const ParameterValue& value);
 
-  /// Throws InputError for the first parameter that has neither a default nor been set.
+  /// Throws InputError for the first mandatory parameter without a value.
   void require_complete() const;
 
-  /// The value of a parameter that is in the list and has one; of the type of its kind.
+  /// Returns the value of a parameter as its kind's type. The parameter must be in the list and have a value.
   /// @{
   [[nodiscard]] const ParameterValue& value(std::string_view name) const;
   [[nodiscard]] double number(std::string_view name) const { return std::get<double>(value(name)); }
@@ -122,7 +122,7 @@ class ParameterValues {
 
   [[nodiscard]] std::span<const Parameter> parameters() const { return parameters_; }
 
-  /// Equal values of the same list.
+  /// Compares the values; true only for the same list of parameters.
   bool operator==(const ParameterValues& other) const {
     return parameters_.data() == other.parameters_.data() && values_ == other.values_;
   }

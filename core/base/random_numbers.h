@@ -10,36 +10,37 @@
 
 namespace shapegauge {
 
-/// The seeds that users may choose: whole numbers that every reader of JSON holds exactly.
+/// Seeds that users may choose: the non-negative integers that JSON readers represent exactly.
 inline constexpr Bounds seed_bounds{.low = 0, .high = 9'007'199'254'740'991};
 
-/// A small random number generator (SplitMix64: Steele, Lea, Flood 2014). It gives the same numbers with every standard
-/// library, which the distributions of <random> do not.
+/// SplitMix64 random number generator (Steele, Lea, Flood 2014). Unlike the distributions of <random>, it gives the
+/// same numbers with every standard library.
 class RandomNumbers {
  public:
-  /// An independent stream for every pair of a seed and an index, so that threads can draw theirs in any order.
+  /// Starts an independent stream for each pair of seed and index. Threads can then draw from their streams in any
+  /// order.
   explicit RandomNumbers(std::uint64_t seed, std::uint64_t stream = 0);
 
-  /// 64 random bits.
+  /// Returns 64 random bits.
   std::uint64_t next();
 
-  /// An integer below `end`, uniform but for a bias of end / 2^64.
+  /// Returns an integer below `end`, uniform up to a bias of end / 2^64.
   std::uint64_t below(std::uint64_t end);
 
-  /// Uniform in [lower, upper).
+  /// Returns a number uniform in [lower, upper).
   double uniform(double lower, double upper);
 
  private:
   std::uint64_t state_;
 };
 
-/// The index of the first weight at which the sum of the weights up to it is greater than `position`; of the last
-/// positive weight where none is. Nothing where no weight is positive. With a position that is uniform up to the sum,
-/// items are chosen with probabilities proportional to their weights.
+/// Returns the first index whose cumulative weight exceeds `position`, or the index of the last positive weight if none
+/// does. Nothing if no weight is positive. With a position uniform in [0, total weight), chooses items with
+/// probabilities proportional to their weights.
 std::optional<std::size_t> weighted_index(std::span<const double> weights, double position);
 
-/// Marks exactly `count` of n items, every set of that size as likely as any other (selection sampling: Knuth, The Art
-/// of Computer Programming, 3.4.2, algorithm S). count is at most n.
+/// Marks exactly `count` of n items (count <= n), uniformly over all subsets of that size. Selection sampling: Knuth,
+/// The Art of Computer Programming, 3.4.2, algorithm S.
 std::vector<bool> random_subset(std::size_t n, std::size_t count, RandomNumbers& random);
 
 }  // namespace shapegauge

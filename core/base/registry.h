@@ -16,23 +16,24 @@
 
 namespace shapegauge {
 
-/// What there is of one kind, by name: fields, descriptors, distances, measures and so on. `Entry` is a struct with a
-/// member `name`. Entries are in the order of registration, are not changed or removed, and stay where they are for the
-/// life of the program. All functions may be called from several threads at once.
+/// Registry of entries by name, such as fields, descriptors, distances and measures. `Entry` is a struct with a member
+/// `name`. Entries stay in the order of registration, at fixed addresses, unchanged for the life of the program.
+/// Thread-safe.
 template <typename Entry>
 class Registry {
  public:
-  /// - `kind`: what an entry is called in messages, for example "descriptor".
-  /// - `own`: the entries of the library, of different names.
-  /// - `check`: throws InputError for an entry that cannot be added; null: only the name counts.
+  /// Creates a registry.
+  /// - `kind`: noun for an entry in messages, for example "descriptor".
+  /// - `own`: the library's entries, with distinct names.
+  /// - `check`: throws InputError for an invalid entry; null checks the name only.
   Registry(std::string_view kind, std::vector<Entry> own, void (*check)(const Entry&) = nullptr)
       : kind_(kind),
         check_(check),
         entries_(std::make_move_iterator(own.begin()), std::make_move_iterator(own.end())) {}
 
-  /// Adds an entry, which configurations, listings and the schema know from then on. What its views and spans refer to
-  /// must live as long as the program. Throws ArgumentError for a name that is empty or taken, and what the check
-  /// throws.
+  /// Adds an entry, making it available to configurations, listings and the schema. Data that its views and spans refer
+  /// to must live as long as the program. Throws ArgumentError for a name that is empty or taken, and the errors of the
+  /// check.
   void add(Entry entry) {
     if (entry.name.empty()) throw ArgumentError("a " + kind_ + " needs a name");
     if (check_ != nullptr) check_(entry);
@@ -43,12 +44,12 @@ class Registry {
     entries_.push_back(std::move(entry));
   }
 
-  /// The entry of that name; null where there is none.
+  /// Returns the entry of that name, or null.
   [[nodiscard]] const Entry* find(std::string_view name) const {
     return find_if([&](const Entry& entry) { return entry.name == name; });
   }
 
-  /// The first entry of which the predicate is true; null where there is none.
+  /// Returns the first entry that satisfies the predicate, or null.
   template <typename Predicate>
   [[nodiscard]] const Entry* find_if(const Predicate& predicate) const {
     const std::shared_lock lock(mutex_);
@@ -56,20 +57,21 @@ class Registry {
     return found == entries_.end() ? nullptr : &*found;
   }
 
-  /// The entry of that name. Throws ArgumentError, with the nearest name or all names, where there is none.
+  /// Returns the entry of that name. Throws ArgumentError for an unknown name; the message suggests the nearest or
+  /// lists all.
   [[nodiscard]] const Entry& at(std::string_view name) const {
     if (const Entry* const found = find(name)) return *found;
     throw ArgumentError("there is no " + kind_ + " \"" + std::string(name.substr(0, 40)) + "\"" +
                         suggestion(name, names()));
   }
 
-  /// All entries.
+  /// Returns all entries.
   [[nodiscard]] std::vector<std::reference_wrapper<const Entry>> entries() const {
     const std::shared_lock lock(mutex_);
     return {entries_.begin(), entries_.end()};
   }
 
-  /// The names of all entries.
+  /// Returns the names of all entries.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> all;
     for (const Entry& entry : entries()) all.emplace_back(entry.name);

@@ -5,13 +5,13 @@
 
 namespace shapegauge {
 
-/// Measures seconds by the steady clock, from its construction on.
+/// Measures elapsed seconds with the steady clock.
 class Stopwatch {
  public:
-  /// Since the beginning.
+  /// Returns the seconds since construction.
   [[nodiscard]] double seconds() const { return between(begin_, Clock::now()); }
 
-  /// Since the last call, or since the beginning.
+  /// Returns the seconds since the previous call, or since construction.
   double lap() {
     const Clock::time_point now = Clock::now();
     return between(std::exchange(last_, now), now);

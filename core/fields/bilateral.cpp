@@ -40,8 +40,8 @@ Adjacency adjacency_of(const Shape& shape, const Samples& samples) {
     }
   } else {
     const bool at_faces = samples.site == SampleSite::faces;
-    const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
-    for_each_edge(edge_uses(shape.triangles, merged), [&](std::span<const EdgeUse> edge) {
+    const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
+    for_each_edge(half_edges(shape.triangles, merged), [&](std::span<const HalfEdge> edge) {
       if (!at_faces) join(adjacency, edge.front().low, edge.front().high);
       for (std::size_t i = 1; at_faces && i < edge.size(); ++i) {
         join(adjacency, edge[i - 1].triangle, edge[i].triangle);
@@ -129,7 +129,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   // Doubled triangles have no neighbours; each gets the value of the first of its set.
   const std::vector<std::int32_t> doubles_of_faces =
       samples.site == SampleSite::faces && !is_cloud(shape)
-          ? first_of_doubles(shape.triangles, merged_by_place(shape.vertices))
+          ? first_duplicates(shape.triangles, welded_vertices(shape.vertices))
           : std::vector<std::int32_t>();
   tbb::enumerable_thread_specific<Vicinity> vicinities([&] { return Vicinity(samples.points, adjacency); });
   for (int iteration = 0; iteration < options.iterations; ++iteration) {

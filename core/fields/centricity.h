@@ -12,56 +12,55 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of centricity() that changes a value: what a cache holds of earlier versions is then
-/// computed anew.
+/// Cache version of centricity(); see docs/manual/cache.md.
 inline constexpr int centricity_version = 2;
 
-/// What is taken of the geodesic distances from a place to all others.
+/// Statistic of the geodesic distances from a point to all others.
 enum class Centricity {
-  mean,          ///< their mean over the surface, by area (Gal, Shamir, Cohen-Or 2007)
-  eccentricity,  ///< the largest (Ion et al. 2007)
+  mean,          ///< area-weighted mean over the surface (Gal, Shamir, Cohen-Or 2007)
+  eccentricity,  ///< maximum (Ion et al. 2007)
 };
 
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<Centricity>{"mean", "eccentricity"};
 
-/// Settings of centricity().
+/// Options of centricity().
 struct CentricityOptions {
   Centricity measure = Centricity::mean;
   GeodesicOptions geodesics = {};
-  int sources = 48;  ///< landmarks; all vertices where there are no more
+  int sources = 48;  ///< number of landmarks; all vertices if there are no more
 };
 
-/// What may be chosen of CentricityOptions.
+/// Parameters of CentricityOptions.
 inline constexpr std::array centricity_table = {
-    option_of<&CentricityOptions::measure>("measure",
-                                           "Of the distances to all places the mean, by area, or the largest."),
+    option_of<&CentricityOptions::measure>(
+        "measure", "Statistic of the geodesic distances: mean, by area, or eccentricity, the maximum."),
     option_within<&CentricityOptions::geodesics, geodesic_table, 0>(),
     option_within<&CentricityOptions::geodesics, geodesic_table, 1>(),
     option_of<&CentricityOptions::sources>(
         "sources", {.low = 1, .high = 1000},
-        "Landmarks, spread over the surface, to which distances are taken; of the proxy always 500."),
+        "Number of landmarks from which distances are computed; the proxy always has 500."),
 };
 
-/// Mean geodesic distance, or eccentricity, at the samples, in the shape's units: small in the middle of a shape, large
-/// at its ends, and hardly changed where it bends.
+/// Computes the mean geodesic distance, or the eccentricity, at the samples, in the shape's units. It is small in the
+/// middle of a shape, large at its ends, and nearly invariant to bending.
 ///
-/// Distances are taken from farthest points: the vertex that is geodesically farthest from the vertex farthest from the
-/// centroid, then always the vertex farthest from those there are (ties: the first). In the mean each counts with the
-/// area that is nearest to it. Values at vertices are interpolated to samples inside triangles. Components are joined
-/// as geodesic_distances() says. NaN at vertices that no triangle uses.
+/// Distances are measured from landmarks in farthest-point order. The first is the vertex geodesically farthest from
+/// the vertex farthest from the centroid; each further one is the vertex farthest from the previous ones (ties: the
+/// first vertex). The mean weights each landmark with the area of its geodesic Voronoi cell. Values at vertices are
+/// interpolated to samples inside triangles. Components are connected as in geodesic_distances(). NaN at vertices that
+/// no triangle uses.
 ///
-/// A sphere of radius R has the mean pi R / 2 and the eccentricity pi R everywhere. Proportional to scale. Throws
-/// InputError for options out of range, for samples that are not the shape's, for a shape without area, and as
-/// geodesic_distances().
+/// On a sphere of radius R the mean is pi R / 2 and the eccentricity pi R everywhere. Proportional to scale. Throws
+/// InputError for options out of range, samples of another shape, a shape without area, and as geodesic_distances()
+/// does.
 Eigen::VectorXd centricity(const Shape& shape, const Samples& samples, const CentricityOptions& options = {});
 
-/// The same at the points of a surface proxy, from the distances to its landmarks.
+/// Computes the same statistic at the points of a surface proxy, from the distances to its landmarks.
 Eigen::VectorXd centricity(const ProxyGeodesics& geodesics, Centricity measure);
 
-/// Values at a shape's vertices, brought to samples of it: by barycentric coordinates where those lie inside triangles,
-/// as they are where those are some of a cloud's points.
-/// Throws InputError for samples that are not the shape's.
+/// Interpolates values at a shape's vertices to samples of it: barycentrically for samples inside triangles, by lookup
+/// for samples at a cloud's points. Throws InputError for samples of another shape.
 Eigen::MatrixXd at_samples(const Shape& shape, const Samples& samples, const Eigen::MatrixXd& at_vertices);
 
 }  // namespace shapegauge

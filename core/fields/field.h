@@ -22,7 +22,7 @@ namespace shapegauge {
 
 class OffsetSdfSolver;
 
-/// A shape that fields are computed of, one after the other, and what they share. Keeps a reference to the shape.
+/// Shape for which several fields are computed, with the data they share. Keeps a reference to the shape.
 class FieldSource {
  public:
   explicit FieldSource(const Shape& shape);
@@ -34,13 +34,14 @@ class FieldSource {
 
   [[nodiscard]] const Shape& shape() const { return *shape_; }
 
-  /// Built when it is first asked for; throws what its constructor throws.
+  /// Returns the solver, built on first use. Throws as its constructor does.
   const OffsetSdfSolver& offset_sdf_solver();
 
-  /// laplacian_spectrum() of so many eigenvalues, computed when they are first asked for; throws what that throws.
+  /// Returns the laplacian_spectrum() with that many eigenvalues, computed on first use. Throws as laplacian_spectrum()
+  /// does.
   const Spectrum& spectrum(int eigenvalues);
 
-  /// The shape's surface proxy and what is computed on it; shared with descriptors.
+  /// Returns the shape's surface proxy and the data computed on it, shared with descriptors.
   ProxySource& proxy() { return proxy_; }
 
  private:
@@ -50,85 +51,86 @@ class FieldSource {
   ProxySource proxy_;
 };
 
-/// Where a field takes its samples.
+/// Sampling sites of a field.
 struct SamplePlan {
   SampleSite site = SampleSite::faces;
-  Eigen::Index count = 0;  ///< surface: how many
+  Eigen::Index count = 0;  ///< number of surface samples
 
   auto operator<=>(const SamplePlan&) const = default;
 };
 
-/// The samples of a shape that the plan asks for (sample_shape, sample_surface_of).
+/// Samples a shape according to the plan (sample_shape(), sample_surface_of()).
 Samples take_samples(const Shape& shape, const SamplePlan& plan);
 
-/// Number of samples by outcome. "total" is always there.
+/// Number of samples by outcome. The key "total" is always present.
 using FieldOutcomes = std::map<std::string, std::size_t>;
 
-/// A sentence, "3 of 200 samples missing", for each of the outcomes that users are to be warned of.
+/// Returns a warning such as "3 of 200 samples missing" for each outcome that users should know about.
 std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes);
 
-/// The values of a field on one shape.
+/// Values of a field on one shape.
 struct FieldValues {
-  Eigen::VectorXd values;             ///< one a sample; NaN where there is none
-  Points normals = {};                ///< of fields that estimate them: outward unit normals, one a sample; else empty
-  FieldOutcomes outcomes = {};        ///< where a field gives none: "total" and "missing", counted from the values
-  std::optional<double> offset = {};  ///< r as a fraction of the diagonal, where the field chose it for the shape
-  double build_seconds = 0;           ///< spatial structures, those shared with other fields of the shape included
-  double query_seconds = 0;           ///< all samples; of a field that does not tell them apart, everything
+  Eigen::VectorXd values;       ///< one a sample; NaN if missing
+  Points normals = {};          ///< outward unit normals, one a sample, of fields that estimate them; otherwise empty
+  FieldOutcomes outcomes = {};  ///< if a field returns none: "total" and "missing", counted from the values
+  std::optional<double> offset = {};  ///< r as a fraction of the diagonal, if the field chose it for the shape
+  double build_seconds =
+      0;  ///< construction of spatial structures, including those shared with other fields of the shape
+  double query_seconds = 0;  ///< queries for all samples; total time of a field that does not separate the two
 };
 
-/// Computes the values at the samples of a shape. parallel: spread the samples over the threads of the calling TBB
-/// arena; the values may not depend on it.
+/// Computes the values at the samples of a shape. `parallel` distributes the samples over the threads of the calling
+/// TBB arena; values must not depend on it.
 using FieldFunction = std::function<FieldValues(FieldSource&, const Samples&, bool parallel)>;
 
-/// Physical dimension of a field's values: they change with this power of the shape's scale.
+/// Physical dimension of a field's values: the power of the shape's scale that they are proportional to.
 enum class FieldDimension { none = 0, length = 1, area = 2 };
 
-/// `length` to the power of the dimension: the factor of values where lengths change by the factor `length`.
+/// Returns `length` to the power of the dimension: the factor of values if lengths change by the factor `length`.
 double unit_of(FieldDimension dimension, double length);
 
-/// Versions of algorithms by name. A version is raised with every change of a value: values that a cache holds of other
-/// versions are not used.
+/// Cache versions of algorithms by name; see docs/manual/cache.md.
 using AlgorithmVersions = std::map<std::string, int>;
 
-/// How a field of given settings is computed.
+/// Computation of a field with given settings.
 struct FieldComputation {
-  AlgorithmVersions versions;                         ///< of what the values depend on besides the samples
+  AlgorithmVersions versions;  ///< of all algorithms that the values depend on, apart from the samples
   FieldDimension dimension = FieldDimension::length;  ///< of the values; comparisons of shapes undo the scale by it
   FieldFunction compute;
 };
 
-/// A type of field.
+/// Type of field.
 struct FieldType {
   std::string name;
   std::string description;  ///< one sentence
-  /// Names, choices and descriptions are referred to, not copied.
+  /// Names, choices and descriptions must outlive the entry; they are not copied.
   std::vector<Parameter> parameters;
-  /// Throws InputError where settings contradict each other.
+  /// Makes the computation for the given settings. Throws InputError if settings contradict each other.
   std::function<FieldComputation(const ParameterValues& values, const SamplePlan& samples)> make;
 };
 
-/// All types of fields: those of this folder (docs/developer/extending.md), then those that were added. An entry has a
-/// `make`, and no parameters called type, at or bilateral.
+/// Returns the registry of field types: those of this folder (docs/developer/extending.md), followed by those added. An
+/// entry must have a `make` function, and no parameters called type, at or bilateral.
 Registry<FieldType>& field_types();
 
-/// The settings by which any field is smoothed along the surface (bilateral_smoothing()).
+/// Returns the parameters of smoothing along the surface (bilateral_smoothing()), available for every field.
 std::span<const Parameter> bilateral_parameters();
 
-/// The settings of a field; those with equal settings are one field.
+/// Settings of a field. Equal settings mean the same field.
 struct FieldSettings {
   std::string type;  ///< a name of field_types()
   ParameterValues values;
   SamplePlan samples = {};
-  std::optional<ParameterValues> smoothing = {};  ///< of bilateral_parameters(); none: as computed
+  std::optional<ParameterValues> smoothing = {};  ///< of bilateral_parameters(); not smoothed if absent
 
   bool operator==(const FieldSettings&) const = default;
 };
 
-/// The settings of a type with all defaults, at the faces. Throws InputError for a type that is not in field_types().
+/// Returns the default settings of a type, sampled at the faces. Throws InputError for a type that is not in
+/// field_types().
 FieldSettings field_settings(std::string_view type);
 
-/// A scalar field: what it is and how its values are computed.
+/// Scalar field: its settings and the function that computes its values.
 struct Field {
   FieldSettings settings;
   AlgorithmVersions versions;
@@ -136,8 +138,8 @@ struct Field {
   FieldFunction compute;
 };
 
-/// The field of the settings. Throws InputError for a type that is not in field_types(), for a setting without a value,
-/// and for settings that contradict each other.
+/// Makes the field with the given settings. Throws InputError for a type that is not in field_types(), for a setting
+/// without a value, and for settings that contradict each other.
 Field make_field(FieldSettings settings);
 
 }  // namespace shapegauge

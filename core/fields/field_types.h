@@ -2,7 +2,7 @@
 
 #include "shapegauge/core/fields/field.h"
 
-/// The entries of field_types() that this folder adds. Not for users of the library.
+/// Entries of field_types() that this folder adds; not part of the public interface.
 namespace shapegauge {
 
 FieldType offset_sdf_type();

@@ -74,10 +74,10 @@ double across(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Ei
 /// The edges of a mesh and the segments across them.
 std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int32_t> merged, const Nodes& nodes) {
   std::vector<Segment> segments;
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
   const auto node = [&](std::int32_t vertex) { return nodes.of[static_cast<std::size_t>(vertex)]; };
-  const auto opposite = [&](const EdgeUse& use) { return shape.triangles(use.triangle, (use.corner + 2) % 3); };
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  const auto opposite = [&](const HalfEdge& use) { return shape.triangles(use.triangle, (use.corner + 2) % 3); };
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     const auto a = shape.vertices.row(edge.front().low);
     const auto b = shape.vertices.row(edge.front().high);
     segments.push_back({node(edge.front().low), node(edge.front().high), (b - a).norm()});
@@ -171,9 +171,9 @@ GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& 
   check_options("geodesic distances", geodesic_table, options);
   require_usable(shape);
   if (shape.vertices.rows() == 0) throw InputError("there are no geodesic distances on a shape without vertices");
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   if (options.method == GeodesicMethod::graph) return graph_distances(shape, merged, options.neighbours);
-  Shape merged_shape = without_doubles(shape);
+  Shape merged_shape = without_duplicates(shape);
   for (std::int32_t& v : merged_shape.triangles.reshaped()) v = merged[static_cast<std::size_t>(v)];
   const GeodesicDistances distances = geodesic_distances_cgal(merged_shape, options.method);
   return [merged, distances](std::int32_t source) {

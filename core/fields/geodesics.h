@@ -11,47 +11,46 @@
 
 namespace shapegauge {
 
-/// How lengths of shortest paths on a surface are found.
+/// Algorithm for geodesic distances.
 enum class GeodesicMethod {
-  graph,  ///< Dijkstra's algorithm; takes every shape. A few percent too long
-  heat,   ///< the heat method (Crane, Weischedel, Wardetzky 2013), CGAL's; connected manifold meshes only
-  exact,  ///< exact on the mesh (Xin and Wang 2009), CGAL's; connected manifold meshes only, slow
+  graph,  ///< Dijkstra's algorithm, for any shape; overestimates by a few percent
+  heat,   ///< heat method (Crane, Weischedel, Wardetzky 2013) of CGAL; connected manifold meshes only
+  exact,  ///< exact on the mesh (Xin and Wang 2009), by CGAL; connected manifold meshes only, slow
 };
 
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<GeodesicMethod>{"graph", "heat", "exact"};
 
-/// Settings of geodesic distances.
+/// Options of geodesic distances.
 struct GeodesicOptions {
   GeodesicMethod method = GeodesicMethod::graph;
-  int neighbours = 8;  ///< nearest points joined in a point cloud, and across the gaps between components
+  int neighbours = 8;  ///< nearest points connected in a point cloud, and across the gaps between components
 };
 
-/// What may be chosen of GeodesicOptions.
+/// Parameters of GeodesicOptions.
 inline constexpr std::array geodesic_table = {
     option_of<&GeodesicOptions::method>("method",
-                                        "graph: shortest paths, on every shape, a few percent too long; heat and "
-                                        "exact: CGAL's, on connected manifold meshes."),
+                                        "graph: shortest paths, for any shape, a few percent too long; heat and exact: "
+                                        "CGAL's algorithms, for connected manifold meshes."),
     option_of<&GeodesicOptions::neighbours>(
         "neighbours", {.low = 1, .high = 64},
-        "Nearest points that are joined in a point cloud, and across the gaps between components."),
+        "Nearest points connected in a point cloud, and across the gaps between components."),
 };
 
-/// The distances from one vertex to all vertices, in the shape's units. NaN at vertices that no triangle uses.
+/// Returns the distances from one vertex to all vertices, in the shape's units. NaN at vertices that no triangle uses.
 using GeodesicDistances = std::function<Eigen::VectorXd(std::int32_t source)>;
 
-/// Geodesic distances on a shape, prepared once for any number of sources. The function does not refer to the shape; it
-/// may be called from several threads with `graph`, from one at a time with the other methods.
+/// Prepares geodesic distances on a shape for any number of sources. The returned function does not refer to the shape.
+/// It is thread-safe with `graph` only.
 ///
-/// `graph` joins the vertices along the edges, and across each edge with two triangles along the straight segment in
-/// the two triangles' unfolded plane, where it crosses the edge. Vertices at the same place are one, doubled triangles
-/// count once. A point cloud's points are joined to their nearest neighbours. Where the graph has several components
-/// they are joined, so that every distance is finite: vertices of different components that are among each other's
-/// nearest neighbours first, then each remaining component with the nearest of the others (nearest among 64 vertices of
-/// each).
+/// `graph` connects vertices along edges and, across each edge with two triangles, along the straight segment in the
+/// unfolded plane of the triangles if it crosses the edge. Coincident vertices are welded, and duplicate triangles
+/// count once. Points of a cloud are connected to their nearest neighbours. All components are connected, which makes
+/// every distance finite: first vertices of different components that are among each other's nearest neighbours, then
+/// each remaining component with the nearest other one (nearest among 64 vertices of each).
 ///
-/// Throws InputError for options out of range, an unusable shape (require_usable()), a shape without vertices, and,
-/// with `heat` and `exact`, for what is not one connected manifold mesh.
+/// Throws InputError for options out of range, an unusable shape (require_usable()) and a shape without vertices. With
+/// `heat` and `exact`, also throws for anything but a connected manifold mesh.
 GeodesicDistances geodesic_distances(const Shape& shape, const GeodesicOptions& options = {});
 
 }  // namespace shapegauge

@@ -4,8 +4,8 @@
 
 namespace shapegauge {
 
-/// The methods of CGAL: heat and exact. `shape` has no two used vertices at the same place, and is usable. Throws
-/// InputError as geodesic_distances().
+/// Implements the methods of CGAL, heat and exact. `shape` must be usable and have no coincident used vertices. Throws
+/// InputError as geodesic_distances() does.
 GeodesicDistances geodesic_distances_cgal(const Shape& shape, GeodesicMethod method);
 
 }  // namespace shapegauge

@@ -172,8 +172,8 @@ int component_count(const SparseMatrix& matrix) {
 Laplacian cotangent_laplacian(const Shape& given) {
   require_usable(given);
   if (is_cloud(given)) throw InputError("the Laplacian needs triangles, and the shape is a point cloud");
-  const Shape mesh = without_doubles(given);
-  const std::vector<std::int32_t> places = merged_by_place(mesh.vertices);
+  const Shape mesh = without_duplicates(given);
+  const std::vector<std::int32_t> places = welded_vertices(mesh.vertices);
   std::vector<std::int32_t> node_at(places.size(), -1);
   std::int32_t nodes = 0;
   const auto node_of = [&](std::int32_t vertex) -> std::int32_t& {

@@ -12,13 +12,13 @@
 
 namespace shapegauge {
 
-/// The surface proxy of a shape and what is computed on it, each when it is first asked for and once. Keeps a reference
-/// to the shape. Not for several threads at a time. Functions throw what computing throws.
+/// Surface proxy of a shape and data computed on it, each once on first use. Keeps a reference to the shape. Not
+/// thread-safe. Accessors throw as the underlying computations do.
 class ProxySource {
  public:
-  /// Landmarks of geodesics().
+  /// Number of landmarks of geodesics().
   static constexpr int landmarks = 500;
-  /// Eigenvalues that spectrum() computes at least.
+  /// Minimum number of eigenvalues that spectrum() computes.
   static constexpr int shared_eigenvalues = 40;
 
   explicit ProxySource(const Shape& shape) : shape_(&shape) {}
@@ -29,11 +29,11 @@ class ProxySource {
 
   const ProxyGeodesics& geodesics();
 
-  /// The smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points; fewer where there are
-  /// fewer points. All numbers up to shared_eigenvalues are answered from one computation.
+  /// Returns the smallest eigenvalues of the proxy's Laplacian, with eigenvectors at the proxy's points; fewer if there
+  /// are fewer points. One computation serves all requests for up to shared_eigenvalues.
   Spectrum spectrum(int eigenvalues);
 
-  /// Values at the proxy's points interpolated to samples of the shape: means over the nearest points of the same
+  /// Interpolates values at the proxy's points to samples of the shape: means over the nearest points of the same
   /// sheet, weighted by distance.
   Eigen::VectorXd at_samples(const Samples& samples, const Eigen::VectorXd& at_points);
 

@@ -8,22 +8,20 @@
 
 namespace shapegauge {
 
-/// The bytes of a regular file, at most `limit` of them from its beginning. Throws InputError "cannot read <path>:
-/// <reason>" where the file is absent, unreadable, not a regular file, or empty.
+/// Reads at most `limit` leading bytes of a regular file. Throws InputError "cannot read <path>: <reason>" if the file
+/// is absent, unreadable, not a regular file, or empty.
 std::string read_file_bytes(const std::filesystem::path& path,
                             std::size_t limit = std::numeric_limits<std::size_t>::max());
 
-/// Whether a file is on the disk itself, safe from a power cut, before it takes its name.
+/// Flushing of a file to disk before it is renamed, which protects it from power failures.
 enum class Flush { no, yes };
 
-/// Writes the bytes to the file at `path`, whole or not at all: into a new file beside it, which takes its place by a
-/// rename once it is complete. A file that was there before stays as it was until then, and after any failure; a
-/// program that is interrupted leaves no half-written file under that name. After a power cut that holds with
-/// Flush::yes only.
+/// Writes a file atomically: to a new file beside `path`, renamed when complete. An existing file stays unchanged until
+/// then and after any failure, and an interrupted program leaves no partial file under that name. After a power failure
+/// this holds only with Flush::yes.
 ///
-/// A symbolic link is followed. What is not a regular file (/dev/stdout, a pipe) is written to directly. The folder
-/// must exist. Throws InputError "cannot write <path>: <reason>" where the folder or the disk does not let it be
-/// written.
+/// Follows symbolic links. Writes directly to anything that is not a regular file (/dev/stdout, a pipe). The folder
+/// must exist. Throws InputError "cannot write <path>: <reason>" if the file cannot be written.
 void write_file_atomically(const std::filesystem::path& path, std::string_view bytes, Flush flush = Flush::no);
 
 }  // namespace shapegauge

@@ -13,78 +13,82 @@
 
 namespace shapegauge {
 
-/// Raised with every change of the shape that a valid file is read as, which makes cached results of earlier versions
-/// stale.
+/// Cache version of reading shapes; increment when a valid file is read as a different shape.
 inline constexpr int shape_reading_version = 2;
 
-/// Reads a shape from a file of a format in shape_formats(), by the name's extension and, failing that, by the first
-/// bytes. Without faces it is a point cloud. Polygons become triangles, in the file's order (Shape::polygons): a fan
-/// about the first corner where that covers the polygon, else its constrained Delaunay triangulation. Every vertex and
-/// every face of the file is kept: duplicates, degenerate and non-manifold faces survive. STL vertices with equal
-/// coordinates are merged, as the format has no indices. Throws InputError: absent, unreadable or truncated file, index
-/// out of range, coordinate that is not finite, polygon of more than 100000 corners.
+/// Reads a shape from a file. The format follows from the name's extension or, failing that, from the first bytes
+/// (shape_formats()).
+///
+/// Polygons become triangles in the file's order (Shape::polygons): a fan about the first corner if it covers the
+/// polygon, otherwise the constrained Delaunay triangulation. All vertices and faces of the file are kept, including
+/// duplicate, degenerate and non-manifold ones. STL has no indices; its vertices with equal coordinates are merged.
+/// Without faces the shape is a point cloud.
+///
+/// Throws InputError for an absent, unreadable or truncated file, an index out of range, a coordinate that is not
+/// finite, and a polygon of more than 100000 corners.
 Shape read_shape(const std::filesystem::path& path);
 
-/// The same of a file that was read already. `extension`: that of the format, with its dot; empty: by the source's name
-/// and its first bytes.
+/// Reads a shape from the contents of a file. `extension` selects the format, with its dot; if empty, the source's name
+/// and its first bytes do.
 Shape read_shape(const ShapeSource& source, std::string_view extension = {});
 
-/// Whether the format can be determined from the extension or from the bytes.
+/// Returns true if the format is known from the extension or the bytes.
 bool is_recognised_shape(const ShapeSource& source);
 
-/// The names of the files beside it that the shape depends on, as ShapeSource::neighbour() takes them; none for most
-/// formats. Throws InputError where the source names them in a way that cannot be read.
+/// Returns the names of the neighbouring files that the shape depends on, for ShapeSource::neighbour(); none for most
+/// formats. Throws InputError if the names cannot be read from the source.
 std::vector<std::string> shape_neighbours(const ShapeSource& source);
 
-/// Looks at the header only: throws InputError where the file is absent, empty, or plainly not a shape of a format in
-/// shape_formats(). Cheap enough to do for a whole data set before a long run.
+/// Checks the header only. Throws InputError if the file is absent, empty, or clearly not of a format in
+/// shape_formats(). Cheap enough for a whole data set before a long run.
 void check_shape_header(const std::filesystem::path& path);
 
-/// Writes a shape to a file, whole or not at all.
+/// Writes a shape to a file atomically.
 using ShapeWriter = void (*)(const std::filesystem::path&, const Shape&);
 
-/// The writer for the format that the name's extension tells, in any case: of those in shape_formats() that have one.
-/// Throws InputError for another extension.
+/// Returns the writer for the name's extension, ignoring case. Throws InputError for an extension without a writer in
+/// shape_formats().
 ShapeWriter shape_writer(const std::filesystem::path& path);
 
-/// A file format of shapes. Extensions are in lower case, with their dot.
+/// File format of shapes. Extensions are in lower case, with their dot.
 struct ShapeFormat {
   std::string_view name;
   std::string_view description;  ///< one line
   std::span<const std::string_view> extensions;
-  /// Extensions that are read as this format too, but may belong to anything: a file that has one is not taken for a
-  /// shape unless it is named as one.
+  /// Extensions that this format shares with unrelated files. A file with such an extension is read as a shape only if
+  /// it is explicitly named as one.
   std::span<const std::string_view> ambiguous_extensions = {};
-  /// Whether the bytes, of a whole file or of its beginning, are recognisably of this format; null for a format that
-  /// cannot be recognised.
+  /// Returns true if the bytes, of a whole file or its beginning, are recognisably of this format. Null for a format
+  /// that cannot be recognised.
   bool (*begins_like)(std::string_view bytes) = nullptr;
-  /// Throws InputError where the bytes, the beginning of a file or all of it, do not begin like this format. `name`
-  /// stands in front of messages.
+  /// Throws InputError if the bytes, of a whole file or its beginning, do not begin like this format. `name` prefixes
+  /// error messages.
   void (*check_header)(const std::string& bytes, const std::string& name);
-  /// The shape in a file. Throws InputError. What it takes from files beside it goes through the source.
+  /// Reads the shape; neighbouring files through the source. Throws InputError.
   Shape (*read)(const ShapeSource& source);
-  /// Names the files beside it that read() depends on: cached results depend on them, too. Null: none.
+  /// Returns the names of the neighbouring files that read() depends on; cached results depend on them as well. Null
+  /// for none.
   std::vector<std::string> (*neighbours)(const ShapeSource& source) = nullptr;
-  ShapeWriter write = nullptr;  ///< null: not written
+  ShapeWriter write = nullptr;  ///< null if the format is not written
 };
 
-/// All formats of shapes: those of this folder, one file each and one line in shape_file.cpp, then those that were
-/// added. An entry has extensions that no other has.
+/// Returns the registry of shape formats: those of this folder, one file each and one line in shape_file.cpp, followed
+/// by those added. Extensions must be unique to an entry.
 Registry<ShapeFormat>& shape_formats();
 
-/// What to do with a file of a format that is common, but not read (.step, .fbx): a sentence; nothing for other files.
+/// Returns advice on a common format that is not supported (.step, .fbx), as a sentence; nothing for other files.
 std::optional<std::string> unread_format_advice(const std::filesystem::path& file);
 
-/// The extensions of all files that read_shape() knows by their names.
+/// Returns the extensions that read_shape() recognises.
 std::vector<std::string_view> shape_extensions();
 
-/// Of these, the ones that tell a shape's file from any other: without .txt.
+/// Returns the extensions that only shapes have: shape_extensions() without .txt.
 std::vector<std::string_view> unambiguous_shape_extensions();
 
-/// The extensions of all files that shape_writer() writes.
+/// Returns the extensions that shape_writer() supports.
 std::vector<std::string_view> written_shape_extensions();
 
-/// The file's name without the extension of a shape file, in any case; the whole name where it has none, or an
+/// Removes the extension of a shape file, ignoring case, from a file name. Returns the whole name if it has none or an
 /// ambiguous one (.txt).
 std::string_view without_shape_extension(std::string_view file_name);
 

@@ -13,13 +13,12 @@
 
 #include "shapegauge/core/shape/shape.h"
 
-/// What the readers and writers of shape files share. Not for users of the library.
+/// Code shared by the readers and writers of shape files; not part of the public interface.
 namespace shapegauge {
 
-/// A shape as it grows vertex by vertex and corner by corner. Polygons become triangles, in order: a fan about the
-/// first corner where that covers the polygon, otherwise another triangulation (triangulate_polygon.h). A face with
-/// fewer than three corners has no surface and leaves no triangle. Normals stay only with a point cloud, and only where
-/// every vertex has one.
+/// Builds a shape vertex by vertex and corner by corner. Polygons become triangles in order: a fan about the first
+/// corner if it covers the polygon, otherwise another triangulation (triangulate_polygon.h). Faces with fewer than
+/// three corners produce no triangle. Only point clouds keep their normals, and only if every vertex has one.
 class SoupBuilder {
  public:
   void reserve(std::size_t vertices, std::size_t triangles) {
@@ -29,8 +28,8 @@ class SoupBuilder {
 
   void add_vertex(const std::array<double, 3>& position) { vertices_.push_back(position); }
 
-  /// Adds the normal of the next vertex that has none; of any length. One of length zero stays zero: scanners write it
-  /// where they found none.
+  /// Adds the normal, of any length, of the next vertex without one. A zero normal stays zero: scanners write it for
+  /// unknown normals.
   void add_normal(const std::array<double, 3>& normal);
 
   void begin_face() {
@@ -38,7 +37,7 @@ class SoupBuilder {
     ++faces_;
   }
 
-  /// Adds a corner to the face begun last. The caller has checked the index, though its vertex may follow.
+  /// Adds a corner to the current face. The caller has validated the index; its vertex may follow later.
   void add_corner(std::int32_t vertex) {
     if (++corners_ == 1) first_ = vertex;
     if (corners_ >= 3) add_triangle({first_, previous_, vertex});
@@ -47,10 +46,10 @@ class SoupBuilder {
 
   [[nodiscard]] std::size_t vertices() const { return vertices_.size(); }
   [[nodiscard]] std::size_t triangles() const { return triangles_.size(); }
-  /// Corners of the face begun last.
+  /// Returns the number of corners of the current face.
   [[nodiscard]] std::size_t corners() const { return corners_; }
 
-  /// The shape so far. The vertices of all corners must have been added.
+  /// Returns the shape built so far. The vertices of all corners must have been added.
   [[nodiscard]] Shape shape();
 
  private:
@@ -65,23 +64,23 @@ class SoupBuilder {
   /// Replaces the fans that do not cover their polygons.
   void replace_fans();
 
-  /// The triangles that replace the fan from `begin` to `end`, at most as many; none where the fan covers its polygon.
+  /// Returns the triangles that replace the fan [begin, end), at most as many; none if the fan covers its polygon.
   [[nodiscard]] std::vector<std::array<std::int32_t, 3>> fan_replacement(std::size_t begin, std::size_t end) const;
 
   std::vector<std::array<double, 3>> vertices_;
   std::vector<std::array<double, 3>> normals_;
   std::vector<std::array<std::int32_t, 3>> triangles_;
-  std::vector<std::int32_t> polygons_;  ///< of the triangles; empty where triangle i is face i
+  std::vector<std::int32_t> polygons_;  ///< of the triangles; empty if triangle i is face i
   std::int32_t faces_ = 0;
   std::size_t corners_ = 0;
   std::int32_t first_ = 0;
   std::int32_t previous_ = 0;
 };
 
-/// The first line that is neither blank nor a comment (`#`), trimmed.
+/// Returns the first line that is neither blank nor a comment (`#`), trimmed.
 std::string_view first_line_of_data(std::string_view text);
 
-/// What is wrong with a file, in the same words for every format: the part of the message behind file and line.
+/// Error messages shared by all formats, without the file and line.
 /// @{
 std::string message_truncated(std::int64_t got, std::int64_t expected, std::string_view what);
 std::string message_no_such_vertex(std::int64_t face, std::int64_t vertex, std::int64_t vertices);
@@ -90,14 +89,14 @@ std::string message_no_triangles(std::int64_t faces);
 std::string message_too_many_corners(std::int64_t face);
 /// @}
 
-/// Throws InputError where a file of this shape at `path` could not be read again: a coordinate that is not finite, a
-/// triangle with a vertex that does not exist, a cloud's normals that are not finite or not one a point.
+/// Throws InputError if a file of this shape could not be read again: for a coordinate or cloud normal that is not
+/// finite, a vertex index out of range, or a wrong number of normals.
 void require_writable(const std::filesystem::path& path, const Shape& shape);
 
-/// Whether there are normals to write: those of a point cloud.
+/// Returns true for a point cloud with normals, which writers store.
 inline bool has_cloud_normals(const Shape& shape) { return is_cloud(shape) && shape.normals.rows() > 0; }
 
-/// Appends a number in the fewest digits that give exactly the same number when they are read.
+/// Appends a number with the fewest digits that reproduce it.
 template <typename Number>
 void append_number(std::string& text, Number number, char separator) {
   std::array<char, 32> digits;  // the longest double has 24 characters
@@ -106,7 +105,7 @@ void append_number(std::string& text, Number number, char separator) {
   text.append(digits.data(), end + 1);
 }
 
-/// Appends the three numbers of a row, with blanks between them.
+/// Appends the three numbers of a row, separated by blanks.
 template <typename Row>
 void append_numbers(std::string& text, const Row& row, char end = '\n') {
   append_number(text, row[0], ' ');

@@ -11,31 +11,31 @@
 
 namespace shapegauge {
 
-/// A shape's file as the reader of a format sees it: its bytes, and the files beside it that it names, such as the
-/// buffers of a `.gltf`.
+/// File of a shape as seen by the reader of a format: its bytes, and access to the neighbouring files that it refers
+/// to, such as the buffers of a `.gltf`.
 struct ShapeSource {
-  std::string bytes;  ///< whole
+  std::string bytes;  ///< the whole file
   std::string name;   ///< prefixes error messages
-  /// The file's folder, where its neighbours are; absent where the bytes come from no file (standard input).
+  /// Folder of the file and its neighbours; absent if the bytes are not from a file (standard input).
   std::optional<std::filesystem::path> folder = {};
 
-  /// The path of a file in the folder or below it. `file`: relative to the folder, with `/` between its parts, as the
-  /// shape's file has it (of a URI: decoded).
+  /// Resolves the path of a file in the folder or below it. `file` is relative to the folder, with `/` as separator, as
+  /// in the shape's file (a URI must be decoded).
   ///
-  /// Throws InputError where there is no folder, and for a name that leads out of it: absolute, with a part "..", a URI
-  /// with a scheme. Symbolic links within the folder are followed.
+  /// Throws InputError if there is no folder, and for a name that leads out of it: an absolute path, a component "..",
+  /// or a URI with a scheme. Follows symbolic links within the folder.
   [[nodiscard]] std::filesystem::path neighbour(std::string_view file) const;
 
-  /// The bytes of that file, at most `limit` of them from its beginning. Throws InputError, also where it is absent,
-  /// unreadable, empty, or not a regular file.
+  /// Reads at most `limit` leading bytes of that file. Throws InputError, also if it is absent, unreadable, empty, or
+  /// not a regular file.
   [[nodiscard]] std::string read_neighbour(std::string_view file,
                                            std::size_t limit = std::numeric_limits<std::size_t>::max()) const;
 };
 
-/// A file as a source, read whole; messages call it by its path. Throws InputError as read_file_bytes().
+/// Reads a whole file as a source, named by its path. Throws InputError as read_file_bytes() does.
 ShapeSource read_shape_source(const std::filesystem::path& path);
 
-/// ShapeFormat::read of a format whose files name no others: a function of the bytes and of the name in messages.
+/// Adapts a reader of self-contained files to ShapeFormat::read.
 template <Shape (*read)(const std::string& bytes, const std::string& name)>
 Shape read_alone(const ShapeSource& source) {
   return read(source.bytes, source.name);

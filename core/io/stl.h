@@ -9,24 +9,24 @@ namespace shapegauge {
 
 struct ShapeFormat;
 
-/// The shape in the bytes of an STL file, ASCII or binary (also where its free header begins with "solid"). Corners
-/// with equal coordinates become one vertex, in the order of their first appearance: the format has no indices. Normals
-/// and attributes are passed over.
+/// Reads a shape from the bytes of an STL file, ASCII or binary (even if the binary header begins with "solid"). STL
+/// has no indices: corners with equal coordinates become one vertex, in the order of first appearance. Normals and
+/// attributes are ignored.
 ///
-/// `name` stands in front of messages. Throws InputError, with the line or the facet: truncated, coordinate that is not
-/// finite.
+/// `name` prefixes error messages. Throws InputError, with the line or the facet, for truncated files and coordinates
+/// that are not finite.
 Shape read_stl(const std::string& bytes, const std::string& name);
 
-/// Throws InputError where the bytes do not begin like an STL file.
+/// Throws InputError if the bytes do not begin like an STL file.
 void check_stl_header(const std::string& bytes, const std::string& name);
 
-/// Writes a mesh as binary STL, whole or not at all: the corners of every triangle, rounded to single precision, with
-/// the triangle's normal. Indices are lost, and with them vertices that no triangle uses; vertices that round to the
-/// same place are one when the file is read. Throws InputError for a point cloud, for a coordinate that is not finite
-/// in single precision, where a triangle's vertex does not exist, and where the file cannot be written.
+/// Writes a mesh as binary STL, atomically: the corners of every triangle, rounded to single precision, and its normal.
+/// Indices and unused vertices are lost; vertices that round to equal coordinates are merged on reading. Throws
+/// InputError for a point cloud, a coordinate that is not finite in single precision, a vertex index out of range, and
+/// if the file cannot be written.
 void write_stl(const std::filesystem::path& path, const Shape& shape);
 
-/// The entry of the registry (shape_file.h).
+/// Returns the format for shape_formats().
 ShapeFormat stl_format();
 
 }  // namespace shapegauge

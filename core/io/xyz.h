@@ -8,24 +8,24 @@ namespace shapegauge {
 
 struct ShapeFormat;
 
-/// The point cloud in the bytes of a text file with a point a line (.xyz, .pwn, .pts, .txt): three or more columns,
-/// separated by white space, commas or semicolons, as many on every line; `#` and `//` begin comments; blank lines, any
-/// line ends and a byte order mark are passed over.
+/// Reads a point cloud from the bytes of a text file with one point a line (.xyz, .pwn, .pts, .txt). Every line has the
+/// same number of columns, at least three, separated by white space, commas or semicolons. `#` and `//` begin comments.
+/// Blank lines, any line ends and a byte order mark are accepted.
 ///
-/// The first three columns are the coordinates. Columns 4 to 6 are a normal where at least nine in ten of those vectors
-/// that are not zero have a length between 0.95 and 1.05, otherwise colours or the like, which are passed over as all
-/// further columns are. A zero normal stays zero. The first line may hold the number of points n alone; of 2n lines of
-/// three columns that follow (the PWN format), the second half are the normals, whatever their lengths.
+/// The first three columns are coordinates. Columns 4 to 6 are normals if at least nine in ten of their non-zero
+/// vectors have a length from 0.95 to 1.05; otherwise they are ignored, like all further columns. Zero normals stay
+/// zero. The first line may consist of the number of points n; if 2n lines of three columns follow (the PWN format),
+/// the second half are normals of any length.
 ///
-/// `name` stands in front of messages. Throws InputError, with the line: coordinate or normal that is missing, no
-/// number or not finite; another number of columns than on the first line; another number of points than the first line
-/// says; decimal commas.
+/// `name` prefixes error messages. Throws InputError, with the line, for a coordinate or normal that is missing, not a
+/// number or not finite; an inconsistent number of columns; a number of points that differs from the first line; and
+/// decimal commas.
 Shape read_xyz(const std::string& bytes, const std::string& name);
 
-/// Throws InputError where the bytes do not begin with a number of points or a point.
+/// Throws InputError if the bytes do not begin with a number of points or a point.
 void check_xyz_header(const std::string& bytes, const std::string& name);
 
-/// The entry of the registry (shape_file.h).
+/// Returns the format for shape_formats().
 ShapeFormat xyz_format();
 
 }  // namespace shapegauge

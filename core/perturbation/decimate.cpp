@@ -128,7 +128,7 @@ class ParitySets {
   std::vector<bool> odd_;
 };
 
-std::size_t corner_of(const EdgeUse& use, bool at_low) {
+std::size_t corner_of(const HalfEdge& use, bool at_low) {
   const int corner = at_low == use.forward ? use.corner : (use.corner + 1) % 3;
   return 3 * static_cast<std::size_t>(use.triangle) + static_cast<std::size_t>(corner);
 }
@@ -147,12 +147,12 @@ CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merg
                  .corners = ParitySets(3 * triangles),
                  .locked = std::vector<bool>(merged.size()),
                  .has_three_places = std::vector<bool>(triangles)};
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    for (const EdgeUse& use : edge) cut.has_three_places[static_cast<std::size_t>(use.triangle)] = true;
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
+    for (const HalfEdge& use : edge) cut.has_three_places[static_cast<std::size_t>(use.triangle)] = true;
     if (edge.size() == 1) return;
-    const EdgeUse& first = edge[0];
-    const EdgeUse& second = edge[1];
+    const HalfEdge& first = edge[0];
+    const HalfEdge& second = edge[1];
     const bool joins = edge.size() == 2 && cut.orientation.unite(static_cast<std::size_t>(first.triangle),
                                                                  static_cast<std::size_t>(second.triangle),
                                                                  first.forward == second.forward);
@@ -211,7 +211,7 @@ void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, 
 /// neighbours agree, and cuts the surface open along edges where not just two faces meet in agreement. Vertices on such
 /// edges, and those of triangles left aside, are locked.
 DecimationInput decimation_input(const Shape& shape) {
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   CutSurface cut = cut_surface(shape, merged);
   DecimationInput input;
   add_triangles(shape, merged, cut, input);
@@ -342,7 +342,7 @@ std::size_t collapse_edges(DecimationMesh& mesh, Eigen::Index faces) {
 
 /// The triangles that are left, in the shape's vertices.
 Triangles triangles_left(const Shape& shape, DecimationInput& input) {
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   std::vector<std::array<std::int32_t, 3>> left;
   for (const auto face : input.mesh.faces()) {  // without those that are deleted
     std::array<std::int32_t, 3> triangle{};

@@ -5,21 +5,21 @@
 
 namespace shapegauge {
 
-/// How many faces a mesh may be simplified to.
+/// Range of the target number of faces.
 inline constexpr Bounds decimate_faces_bounds{.low = 1, .high = 100'000'000};
 
-/// The mesh with at most so many faces, by edge collapses in order of their quadric error (Garland and Heckbert 1997),
-/// with OpenMesh. A collapse pulls one vertex onto a neighbour: every vertex of the result is one of the mesh.
-/// Collapses that would turn a face over by more than about 80 degrees, make a sliver or change the topology are left
-/// out; the result is closed where the mesh was, and every face keeps its orientation.
+/// Simplifies a mesh to at most `faces` faces by edge collapses in order of quadric error (Garland and Heckbert 1997),
+/// with OpenMesh. A collapse pulls one vertex onto a neighbour: every vertex of the result is a vertex of the input.
+/// Collapses that would rotate a face by more than about 80 degrees, create a sliver or change the topology are
+/// rejected. A closed mesh stays closed, and faces keep their orientation.
 ///
-/// Vertices at the same place are taken as one and faces whose corners are not at three places are dropped. The ends of
-/// edges with more than two faces, and of an edge of each band that cannot be oriented, stay; faces that a half-edge
-/// structure cannot hold even so stay untouched. A mesh that has too many of these, or is simplified as far as it goes,
-/// keeps more faces than asked for. Vertices that no face uses are dropped.
+/// Coincident vertices are welded; faces with fewer than three distinct corners and unused vertices are dropped. Fixed
+/// are the ends of edges with more than two faces and, for each non-orientable band, the ends of one edge. Faces that a
+/// half-edge structure still cannot represent stay unchanged. The result has more faces than requested if too many are
+/// fixed or no collapse is left.
 ///
-/// A mesh of no more faces is returned as it is. Throws InputError for a point cloud, a number of faces out of bounds,
-/// a mesh without extent, and where not one edge can be collapsed.
+/// Returns a mesh with at most that many faces unchanged. Throws InputError for a point cloud, a number of faces out of
+/// bounds, a mesh without extent, and if no edge can be collapsed.
 Shape decimate(const Shape& shape, Eigen::Index faces);
 
 }  // namespace shapegauge

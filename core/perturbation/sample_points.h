@@ -14,23 +14,23 @@ struct SamplePointsOptions {
   bool with_normals = false;  ///< give the points their triangles' normals
 };
 
-/// What may be chosen of SamplePointsOptions.
+/// Parameters of SamplePointsOptions.
 inline constexpr std::array sample_points_table = {
     option_of<&SamplePointsOptions::points>("points", {.low = 1, .high = 100'000'000}, "Number of points."),
     option_of<&SamplePointsOptions::with_normals>("with_normals", "Give the points the normals of their faces."),
 };
 
-/// A point cloud: so many points of the mesh, uniform by area. The area is cut, triangle after triangle, into as many
-/// equal parts as there are to be points, and each part has one point: that spreads them better than independent ones.
+/// Samples a mesh by a point cloud of `points` points, stratified and uniform by area. The concatenated triangle areas
+/// are divided into equal parts with one point each, which spreads the points better than independent sampling.
 ///
-/// Of a cloud, so many of its points at random, in their order, or all where it has no more; with_normals then keeps
-/// the normals it has.
+/// Of a cloud, selects that many points at random in their order, or all if there are no more; with_normals then keeps
+/// the cloud's normals.
 ///
 /// Throws InputError for a number of points out of bounds, a mesh whose area is zero or not finite, and an empty shape.
 Shape sample_points(const Shape& shape, const SamplePointsOptions& options, RandomNumbers& random);
 
-/// A point cloud without normals: the vertices of the mesh that a triangle uses, in their order; of a cloud, its
-/// points. A hole of the mesh is one of the cloud.
+/// Makes a point cloud without normals from the vertices of a mesh that a triangle uses, in their order, or from the
+/// points of a cloud. Holes of the mesh become holes of the cloud.
 Shape vertex_cloud(const Shape& shape);
 
 }  // namespace shapegauge

@@ -20,7 +20,7 @@ struct ClosedPart {
 };
 
 std::vector<ClosedPart> closed_parts(const Shape& shape) {
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   DisjointSets sets;
   sets.grow_to(merged.size());
   const auto vertex = [&](Eigen::Index f, int k) { return merged[static_cast<std::size_t>(shape.triangles(f, k))]; };
@@ -47,7 +47,7 @@ std::vector<ClosedPart> closed_parts(const Shape& shape) {
 
 std::size_t cavity_count(const Shape& given) {
   require_usable(given);
-  const Shape shape = without_doubles(given);
+  const Shape shape = without_duplicates(given);
   if (is_cloud(shape) || !is_watertight_and_oriented(shape)) return 0;
   const std::vector<ClosedPart> parts = closed_parts(shape);
   const auto size = [](const ClosedPart& part) { return std::abs(part.volume); };

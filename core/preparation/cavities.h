@@ -6,9 +6,9 @@
 
 namespace shapegauge {
 
-/// Number of the inner surfaces of a hollow body: closed components that are oriented against the largest component and
-/// lie within the box of a larger one that is oriented with it. 0 for a mesh that is not watertight and consistently
-/// oriented, whose inside is not known, and for a cloud. Throws InputError for an unusable shape (require_usable()).
+/// Counts the inner surfaces of a hollow body: closed components with the opposite orientation to the largest one,
+/// inside the box of a larger component that is oriented like it. Returns 0 for a cloud, and for a mesh that is not
+/// watertight and consistently oriented. Throws InputError for an unusable shape (require_usable()).
 std::size_t cavity_count(const Shape& shape);
 
 }  // namespace shapegauge

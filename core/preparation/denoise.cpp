@@ -26,7 +26,7 @@ struct Neighbour {
 };
 
 /// The places at the other ends of each place's edges, sorted; those of edges with two triangles twice.
-CountedByKey<Neighbour> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
+BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
   std::vector<Neighbour> neighbours;
   neighbours.reserve(6 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
@@ -38,7 +38,7 @@ CountedByKey<Neighbour> neighbouring_places(const Triangles& triangles, const st
       neighbours.push_back({b, a});
     }
   }
-  CountedByKey<Neighbour> counted = counted_by_key(neighbours, merged.size(), [](const Neighbour& n) { return n.of; });
+  BucketSorted<Neighbour> counted = bucket_sort(neighbours, merged.size(), [](const Neighbour& n) { return n.of; });
   for (std::size_t v = 0; v < merged.size(); ++v) {
     const std::span all(counted.values);
     std::ranges::sort(all.subspan(counted.first[v], counted.first[v + 1] - counted.first[v]), {}, &Neighbour::vertex);
@@ -49,7 +49,7 @@ CountedByKey<Neighbour> neighbouring_places(const Triangles& triangles, const st
 /// The directions along which the triangles about each vertex face, whichever way round each is oriented. Vertices at
 /// the same place have the same.
 Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
-  const std::vector<std::int32_t> merged = merged_by_place(vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(vertices);
   const auto place_of = [&](Eigen::Index vertex) {
     return static_cast<std::size_t>(merged[static_cast<std::size_t>(vertex)]);
   };
@@ -147,9 +147,9 @@ void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double
 
 VertexNeighbours vertex_neighbours(const Shape& given) {
   require_usable(given);
-  const Shape shape = without_doubles(given);
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
-  const CountedByKey<Neighbour> places = neighbouring_places(shape.triangles, merged);
+  const Shape shape = without_duplicates(given);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
+  const BucketSorted<Neighbour> places = neighbouring_places(shape.triangles, merged);
   const std::vector<bool> used = used_vertices(shape);
   VertexNeighbours result;
   result.first.reserve(merged.size() + 1);
@@ -172,7 +172,7 @@ NoiseLevel noise_level(const Shape& shape, const VertexNeighbours& neighbours) {
   constexpr double pass_band = 0.1;
   constexpr double deviation_of_median = 1.4826;  // of the size of a normally distributed value
   const Points smoothed = taubin_smoothed(shape.vertices, neighbours, pass_band);
-  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, without_doubles(shape).triangles)};
+  const Heights heights{shape.vertices - smoothed, unsigned_normals(smoothed, without_duplicates(shape).triangles)};
   return {.deviation = deviation_of_median * median_or_zero(unshared_heights(heights, neighbours)),
           .edge_length = mean_edge_length(smoothed, neighbours),
           .agreement = agreement_of(heights, neighbours)};

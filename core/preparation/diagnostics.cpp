@@ -57,7 +57,7 @@ std::size_t count_degenerate(const Shape& shape) {
 }
 
 std::size_t count_duplicates(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
-  const std::vector<std::int32_t> first = first_of_doubles(triangles, merged);
+  const std::vector<std::int32_t> first = first_duplicates(triangles, merged);
   std::size_t count = 0;
   for (std::size_t f = 0; f < first.size(); ++f) count += first[f] == static_cast<std::int32_t>(f) ? 0 : 1;
   return count;
@@ -76,10 +76,10 @@ std::size_t count_components(const std::vector<CornerIndices>& corners, std::siz
 }
 
 void diagnose_edges(const Shape& shape, const std::vector<std::int32_t>& merged, ShapeDiagnostics& found) {
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged);
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
   std::vector<double> boundary;
   found.watertight = !uses.empty();
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     ++found.edges;
     if (edge.size() % 2 != 0) found.watertight = false;
     if (edge.size() == 1)
@@ -106,7 +106,7 @@ void diagnose_gaps_and_noise(const Shape& shape, ShapeDiagnostics& found) {
 ShapeDiagnostics diagnose(const Shape& shape) {
   require_usable(shape);
   ShapeDiagnostics found;
-  const std::vector<std::int32_t> merged = merged_by_place(shape.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   found.vertices = merged.size();
   for (std::size_t i = 0; i < merged.size(); ++i) {
     if (static_cast<std::size_t>(merged[i]) != i) ++found.coincident_vertices;
@@ -124,7 +124,7 @@ ShapeDiagnostics diagnose(const Shape& shape) {
 }
 
 double signed_volume(const Shape& given) {
-  const Shape shape = without_doubles(given);
+  const Shape shape = without_duplicates(given);
   const Eigen::Vector3d centre = bounding_box(shape).center();
   double six_volumes = 0;
   for (const auto& triangle : shape.triangles.rowwise()) {

@@ -20,8 +20,8 @@ namespace {
 /// Boundary edges by their vertices, to be walked along once each.
 class BoundaryEdges {
  public:
-  explicit BoundaryEdges(std::span<const EdgeUse> uses) {
-    for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  explicit BoundaryEdges(std::span<const HalfEdge> uses) {
+    for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
       if (edge.size() != 1) return;
       const auto index = static_cast<std::int32_t>(walked_.size());
       walked_.push_back(false);
@@ -136,7 +136,7 @@ double gap_in_mesh(const Shape& mesh, double limit) {
 
 std::vector<BoundaryLoop> boundary_loops(const Shape& shape) {
   require_usable(shape);
-  BoundaryEdges edges(edge_uses(shape.triangles, merged_by_place(shape.vertices)));
+  BoundaryEdges edges(half_edges(shape.triangles, welded_vertices(shape.vertices)));
   std::vector<BoundaryLoop> loops;
   std::vector<std::int64_t> place_in_path(static_cast<std::size_t>(shape.vertices.rows()), -1);
   for (std::int32_t start = edges.start(); start >= 0; start = edges.start()) {

@@ -54,7 +54,7 @@ class TubeVolume {
 
 /// The number of places at which a cloud has points.
 double count_places(const Points& points) {
-  const std::vector<std::int32_t> merged = merged_by_place(points);
+  const std::vector<std::int32_t> merged = welded_vertices(points);
   std::size_t count = 0;
   for (std::size_t i = 0; i < merged.size(); ++i) count += static_cast<std::size_t>(merged[i]) == i ? 1 : 0;
   return static_cast<double>(count);
@@ -93,7 +93,7 @@ double tube_area(const Shape& shape, const TubeAreaOptions& options) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) {
     throw InputError(fmt::format("the shape has no usable extent (the diagonal of its bounding box is {})", diagonal));
   }
-  const Shape unit_shape = in_unit_frame(without_doubles(shape), unit_frame(shape));
+  const Shape unit_shape = in_unit_frame(without_duplicates(shape), unit_frame(shape));
   const TriangleBVH tree(unit_shape);
   const Eigen::AlignedBox3d box = bounding_box(unit_shape);
   const double volume = TubeVolume(tree, r).in(box.center(), box.sizes().maxCoeff() / 2 + r);

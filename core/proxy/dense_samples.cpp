@@ -58,20 +58,20 @@ struct AdjacentTriangle {
   bool opposed;  ///< whether the two run along their edge in the same direction
 };
 
-CountedByKey<AdjacentTriangle> adjacent_triangles(std::span<const EdgeUse> uses, std::size_t triangles) {
+BucketSorted<AdjacentTriangle> adjacent_triangles(std::span<const HalfEdge> uses, std::size_t triangles) {
   std::vector<AdjacentTriangle> pairs;
   pairs.reserve(uses.size());
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     if (edge.size() != 2) return;
     const bool opposed = edge[0].forward == edge[1].forward;
     pairs.push_back({edge[0].triangle, edge[1].triangle, opposed});
     pairs.push_back({edge[1].triangle, edge[0].triangle, opposed});
   });
-  return counted_by_key(pairs, triangles, [](const AdjacentTriangle& pair) { return pair.triangle; });
+  return bucket_sort(pairs, triangles, [](const AdjacentTriangle& pair) { return pair.triangle; });
 }
 
-TriangleSheets triangle_sheets(std::span<const EdgeUse> uses, std::size_t triangles) {
-  const CountedByKey<AdjacentTriangle> adjacent = adjacent_triangles(uses, triangles);
+TriangleSheets triangle_sheets(std::span<const HalfEdge> uses, std::size_t triangles) {
+  const BucketSorted<AdjacentTriangle> adjacent = adjacent_triangles(uses, triangles);
   constexpr std::int32_t unseen = -2;
   TriangleSheets result{std::vector<std::int32_t>(triangles, unseen), std::vector<char>(triangles, 0)};
   std::vector<std::int32_t> piece;
@@ -105,9 +105,9 @@ TriangleSheets triangle_sheets(std::span<const EdgeUse> uses, std::size_t triang
 }
 
 /// The first of each set of triangles with the same corners at three places, along a Morton curve of their centroids.
-std::vector<std::int32_t> ordered_triangles(std::span<const EdgeUse> uses, std::vector<CanonicalTriangle>& triangles) {
+std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses, std::vector<CanonicalTriangle>& triangles) {
   std::vector<char> counts(triangles.size(), 0);
-  for (const EdgeUse& use : uses) counts[static_cast<std::size_t>(use.triangle)] = 1;
+  for (const HalfEdge& use : uses) counts[static_cast<std::size_t>(use.triangle)] = 1;
   std::vector<std::int32_t> order;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const double twice_area = triangles[t].normal.norm();
@@ -145,7 +145,7 @@ Eigen::RowVector3d point_in(const CanonicalTriangle& triangle, Eigen::Index k) {
   return (a + u * (b - a) + v * (c - a)).transpose();
 }
 
-DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const EdgeUse> uses, Eigen::Index count) {
+DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const HalfEdge> uses, Eigen::Index count) {
   const TriangleSheets sheets = triangle_sheets(uses, static_cast<std::size_t>(mesh.triangles.rows()));
   std::vector<CanonicalTriangle> triangles;
   triangles.reserve(sheets.sheet.size());
@@ -210,7 +210,7 @@ DenseSamples dense_samples_of_cloud(const Shape& cloud, Eigen::Index count) {
 
 }  // namespace
 
-DenseSamples dense_samples(const Shape& shape, std::span<const EdgeUse> uses, Eigen::Index count) {
+DenseSamples dense_samples(const Shape& shape, std::span<const HalfEdge> uses, Eigen::Index count) {
   return is_cloud(shape) ? dense_samples_of_cloud(shape, count) : dense_samples_of_mesh(shape, uses, count);
 }
 

@@ -10,18 +10,18 @@
 
 namespace shapegauge {
 
-/// Samples from which a surface proxy is chosen, in an order that depends on the surface alone: not on the order of
-/// faces, vertices and corners, nor on the orientation of faces.
+/// Dense samples from which the points of a surface proxy are chosen. Their order depends only on the surface: not on
+/// the order of faces, vertices and corners, nor on the orientation of faces.
 struct DenseSamples {
   Points points;
-  Points normals;                    ///< unit vectors; zero where there is none
-  Eigen::VectorXd areas;             ///< the area that each sample stands for, positive
-  std::vector<std::int32_t> sheets;  ///< within a sheet normals are consistently oriented; across sheets the sign means
-                                     ///< nothing. -1: in no sheet
-  std::vector<std::int32_t> triangles;  ///< of the mesh, on which each lies; empty for a cloud
+  Points normals;                       ///< unit vectors; zero if undefined
+  Eigen::VectorXd areas;                ///< area represented by each sample, positive
+  std::vector<std::int32_t> sheets;     ///< normals are consistently oriented within a sheet only; -1 for no sheet
+  std::vector<std::int32_t> triangles;  ///< triangle of the mesh that contains each sample; empty for a cloud
 };
 
-/// Cosine of the angle between the normals of two samples; its absolute value where their orientations are unrelated.
+/// Returns the cosine of the angle between the normals of two samples; its absolute value if they are not in the same
+/// sheet.
 inline double normal_agreement(const Points& normals, const std::vector<std::int32_t>& sheets, std::int32_t i,
                                std::int32_t j) {
   const double product = normals.row(i).dot(normals.row(j));
@@ -29,14 +29,13 @@ inline double normal_agreement(const Points& normals, const std::vector<std::int
   return sheet >= 0 && sheet == sheets[static_cast<std::size_t>(j)] ? product : std::abs(product);
 }
 
-/// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles; doubled
-/// triangles count once. Sheets are the pieces that edges of exactly two triangles join, as far as they can be
-/// oriented.
+/// Samples a mesh at `count` points, uniform by area and stratified along a Morton curve of its triangles. Duplicate
+/// triangles count once. Sheets are the orientable pieces connected by edges of exactly two triangles.
 ///
-/// Takes the distinct points of a cloud, weighted by point_weights(), with unsigned_point_normals(); of more than
-/// `count` points every so many-th along a Morton curve. All are in no sheet.
+/// Of a cloud, takes the distinct points, weighted by point_weights(), with unsigned_point_normals(), in no sheet. From
+/// more than `count` points, selects evenly along a Morton curve.
 ///
-/// `uses` are the mesh's edge_uses(). Throws InputError where the shape has no area.
-DenseSamples dense_samples(const Shape& shape, std::span<const EdgeUse> uses, Eigen::Index count);
+/// `uses` are the mesh's half_edges(). Throws InputError if the shape has no area.
+DenseSamples dense_samples(const Shape& shape, std::span<const HalfEdge> uses, Eigen::Index count);
 
 }  // namespace shapegauge

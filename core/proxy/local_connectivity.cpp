@@ -7,7 +7,7 @@
 namespace shapegauge {
 
 LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged,
-                                     std::span<const EdgeUse> uses)
+                                     std::span<const HalfEdge> uses)
     : spheres_(4, shape.triangles.rows()),
       on_border_(static_cast<std::size_t>(shape.triangles.rows()), 0),
       visited_by_(on_border_.size(), 0) {
@@ -22,7 +22,7 @@ LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::in
   pieces.grow_to(on_border_.size());
   std::vector<Neighbour> pairs;
   pairs.reserve(uses.size());
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     if (edge.size() == 1) on_border_[at(edge.front().triangle)] = 1;
     for (std::size_t k = 1; k < edge.size(); ++k) {
       const std::int32_t a = edge[k - 1].triangle;
@@ -32,7 +32,7 @@ LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::in
       pieces.join(a, b);
     }
   });
-  across_edges_ = counted_by_key(pairs, on_border_.size(), [](const Neighbour& pair) { return pair.of; });
+  across_edges_ = bucket_sort(pairs, on_border_.size(), [](const Neighbour& pair) { return pair.of; });
   for (std::size_t t = 0; t < on_border_.size(); ++t) component_.push_back(pieces.find(static_cast<std::int32_t>(t)));
   if (std::ranges::count(on_border_, 1) > 0) across_vertices_ = across_vertices(shape, merged);
 }
@@ -43,7 +43,7 @@ LocalConnectivity::Neighbours LocalConnectivity::across_vertices(const Shape& sh
   for (Eigen::Index t = 0; t < shape.triangles.rows(); ++t) {
     for (int k = 0; k < 3; ++k) corners.push_back({merged[at(shape.triangles(t, k))], static_cast<std::int32_t>(t)});
   }
-  const Neighbours around = counted_by_key(corners, merged.size(), [](const Neighbour& corner) { return corner.of; });
+  const Neighbours around = bucket_sort(corners, merged.size(), [](const Neighbour& corner) { return corner.of; });
   std::vector<Neighbour> pairs;
   for (const Neighbour& corner : corners) {
     for (std::size_t k = around.first[at(corner.of)]; k < around.first[at(corner.of) + 1]; ++k) {
@@ -51,8 +51,8 @@ LocalConnectivity::Neighbours LocalConnectivity::across_vertices(const Shape& sh
       if (other != corner.triangle) pairs.push_back({corner.triangle, other});
     }
   }
-  return counted_by_key(pairs, static_cast<std::size_t>(shape.triangles.rows()),
-                        [](const Neighbour& pair) { return pair.of; });
+  return bucket_sort(pairs, static_cast<std::size_t>(shape.triangles.rows()),
+                     [](const Neighbour& pair) { return pair.of; });
 }
 
 void LocalConnectivity::visit(std::int32_t triangle) {

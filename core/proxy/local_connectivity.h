@@ -11,25 +11,25 @@
 
 namespace shapegauge {
 
-/// What joins two neighbouring triangles.
+/// Element shared by two adjacent triangles.
 enum class Joint { edge, vertex };
 
-/// Which triangles of a mesh are connected near a place. A cloud has no triangles.
+/// Local connectivity of the triangles of a mesh. A cloud has no triangles.
 class LocalConnectivity {
  public:
-  /// `merged` and `uses` are merged_by_place() and edge_uses() of the shape.
-  LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged, std::span<const EdgeUse> uses);
+  /// `merged` and `uses` are welded_vertices() and half_edges() of the shape.
+  LocalConnectivity(const Shape& shape, std::span<const std::int32_t> merged, std::span<const HalfEdge> uses);
 
-  /// Whether two triangles are connected by any path across edges.
+  /// Returns true if two triangles are connected by a path across edges.
   [[nodiscard]] bool of_one_component(std::int32_t a, std::int32_t b) const {
     return component_[at(a)] == component_[at(b)];
   }
 
-  /// Whether a path leads from one triangle to another through triangles whose bounding spheres meet a ball.
+  /// Returns true if a path connects two triangles through triangles whose bounding spheres intersect a ball.
   bool connected_in_ball(std::int32_t from, std::int32_t to, const Eigen::Vector3d& centre, double radius,
                          Joint joint = Joint::edge);
 
-  /// Whether the search of the last connected_in_ball() met a triangle with an edge that no other triangle has.
+  /// Returns true if the last connected_in_ball() visited a triangle with a boundary edge.
   [[nodiscard]] bool met_border() const { return met_border_; }
 
  private:
@@ -38,7 +38,7 @@ class LocalConnectivity {
     std::int32_t triangle;
   };
 
-  using Neighbours = CountedByKey<Neighbour>;
+  using Neighbours = BucketSorted<Neighbour>;
 
   static std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
   static Neighbours across_vertices(const Shape& shape, std::span<const std::int32_t> merged);
@@ -51,12 +51,12 @@ class LocalConnectivity {
   void walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius, const Neighbours& neighbours);
 
   Neighbours across_edges_;      ///< by triangle
-  Neighbours across_vertices_;   ///< by triangle; empty where no edge is a border
+  Neighbours across_vertices_;   ///< by triangle; empty without boundary edges
   Eigen::Matrix4Xd spheres_;     ///< by triangle: centre and radius
   std::vector<char> on_border_;  ///< by triangle
   std::vector<std::int32_t> component_;
-  std::vector<std::int32_t> visited_by_;  ///< by triangle: the number of the last search that met it
-  std::vector<std::int32_t> queue_;       ///< triangles met, in this order
+  std::vector<std::int32_t> visited_by_;  ///< by triangle: number of the last search that visited it
+  std::vector<std::int32_t> queue_;       ///< triangles in the order of visits
   std::int32_t search_ = 0;
   bool met_border_ = false;
 };

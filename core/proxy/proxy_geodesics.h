@@ -8,12 +8,12 @@ namespace shapegauge {
 
 /// Geodesic distances from landmarks of a proxy.
 struct ProxyGeodesics {
-  Eigen::MatrixXf distances;  ///< a row a point of the proxy, a column a landmark; in the shape's units
-  Eigen::VectorXd areas;      ///< of the surface that is geodesically nearest to each landmark
+  Eigen::MatrixXf distances;  ///< one row a point of the proxy, one column a landmark; in the shape's units
+  Eigen::VectorXd areas;      ///< area of the geodesic Voronoi cell of each landmark
 };
 
-/// Distances along the arcs of the proxy from its first `landmarks` points (all, where there are fewer), which are its
-/// farthest points. Shortest paths of the graph: a few percent longer than geodesics.
+/// Computes distances along the arcs of the proxy from its first `landmarks` points (all, if there are fewer), which
+/// are in farthest-point order. Shortest paths of the graph are a few percent longer than geodesics.
 ProxyGeodesics proxy_geodesics(const SurfaceProxy& proxy, Eigen::Index landmarks);
 
 }  // namespace shapegauge

@@ -133,7 +133,7 @@ void set_arcs(SurfaceProxy& proxy, const std::vector<Segment>& segments) {
     arcs.push_back({segment.a, {segment.b, length}});
     arcs.push_back({segment.b, {segment.a, length}});
   }
-  const auto sorted = counted_by_key(arcs, count, [](const auto& arc) { return arc.first; });
+  const auto sorted = bucket_sort(arcs, count, [](const auto& arc) { return arc.first; });
   proxy.first_arc = sorted.first;
   for (const auto& [from, arc] : sorted.values) proxy.arcs.push_back(arc);
 }
@@ -262,8 +262,8 @@ SurfaceProxy surface_proxy(const Shape& shape, const SurfaceProxyOptions& option
   require_usable(shape);
   const UnitFrame frame = unit_frame(shape);
   const Shape framed = in_unit_frame(shape, frame);
-  const std::vector<std::int32_t> merged = merged_by_place(framed.vertices);
-  const std::vector<EdgeUse> uses = edge_uses(framed.triangles, merged);
+  const std::vector<std::int32_t> merged = welded_vertices(framed.vertices);
+  const std::vector<HalfEdge> uses = half_edges(framed.triangles, merged);
   const DenseSamples samples = dense_samples(framed, uses, Eigen::Index{options.points} * options.samples_per_point);
   ProxyPoints chosen = proxy_points(samples, farthest_points(samples, options.points));
   chosen.covering_radius = std::max(chosen.covering_radius, radius_of_spacing(chosen.points));

@@ -6,25 +6,25 @@
 
 namespace shapegauge {
 
-/// Camera and image settings. The shape fills the image whatever its size and place.
+/// Camera and image settings. The shape fills the image whatever its size and position.
 struct RenderOptions {
   int width = 640;                                  ///< pixels
   int height = 480;                                 ///< pixels
   Eigen::Vector3d towards_viewer = {0.6, 0.45, 1};  ///< direction from the shape to the viewer; any length but 0
-  Eigen::Vector3d up = {0, 1, 0};                   ///< direction that is upright in the image; any length but 0
-  double margin = 0.04;                             ///< part of the width and of the height left free on every side
-  int rays_per_side = 3;                            ///< a pixel is the mean of a square grid of this many rays a side
-  bool transparent = false;                         ///< transparent background instead of white
+  Eigen::Vector3d up = {0, 1, 0};                   ///< direction that is vertical in the image; any length but 0
+  double margin = 0.04;                             ///< part of the width and of the height left empty on every side
+  int rays_per_side = 3;     ///< a pixel is the mean of a square grid of rays with this many a side
+  bool transparent = false;  ///< transparent background instead of white
 };
 
-/// The options with a view that moves and turns with the shape: its longest principal axis lies across
-/// the image, its shortest points roughly at the viewer, who looks a little from the side and from above. The axes are
-/// those of the second moments of the surface, or of a cloud's points; each points to where the shape reaches out
-/// further (positive third moment), an axis about which the shape is balanced along its largest coordinate. The
-/// options are returned as they are where the shape has no finite extent.
+/// Returns the options with a view that follows the shape's principal axes. The longest axis lies horizontally and the
+/// shortest points roughly at the viewer; the camera is slightly above and to the side. The axes are those of the
+/// second moments of the surface, or of a cloud's points. Each points in the direction of positive third moment, or
+/// along its largest coordinate if the shape is balanced. Returns the options unchanged for a shape without finite
+/// extent.
 RenderOptions principal_view(const Shape& shape, RenderOptions options = {});
 
-/// The image plane of a parallel projection, in front of the shape.
+/// Image plane of a parallel projection, in front of the shape.
 struct Camera {
   Eigen::Vector3d top_left;  ///< corner of the image
   Eigen::Vector3d right;     ///< unit
@@ -38,7 +38,7 @@ struct Camera {
   }
 };
 
-/// The camera of the options, in front of a mesh that has an extent. Throws InputError where an option is out of range.
+/// Computes the camera of the options, in front of a mesh with an extent. Throws InputError for an option out of range.
 Camera camera_for(const Shape& shape, const RenderOptions& options);
 
 }  // namespace shapegauge

@@ -1,22 +1,22 @@
 #pragma once
 
-/// How surfaces are lit, in pictures and in the interactive views of pages: light from above the viewer's left shoulder
-/// that wraps around the form, and a little from the viewer.
+/// Lighting of images and interactive views: a wrapped light from above the viewer's left shoulder, and a weak one from
+/// the viewer.
 
 namespace shapegauge {
 
 inline constexpr double smooth_edge_degrees = 40;  ///< edges up to this angle are shaded smoothly
 
-/// Direction to the light, in the viewer's axes; not of unit length.
+/// Direction to the light in the viewer's axes, not normalised.
 /// @{
 inline constexpr double light_right = -0.6;
 inline constexpr double light_up = 1;
 inline constexpr double light_towards = 0.9;
 /// @}
 
-inline constexpr double light_wrap = 0.6;     ///< cosine beyond 90 degrees that the light still reaches
-inline constexpr double ambient_part = 0.36;  ///< of the colour that is seen without light
-inline constexpr double wrapped_part = 0.54;  ///< of the colour that the light adds where it falls vertically
-inline constexpr double frontal_part = 0.1;   ///< of the colour that a surface facing the viewer adds
+inline constexpr double light_wrap = 0.6;     ///< cosine of the angle beyond 90 degrees that the light still reaches
+inline constexpr double ambient_part = 0.36;  ///< part of the colour without light
+inline constexpr double wrapped_part = 0.54;  ///< part of the colour added where the light falls vertically
+inline constexpr double frontal_part = 0.1;   ///< part of the colour added on a surface that faces the viewer
 
 }  // namespace shapegauge

@@ -4,28 +4,28 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of automatic_offset() that changes an offset: what a cache holds of earlier versions
-/// is then computed anew.
+/// Cache version of automatic_offset(); see docs/manual/cache.md.
 inline constexpr int automatic_offset_version = 2;
 
-/// Bounds of the offset that is chosen for a shape, as fractions of the bounding-box diagonal.
+/// Bounds of the chosen offset, as fractions of the bounding-box diagonal.
 struct AutomaticOffsetOptions {
-  double least = 0.01;  ///< what a clean, closed shape gets: a smaller offset follows its concavities better
-  double most = 0.05;   ///< beyond it an offset surface says little of the shape
+  double least = 0.01;  ///< for clean, closed shapes: a smaller offset follows concavities better
+  double most = 0.05;   ///< a larger offset surface says little about the shape
 };
 
-/// An offset and why it was chosen.
+/// Automatically chosen offset and its reasons.
 struct AutomaticOffset {
   double offset = 0;  ///< fraction of the bounding-box diagonal
-  double gap = 0;     ///< what closing the gaps takes (gap_size), as such a fraction
-  double noise = 0;  ///< what levelling the noise takes: twice its standard deviation (noise_level), as such a fraction
-  bool sufficient = true;  ///< false where the gaps or the noise ask for more than `most`
+  double gap = 0;     ///< offset that closes the gaps (gap_size()), as a fraction of the diagonal
+  double noise = 0;   ///< offset that smooths the noise: twice its standard deviation (noise_level()), as a fraction of
+                      ///< the diagonal
+  bool sufficient = true;  ///< false if gaps or noise would need more than `most`
 };
 
-/// The offset r for a shape of which nothing is known (the paper leaves its choice open, "Limitations"): the least that
-/// closes its gaps, with a tenth to spare (but for openings that even `most` leaves open), and levels its noise.
-/// Without triangles, noise cannot be told from spacing and does not count. Throws InputError where the shape is
-/// unusable (require_usable()) or has no extent, or the bounds are out of order.
+/// Chooses the offset r from the shape's gaps and noise; the paper leaves its choice open ("Limitations"). The result
+/// is the smallest offset that closes the gaps, with a tenth to spare, and smooths the noise. Openings that even `most`
+/// leaves open are ignored. Noise is ignored for clouds, where it cannot be distinguished from the point spacing.
+/// Throws InputError if the shape is unusable (require_usable()) or has no extent, or if the bounds are out of order.
 AutomaticOffset automatic_offset(const Shape& shape, const AutomaticOffsetOptions& options = {});
 
 }  // namespace shapegauge

@@ -162,8 +162,8 @@ constexpr Eigen::Index rays_that_pay = 5;
 
 /// Of the same shape, for most rays and for those that must not slip.
 struct RayCasters {
-  RayCasters(const Shape& shape, Eigen::Index rays) : without_gaps(shape, RaysAtEdges::hit) {
-    if (rays > rays_that_pay * shape.triangles.rows()) quick.emplace(shape, RaysAtEdges::may_slip);
+  RayCasters(const Shape& shape, Eigen::Index rays) : without_gaps(shape, EdgeHandling::robust) {
+    if (rays > rays_that_pay * shape.triangles.rows()) quick.emplace(shape, EdgeHandling::fast);
   }
 
   RayCaster without_gaps;

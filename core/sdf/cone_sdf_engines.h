@@ -4,19 +4,19 @@
 
 #include "shapegauge/core/sdf/cone_sdf.h"
 
-/// What cone_sdf() and its engines share. Not for users of the library. The engines are compiled apart: CGAL's flags
-/// must not reach Embree's.
+/// Implementation of cone_sdf(), shared by its engines; not part of the public interface. The engines are compiled
+/// separately: CGAL's flags must not affect Embree's.
 namespace shapegauge {
 
-/// Mean of the values within 1.5 median absolute deviations of their median (as in CGAL 5.5). Of an even number of
-/// values the median is the mean of the two in the middle. Sorts the values, of which there must be at least one.
+/// Returns the mean of the values within 1.5 median absolute deviations of their median (as CGAL 5.5 does). For an even
+/// count the median is the mean of the two middle values. Sorts the values. Needs at least one value.
 double mean_without_outliers(std::span<double> values);
 
-/// The cgal engine of cone_sdf(), which has checked the options: one value per triangle, on one thread. Throws
-/// InputError where the triangles are no oriented manifold, which CGAL's mesh needs.
+/// The cgal engine of cone_sdf(), for validated options: one value per triangle, on one thread. Throws InputError if
+/// the triangles do not form an oriented manifold.
 ConeSdfResult cone_sdf_cgal(const Shape& shape, const ConeSdfOptions& options);
 
-/// The embree engine of cone_sdf(), which has checked the options and the samples.
+/// The embree engine of cone_sdf(), for validated options and samples.
 ConeSdfResult cone_sdf_embree(const Shape& shape, const Samples& samples, const ConeSdfOptions& options);
 
 }  // namespace shapegauge

@@ -6,19 +6,20 @@
 
 namespace shapegauge {
 
-/// Normals by the offset surface.
+/// Normals estimated from the offset surface.
 struct OffsetNormals {
-  Points normals;  ///< unit vectors, a row a sample; zero where missing
+  Points normals;  ///< unit vectors, one row a sample; zero if missing
   OffsetSdfOutcomes outcomes;
 };
 
-/// Outward unit normals at samples of a shape, a mesh or a cloud: the direction from the sample to the closest point of
-/// the outer offset surface, (q - p)/|q - p| (the paper, section "Normal estimation";
+/// Estimates outward unit normals at samples of a mesh or cloud as (q - p)/|q - p|, where q is the point of the outer
+/// offset surface closest to the sample p (the paper, section "Normal estimation";
 /// docs/reference/definitions.md#offset-sdf).
 ///
-/// Outward is where the unbounded space is, whatever the orientation of triangles or the normals of a cloud say. An
-/// offset above the noise and the gaps (automatic_offset) looks past both; one above the radius of a concavity looks
-/// out of it. offset_sdf() has these normals beside the SDF; options and errors are its.
+/// Outward means towards the unbounded exterior, independent of the orientation of triangles and of a cloud's normals.
+/// An offset above noise and gaps (automatic_offset()) is robust to both. With an offset above the radius of a
+/// concavity, normals point out of the concavity. offset_sdf() returns the same normals together with the SDF, and has
+/// the same options and errors.
 OffsetNormals offset_normals(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
 
 }  // namespace shapegauge

@@ -81,7 +81,7 @@ std::vector<std::int32_t> OffsetSdfSolver::triangles_of(const Samples& samples) 
   std::vector<std::int32_t> triangles = samples.triangles;
   for (std::int32_t& triangle : triangles) triangle = mesh_.triangle_of[static_cast<std::size_t>(triangle)];
   const bool all_faces = samples.site == SampleSite::faces && samples.points.rows() == std::ssize(mesh_.triangle_of);
-  if (mesh_.has_doubles() && all_faces) triangles = mesh_.triangle_of;
+  if (mesh_.has_duplicates() && all_faces) triangles = mesh_.triangle_of;
   return triangles;
 }
 
@@ -94,7 +94,7 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
       {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel},
       triangles_of(samples));
   const bool all_vertices = samples.site == SampleSite::vertices && points.rows() == std::ssize(mesh_.vertex_of);
-  if (mesh_.has_doubles() && all_vertices) copy_answers(answers, mesh_.vertex_of);
+  if (mesh_.has_duplicates() && all_vertices) copy_answers(answers, mesh_.vertex_of);
   OffsetSdfResult result;
   result.values = answers.values * frame_.diagonal;
   result.outcomes = count(answers, options.offset);

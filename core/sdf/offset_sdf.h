@@ -14,65 +14,64 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of offset_sdf() that changes a value, a normal or an outcome: what a cache holds of
-/// earlier versions is then computed anew.
+/// Cache version of offset_sdf(); see docs/manual/cache.md.
 inline constexpr int offset_sdf_version = 9;
 
-/// How fine the grid is (docs/methods/offset_sdf.md#what-is-promised): its cells measure r/2.5, r/3 or r/5.
+/// Resolution of the grid (docs/methods/offset_sdf.md#what-is-promised): cells of edge r/2.5, r/3 or r/5.
 enum class OffsetAccuracy { fast, standard, fine };
 template <>
 inline constexpr std::array<std::string_view, 3> words_of<OffsetAccuracy>{"fast", "standard", "fine"};
 
-/// Settings of the SDF of the offset surface.
+/// Options of the SDF of the offset surface.
 struct OffsetSdfOptions {
   static constexpr Bounds offset_bounds{.low = 1e-6, .high = 1};
 
   double offset = 0.05;  ///< r as a fraction of the bounding-box diagonal
   OffsetAccuracy accuracy = OffsetAccuracy::standard;
-  bool parallel = true;  ///< spread the work over the threads of the calling TBB arena
+  bool parallel = true;  ///< distribute the work over the threads of the calling TBB arena
 };
 
-/// What may be chosen of OffsetSdfOptions.
+/// Parameters of OffsetSdfOptions.
 inline constexpr std::array offset_sdf_table = {
     option_of<&OffsetSdfOptions::offset>("offset", OffsetSdfOptions::offset_bounds,
                                          "Offset distance as a fraction of the bounding box's diagonal."),
-    option_of<&OffsetSdfOptions::accuracy>(
-        "accuracy", "How fine the grid of the computation is: its cells are the offset over 2.5, 3 or 5."),
+    option_of<&OffsetSdfOptions::accuracy>("accuracy", "Resolution of the grid: cells of edge offset / 2.5, 3 or 5."),
 };
 
-/// How the samples of one call were answered.
+/// Sample counts by outcome.
 struct OffsetSdfOutcomes {
   std::size_t total = 0;
   std::size_t direct = 0;     ///< q = p + r n, n the normal of the sample's own surface (either side)
   std::size_t searched = 0;   ///< p + r n is covered by another part of the offset solid: q found by search
-  std::size_t undecided = 0;  ///< answered, but no refinement settled: q may be too far by a cell or two
-  std::size_t missing = 0;    ///< not a point of the surface (a vertex that no triangle uses): no value
-  std::size_t enlarged = 0;   ///< answered at a larger offset than asked for: all samples of a shape, or none
+  std::size_t undecided = 0;  ///< the search did not converge: q may be too far by a cell or two
+  std::size_t missing = 0;    ///< no value, since p is not on the surface: a vertex that no triangle uses
+  std::size_t enlarged = 0;   ///< computed with a larger offset than requested: all samples of a shape, or none
 };
 
-/// The SDF of the offset surface, sample by sample.
+/// SDF of the offset surface by sample.
 struct OffsetSdfResult {
-  Eigen::VectorXd values;  ///< |qq'| - 2r, never negative, in the shape's units; NaN where missing
-  Points normals;          ///< (q - p)/|q - p|: the outward normal estimate; zero where missing
+  Eigen::VectorXd values;  ///< |qq'| - 2r, never negative, in the shape's units; NaN if missing
+  Points normals;          ///< outward normal estimate (q - p)/|q - p|; zero if missing
   OffsetSdfOutcomes outcomes;
-  double offset = 0;  ///< as used: options.offset, or the least above it whose grid fits into memory (offset_solver.h)
-  double build_seconds = 0;  ///< the grid: surface, flood and sites
-  double query_seconds = 0;  ///< all samples
+  double offset =
+      0;  ///< used offset: the requested one, or the smallest larger one whose grid fits into memory (offset_solver.h)
+  double build_seconds = 0;  ///< construction of the grid: surface, flood fill and sites
+  double query_seconds = 0;  ///< queries for all samples
 };
 
-/// A shape in the coordinates that all of its offsets are computed in: make it once, then ask for one offset after the
-/// other. Keeps no reference to the shape. Safe to ask from many threads.
+/// Computes SDFs of one shape for several offsets, in coordinates shared by all of them. Keeps no reference to the
+/// shape. Thread-safe.
 class OffsetSdfSolver {
  public:
-  /// The shape may be a point cloud. Throws InputError where it is unusable (require_usable()) or has no extent.
+  /// Accepts meshes and point clouds. Throws InputError if the shape is unusable (require_usable()) or has no extent.
   explicit OffsetSdfSolver(const Shape& shape);
 
-  /// SDF of the offset surface at samples of the shape (the paper, Algorithm 1;
-  /// docs/reference/definitions.md#offset-sdf). Throws InputError where the offset is out of range. The build's seconds
-  /// do not include the constructor's.
+  /// Computes the SDF of the offset surface at samples of the shape (the paper, Algorithm 1;
+  /// docs/reference/definitions.md#offset-sdf). Throws InputError for an offset out of range. The result's
+  /// build_seconds exclude the constructor.
   [[nodiscard]] OffsetSdfResult solve(const Samples& samples, const OffsetSdfOptions& options) const;
 
-  /// Seconds that the constructor took.
+  /// Returns the seconds that the constructor took.
   [[nodiscard]] double build_seconds() const { return build_seconds_; }
 
  private:
@@ -83,7 +82,7 @@ class OffsetSdfSolver {
   DistinctTriangles mesh_;  ///< in the frame
 };
 
-/// The same for one offset; the build's seconds are those of everything.
+/// Computes the SDF for one offset. The result's build_seconds include the construction of the solver.
 OffsetSdfResult offset_sdf(const Shape& shape, const Samples& samples, const OffsetSdfOptions& options);
 
 }  // namespace shapegauge

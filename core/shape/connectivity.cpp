@@ -53,13 +53,13 @@ std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Ind
 }
 
 /// The uses by (low, high, triangle).
-std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertices) {
-  CountedByKey<EdgeUse> counted = counted_by_key(uses, vertices, [](const EdgeUse& use) { return use.low; });
+std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& uses, std::size_t vertices) {
+  BucketSorted<HalfEdge> counted = bucket_sort(uses, vertices, [](const HalfEdge& use) { return use.low; });
   const SparseInterruptionCheck check;
   for (std::size_t v = 0; v < vertices; ++v) {
     check();
     const auto place = [&](std::size_t i) { return counted.values.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const EdgeUse& a, const EdgeUse& b) {
+    std::sort(place(counted.first[v]), place(counted.first[v + 1]), [](const HalfEdge& a, const HalfEdge& b) {
       return std::tie(a.high, a.triangle) < std::tie(b.high, b.triangle);
     });
   }
@@ -70,22 +70,22 @@ std::vector<EdgeUse> sorted(const std::vector<EdgeUse>& uses, std::size_t vertic
 template <typename Condition>
 bool all_edges(const Shape& shape, Condition condition) {
   require_usable(shape);
-  const std::vector<EdgeUse> uses = edge_uses(shape.triangles, merged_by_place(shape.vertices));
+  const std::vector<HalfEdge> uses = half_edges(shape.triangles, welded_vertices(shape.vertices));
   bool all = !uses.empty();
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { all = all && condition(edge); });
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) { all = all && condition(edge); });
   return all;
 }
 
 }  // namespace
 
-std::vector<std::int32_t> merged_by_place(const Points& vertices) {
+std::vector<std::int32_t> welded_vertices(const Points& vertices) {
   PlaceTable places(vertices);
   std::vector<std::int32_t> merged(static_cast<std::size_t>(vertices.rows()));
   for (std::size_t v = 0; v < merged.size(); ++v) merged[v] = places.first_at_place_of(static_cast<std::int32_t>(v));
   return merged;
 }
 
-std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span<const std::int32_t> merged) {
+std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged) {
   struct SortedCorners {
     std::array<std::int32_t, 3> corners;
     std::int32_t triangle;
@@ -95,7 +95,7 @@ std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span
     all[f] = {corner_places(triangles, static_cast<Eigen::Index>(f), merged), static_cast<std::int32_t>(f)};
     std::ranges::sort(all[f].corners);
   }
-  auto [sorted, first] = counted_by_key(all, merged.size(), [](const SortedCorners& t) { return t.corners[0]; });
+  auto [sorted, first] = bucket_sort(all, merged.size(), [](const SortedCorners& t) { return t.corners[0]; });
   std::vector<std::int32_t> result(all.size());
   for (std::size_t v = 0; v < merged.size(); ++v) {
     const auto of_vertex = std::span(sorted).subspan(first[v], first[v + 1] - first[v]);
@@ -108,9 +108,9 @@ std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span
   return result;
 }
 
-std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged) {
-  const std::vector<std::int32_t> first = first_of_doubles(triangles, merged);
-  std::vector<EdgeUse> uses;
+std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged) {
+  const std::vector<std::int32_t> first = first_duplicates(triangles, merged);
+  std::vector<HalfEdge> uses;
   uses.reserve(3 * static_cast<std::size_t>(triangles.rows()));
   for (Eigen::Index f = 0; f < triangles.rows(); ++f) {
     if (first[static_cast<std::size_t>(f)] != f) continue;
@@ -130,12 +130,12 @@ std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::
 }
 
 bool is_watertight(const Shape& shape) {
-  return all_edges(shape, [](std::span<const EdgeUse> edge) { return edge.size() % 2 == 0; });
+  return all_edges(shape, [](std::span<const HalfEdge> edge) { return edge.size() % 2 == 0; });
 }
 
 bool is_watertight_and_oriented(const Shape& shape) {
-  return all_edges(shape, [](std::span<const EdgeUse> edge) {
-    return 2 * std::ranges::count(edge, true, &EdgeUse::forward) == std::ssize(edge);
+  return all_edges(shape, [](std::span<const HalfEdge> edge) {
+    return 2 * std::ranges::count(edge, true, &HalfEdge::forward) == std::ssize(edge);
   });
 }
 

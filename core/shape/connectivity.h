@@ -12,17 +12,17 @@
 
 namespace shapegauge {
 
-/// Values sorted by key, stably.
+/// Values sorted by integer key, in stable order.
 template <typename Value>
-struct CountedByKey {
+struct BucketSorted {
   std::vector<Value> values;
-  std::vector<std::size_t> first;  ///< of each key, and the number of values at the end
+  std::vector<std::size_t> first;  ///< by key: index of its first value; one more entry at the end
 };
 
-/// Counting sort by keys from 0 to keys - 1, in linear time. key(value) gives the key.
+/// Sorts values stably by keys in [0, keys), in linear time. key(value) returns the key.
 template <typename Value, typename Key>
-CountedByKey<Value> counted_by_key(const std::vector<Value>& values, std::size_t keys, Key key) {
-  CountedByKey<Value> result{std::vector<Value>(values.size()), std::vector<std::size_t>(keys + 1, 0)};
+BucketSorted<Value> bucket_sort(const std::vector<Value>& values, std::size_t keys, Key key) {
+  BucketSorted<Value> result{std::vector<Value>(values.size()), std::vector<std::size_t>(keys + 1, 0)};
   for (const Value& value : values) ++result.first[static_cast<std::size_t>(key(value)) + 1];
   std::partial_sum(result.first.begin(), result.first.end(), result.first.begin());
   std::vector<std::size_t> next = result.first;
@@ -30,17 +30,17 @@ CountedByKey<Value> counted_by_key(const std::vector<Value>& values, std::size_t
   return result;
 }
 
-/// Disjoint sets of the numbers from 0 on (union-find).
+/// Union-find over the numbers from 0 on.
 class DisjointSets {
  public:
   [[nodiscard]] std::size_t size() const { return parent_.size(); }
 
-  /// Adds numbers up to the size, each in a set of its own.
+  /// Adds numbers below `size`, each as a singleton set.
   void grow_to(std::size_t size) {
     while (parent_.size() < size) parent_.push_back(static_cast<std::int32_t>(parent_.size()));
   }
 
-  /// The least number in the set of i.
+  /// Returns the least number in the set of i.
   std::int32_t find(std::int32_t i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
@@ -57,31 +57,31 @@ class DisjointSets {
   std::vector<std::int32_t> parent_;
 };
 
-/// For each vertex, the index of the first vertex at exactly the same place, which may be its own.
-std::vector<std::int32_t> merged_by_place(const Points& vertices);
+/// Returns, for each vertex, the index of the first vertex at exactly the same position.
+std::vector<std::int32_t> welded_vertices(const Points& vertices);
 
-/// For each triangle the first one with the same three corners, in any order: its own index unless it is a double.
-/// Vertices are named as by merged_by_place().
-std::vector<std::int32_t> first_of_doubles(const Triangles& triangles, std::span<const std::int32_t> merged);
+/// Returns, for each triangle, the index of the first triangle with the same corners in any order: its own index unless
+/// it is a duplicate. Corners are compared by welded_vertices().
+std::vector<std::int32_t> first_duplicates(const Triangles& triangles, std::span<const std::int32_t> merged);
 
-/// A half-edge: a side of a triangle, and the edge that it lies on. Vertices are named as by merged_by_place().
-struct EdgeUse {
-  std::int32_t low;       ///< the edge's lesser vertex
-  std::int32_t high;      ///< the edge's greater vertex
-  std::int32_t triangle;  ///< whose side it is
-  std::int8_t corner;     ///< at which the side begins; it leads to the next one
-  bool forward;           ///< whether it leads from the lesser vertex to the greater
+/// Half-edge: a side of a triangle and its undirected edge, with welded vertex indices (welded_vertices()).
+struct HalfEdge {
+  std::int32_t low;       ///< lesser vertex of the edge
+  std::int32_t high;      ///< greater vertex of the edge
+  std::int32_t triangle;  ///< triangle that the side belongs to
+  std::int8_t corner;     ///< corner at which the side begins; it leads to the next corner
+  bool forward;           ///< directed from the lesser vertex to the greater
 
-  [[nodiscard]] bool same_edge(const EdgeUse& other) const { return low == other.low && high == other.high; }
+  [[nodiscard]] bool same_edge(const HalfEdge& other) const { return low == other.low && high == other.high; }
 };
 
-/// All sides of the triangles whose corners are at three places, sorted by edge, those of an edge by triangle. Of
-/// doubled triangles only the first has sides (first_of_doubles()).
-std::vector<EdgeUse> edge_uses(const Triangles& triangles, std::span<const std::int32_t> merged);
+/// Returns the half-edges of all triangles with three distinct corners, sorted by edge and then by triangle. Of
+/// duplicate triangles only the first has half-edges (first_duplicates()).
+std::vector<HalfEdge> half_edges(const Triangles& triangles, std::span<const std::int32_t> merged);
 
-/// Calls visit(std::span<const EdgeUse>) with the uses of each edge.
+/// Calls visit(std::span<const HalfEdge>) with the half-edges of each edge.
 template <typename Visit>
-void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
+void for_each_edge(std::span<const HalfEdge> uses, Visit visit) {
   for (std::size_t begin = 0; begin < uses.size();) {
     std::size_t end = begin + 1;
     while (end < uses.size() && uses[end].same_edge(uses[begin])) ++end;
@@ -90,13 +90,13 @@ void for_each_edge(std::span<const EdgeUse> uses, Visit visit) {
   }
 }
 
-/// Whether the triangles separate an inside from an outside by ray parity: every edge belongs to an even number of
-/// triangles. Vertices at the same place are merged, triangles without area and doubles are left out, and orientation
-/// plays no part. False without triangles. Throws InputError for an unusable shape (require_usable()).
+/// Returns true if ray parity separates inside from outside: every edge has an even number of triangles. Coincident
+/// vertices are welded; triangles of zero area and duplicates are ignored. Independent of orientation. False without
+/// triangles. Throws InputError for an unusable shape (require_usable()).
 bool is_watertight(const Shape& shape);
 
-/// Whether the shape is watertight and consistently oriented: every edge is traversed equally often both ways. Then any
-/// ray from outside crosses the surface inwards as often as outwards, however parts overlap.
+/// Returns true if the shape is watertight and every edge is traversed equally often in both directions. Any ray from
+/// outside then crosses the surface inwards as often as outwards, even if parts overlap.
 bool is_watertight_and_oriented(const Shape& shape);
 
 }  // namespace shapegauge

@@ -18,7 +18,7 @@ std::vector<std::int32_t> indices_up_to(Eigen::Index size) {
 }
 
 /// DistinctTriangles::vertex_of.
-/// - first: result of first_of_doubles()
+/// - first: result of first_duplicates()
 std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const std::int32_t> merged,
                                             std::span<const std::int32_t> first) {
   std::vector<bool> settled(merged.size());
@@ -47,8 +47,8 @@ DistinctTriangles distinct_triangles(Shape shape) {
   Shape& mesh = result.shape;
   result.vertex_of = indices_up_to(mesh.vertices.rows());
   if (is_cloud(mesh)) return result;
-  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
-  const std::vector<std::int32_t> first = first_of_doubles(mesh.triangles, merged);
+  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
+  const std::vector<std::int32_t> first = first_duplicates(mesh.triangles, merged);
   std::vector<std::int32_t> kept = first;
   std::size_t count = 0;
   result.triangle_of = first;
@@ -69,6 +69,6 @@ DistinctTriangles distinct_triangles(Shape shape) {
   return result;
 }
 
-Shape without_doubles(Shape shape) { return distinct_triangles(std::move(shape)).shape; }
+Shape without_duplicates(Shape shape) { return distinct_triangles(std::move(shape)).shape; }
 
 }  // namespace shapegauge

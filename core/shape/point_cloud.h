@@ -8,48 +8,46 @@
 
 namespace shapegauge {
 
-/// The k nearest neighbours of each of n points.
+/// k nearest neighbours of each of n points.
 struct PointNeighbours {
-  /// n x k indices, nearest first; the point itself is left out, another point at the same place is not.
+  /// n x k indices, nearest first. Excludes the point itself, but not other points at the same position.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> indices;
-  /// n x k distances to them.
+  /// n x k distances to the neighbours.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> distances;
 };
 
-/// Finds the neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is lowered to n - 1 for
-/// smaller clouds. Ties at the k-th distance are broken by the tree, the same way for the same points in the same
-/// order.
+/// Finds the nearest neighbours with a k-d tree (nanoflann), in parallel in the calling TBB arena. k is at most n - 1.
+/// The tree breaks ties at the k-th distance, deterministically for the same points in the same order.
 PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k);
 
-/// The k nearest of `among` to each of the points, nearest first; k is lowered to the number of `among`. Finds them as
-/// nearest_neighbours() does.
+/// Finds the k points of `among` nearest to each point, nearest first, as nearest_neighbours() does. k is at most the
+/// size of `among`.
 PointNeighbours nearest_among(const Points& points, const Points& among, Eigen::Index k);
 
-/// For each of the points the one of `among`, of which there must be any, that is nearest to it. Finds them as
-/// nearest_neighbours() does.
+/// Finds the point of `among` nearest to each point, as nearest_neighbours() does. `among` must not be empty.
 std::vector<std::int32_t> nearest_points(const Points& points, const Points& among);
 
-/// Unoriented normals of a cloud: for each point the direction of least variance of it and its 12 nearest neighbours
-/// (Hoppe et al. 1992), a unit vector of either sign; zero where the neighbours are all at one place. Runs in the
-/// calling TBB arena.
+/// Estimates unoriented normals of a cloud: the direction of least variance of each point and its 12 nearest neighbours
+/// (Hoppe et al. 1992). Unit vectors of either sign; zero if the neighbours all coincide. Runs in the calling TBB
+/// arena.
 Points unsigned_point_normals(const Points& points);
 
-/// The area that each point of a cloud stands for, estimated from its nearest neighbours: the mean over k = 5 to 12 of
-/// pi d^2 / k, where d is the distance to the k-th. Of points spread at random over a plane (a Poisson process) its
-/// expectation is the area for each point, because the number of points in a disc has the disc's area as its mean; of a
-/// sphere too, whose caps have that area.
+/// Estimates the area represented by each point of a cloud from its nearest neighbours: the mean over k = 5 to 12 of pi
+/// d^2 / k, where d is the distance to the k-th. For a Poisson process in the plane the expectation is the true area
+/// per point, because the mean number of points in a disc is proportional to its area. The same holds on a sphere for
+/// spherical caps.
 ///
-/// Points at the same place share the weight of one. A weight is at most 4 times the median of its neighbours' weights:
-/// an outlier, whose neighbours are all far away and close to each other, would otherwise outweigh thousands of points.
-/// Where the cloud has fewer than 13 places, all others are neighbours; all points at one place have no area (0).
+/// Coincident points share one weight. A weight is at most 4 times the median of its neighbours' weights: an outlier,
+/// with distant neighbours that are close to each other, would otherwise outweigh thousands of points. In a cloud with
+/// fewer than 13 distinct positions, all others are neighbours. Weights are 0 if all points coincide.
 ///
-/// Sheets closer to each other than about 1.6 times the points' mean distance are taken for one, and get down to half
-/// of their area; along the border of an open surface points get up to twice theirs. On SHREC'11 shapes the sum is 1.3
-/// to 2.7 % less than the surface area for 10,000 random points, and 2.3 % less to 0.4 % more for the meshes' vertices;
-/// on regular grids it is 8 to 12 % more.
+/// Sheets closer than about 1.6 times the mean point distance count as one and get down to half of their area. Points
+/// along the border of an open surface get up to twice theirs. On SHREC'11 shapes the sum is 1.3 to 2.7 % less than the
+/// surface area for 10,000 random points, and from 2.3 % less to 0.4 % more for the meshes' vertices. On regular grids
+/// it is 8 to 12 % more.
 ///
-/// Proportional to the square of the scale; the same for each point in any order. Runs in the calling TBB arena. Throws
-/// InputError where a coordinate or the cloud's extent is not finite.
+/// Proportional to the square of the scale and independent of the order of points. Runs in the calling TBB arena.
+/// Throws InputError if a coordinate or the cloud's extent is not finite.
 Eigen::VectorXd point_weights(const Points& points);
 
 }  // namespace shapegauge

@@ -22,7 +22,7 @@ namespace {
 /// The sum of the areas up to and with each triangle; doubles add none.
 Eigen::VectorXd running_areas(const Shape& mesh) {
   Eigen::VectorXd areas = triangle_areas(mesh);
-  const std::vector<std::int32_t> first = first_of_doubles(mesh.triangles, merged_by_place(mesh.vertices));
+  const std::vector<std::int32_t> first = first_duplicates(mesh.triangles, welded_vertices(mesh.vertices));
   for (Eigen::Index f = 0; f < areas.size(); ++f) {
     if (first[static_cast<std::size_t>(f)] != f) areas[f] = 0;
   }
@@ -131,7 +131,7 @@ Samples empty_samples(SampleSite site, Eigen::Index count) {
 
 Samples sample_faces(const Shape& shape) {
   Samples samples = empty_samples(SampleSite::faces, shape.triangles.rows());
-  const std::vector<std::int32_t> first = first_of_doubles(shape.triangles, merged_by_place(shape.vertices));
+  const std::vector<std::int32_t> first = first_duplicates(shape.triangles, welded_vertices(shape.vertices));
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     if (const std::int32_t own = first[static_cast<std::size_t>(f)]; own != f) {
       samples.points.row(f) = samples.points.row(own);

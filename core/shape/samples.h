@@ -9,22 +9,21 @@
 
 namespace shapegauge {
 
-/// Points on a mesh, and the triangle on which each lies.
+/// Points on a mesh and the triangles that contain them.
 struct SurfacePoints {
   Points points;
   std::vector<std::int32_t> triangles;
 };
 
-/// Points of a mesh, uniform by area and stratified: the area is cut, triangle after triangle, into `count` equal
-/// parts, and each part has one point, which spreads them better than independent ones. Of doubled triangles only the
-/// first has points. Throws InputError for a mesh whose area is zero or not finite, and for less than one point.
+/// Samples a mesh by points, stratified and uniform by area: the concatenated triangle areas are divided into `count`
+/// equal parts with one point each. Of duplicate triangles only the first is sampled. Throws InputError for a mesh
+/// whose area is zero or not finite, and for less than one point.
 SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumbers& random);
 
-/// Raised with every change of the samples of a shape (places, normals, weights), which makes cached results of earlier
-/// versions stale.
+/// Cache version of the samples of a shape (positions, normals, weights); see docs/manual/cache.md.
 inline constexpr int samples_version = 3;
 
-/// Where a field is sampled (docs/reference/definitions.md#samples-and-weights). The points of a cloud are its
+/// Sampling sites of a field (docs/reference/definitions.md#samples-and-weights). The points of a cloud are its
 /// vertices.
 enum class SampleSite {
   faces,     ///< at the triangles' centroids
@@ -35,29 +34,32 @@ enum class SampleSite {
 /// Sample points on a shape, in the order of the shape's triangles or vertices.
 struct Samples {
   SampleSite site = SampleSite::faces;
-  Points points;  ///< a row a sample, in the shape's units
-  /// Unit normals by the triangles' orientation, or those of the cloud; zero where there is none (degenerate, unused).
+  Points points;  ///< one row a sample, in the shape's units
+  /// Unit normals by the triangles' orientation, or those of the cloud; zero if undefined (degenerate, unused).
   Points normals;
-  Eigen::VectorXd weights;              ///< the area that each sample stands for; zero where there is none
-  std::vector<std::int32_t> triangles;  ///< surface samples of a mesh: the triangle of each; otherwise empty
+  Eigen::VectorXd weights;              ///< area represented by each sample; zero if undefined
+  std::vector<std::int32_t> triangles;  ///< triangle of each surface sample of a mesh; otherwise empty
 };
 
-/// Samples at the centroids of the triangles (weight: the triangle's area) or at the vertices (weight: the mixed
-/// Voronoi area of Meyer et al. 2003; normal: the angle-weighted mean of the triangles' normals or, where they cancel
-/// as some triangles are turned over, the line along which they lie). A point cloud is sampled at its points whatever
-/// the site (weight: point_weights(), whose errors it throws; normal: the file's, or unsigned_point_normals()), and the
-/// result's site is `vertices`. Doubled triangles, and vertices that only they use, have the point and the normal of
-/// their first, and a weight of 0 (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
+/// Samples a shape at its triangles' centroids or at its vertices.
+/// - Faces: the weight is the triangle's area.
+/// - Vertices: the weight is the mixed Voronoi area (Meyer et al. 2003); the normal is the angle-weighted mean of the
+///   triangles' normals or, if they cancel because of reversed triangles, the axis along which they lie.
+/// - Clouds: the samples are the points, whatever the site, and the result's site is `vertices`. The weights are
+///   point_weights(), with their errors; the normals are the file's or unsigned_point_normals().
+///
+/// Duplicate triangles, and vertices that only they use, have the point and normal of their first and a weight of 0
+/// (distinct_triangles()). Throws InputError for an unusable shape (require_usable()).
 Samples sample_shape(const Shape& shape, SampleSite site);
 
-/// Samples at `count` points of the surface (SampleSite::surface; see surface_points()), with the triangles' normals
-/// and equal weights that sum to the area. The same shape and seed give the same samples. Of a cloud, `count` of its
-/// points at random, or all where there are no more; the result's site is then `vertices`. Throws InputError as above,
-/// for a mesh without area, and for less than one sample.
+/// Samples a shape at `count` points of the surface (SampleSite::surface, surface_points()), with the triangles'
+/// normals and equal weights that sum to the area. Deterministic for the same shape and seed. Of a cloud, selects
+/// `count` points at random, or all if there are no more; the result's site is then `vertices`. Throws InputError as
+/// sample_shape() does, for a mesh without area, and for less than one sample.
 Samples sample_surface_of(const Shape& shape, Eigen::Index count, std::uint64_t seed = 1);
 
-/// A value for each sample, and the area that the sample stands for. A missing value is NaN; whoever computes or uses a
-/// field reports how many there are.
+/// Value and represented area of each sample. A missing value is NaN. Code that computes or uses a field reports the
+/// number of missing values.
 struct ScalarField {
   Eigen::VectorXd values;
   Eigen::VectorXd weights;

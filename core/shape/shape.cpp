@@ -35,7 +35,7 @@ Eigen::VectorXd triangle_areas(const Shape& shape) {
   return areas;
 }
 
-double surface_area(const Shape& shape) { return triangle_areas(without_doubles(shape)).sum(); }
+double surface_area(const Shape& shape) { return triangle_areas(without_duplicates(shape)).sum(); }
 
 std::vector<bool> used_vertices(const Shape& shape) {
   std::vector<bool> used(static_cast<std::size_t>(shape.vertices.rows()));

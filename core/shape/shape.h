@@ -9,57 +9,57 @@
 
 namespace shapegauge {
 
-/// n x 3 coordinates, a row a point.
+/// n x 3 coordinates, one row a point.
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
-/// m x 3 vertex indices, a row a triangle.
+/// m x 3 vertex indices, one row a triangle.
 using Triangles = Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The polygons of a file that the triangles of a mesh are parts of (polygons.h). The triangles of a polygon follow
-/// each other, in the order of the polygons.
+/// Polygons of a file that the triangles of a mesh belong to (polygons.h). The triangles of a polygon are consecutive,
+/// in the order of the polygons.
 struct Polygons {
-  std::vector<std::int32_t> of_triangle = {};  ///< empty where triangle i is polygon i
-  std::int32_t count = 0;                      ///< of the file; not used where `of_triangle` is empty
+  std::vector<std::int32_t> of_triangle = {};  ///< polygon of each triangle; empty if triangle i is polygon i
+  std::int32_t count = 0;                      ///< number of polygons of the file; unused if `of_triangle` is empty
 };
 
-/// A shape: a triangle soup or, where there are no triangles, a point cloud.
+/// Triangle soup or, without triangles, point cloud.
 ///
-/// Nothing is assumed of the triangles: they may be non-manifold, degenerate, or inconsistently oriented. Unreferenced
-/// vertices are kept, in the order of the file, and are ignored by every measure.
+/// Triangles may be non-manifold, degenerate or inconsistently oriented. Unreferenced vertices are kept in the order of
+/// the file and ignored by every measure.
 struct Shape {
   Points vertices;
   Triangles triangles;
-  Points normals = {};     ///< unit normals of a point cloud's points, where the file gives them; otherwise empty
-  Polygons polygons = {};  ///< as the mesh was read; what changes the list of triangles drops them
+  Points normals = {};     ///< unit normals of a point cloud if the file has them; otherwise empty
+  Polygons polygons = {};  ///< as read from the file; dropped by functions that change the list of triangles
 };
 
-/// The axis-aligned bounding box of the vertices that a triangle uses, or of all points of a cloud. Empty for an empty
-/// shape.
+/// Computes the axis-aligned bounding box of the vertices used by triangles, or of all points of a cloud. Empty for an
+/// empty shape.
 Eigen::AlignedBox3d bounding_box(const Shape& shape);
 
-/// Length of the diagonal of the bounding box; 0 for an empty shape.
+/// Computes the length of the bounding-box diagonal; 0 for an empty shape.
 double bounding_box_diagonal(const Shape& shape);
 
-/// Area of every triangle, in the shape's units squared; doubles have that of their first.
+/// Computes the area of every triangle, in the shape's units squared. Duplicates have the area of their first.
 Eigen::VectorXd triangle_areas(const Shape& shape);
 
-/// Whether the shape is a point cloud: it has no triangles.
+/// Returns true for a point cloud: a shape without triangles.
 inline bool is_cloud(const Shape& shape) { return shape.triangles.rows() == 0; }
 
-/// For each vertex, whether a triangle uses it.
+/// Marks the vertices that a triangle uses.
 std::vector<bool> used_vertices(const Shape& shape);
 
-/// Sum of the triangles' areas, doubled ones counted once (distinct_triangles()); 0 for a point cloud.
+/// Computes the total area of the triangles, with duplicates counted once (distinct_triangles()); 0 for a point cloud.
 double surface_area(const Shape& shape);
 
-/// What makes a shape unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a usable
-/// shape, as every shape from a reader is.
+/// Describes why a shape is unusable: a coordinate that is not finite, or a vertex index out of range. Nothing for a
+/// usable shape. Shapes from readers are always usable.
 std::optional<std::string> defect_of(const Shape& shape);
 
-/// Throws InputError "the shape is unusable: ..." where the shape has a defect.
+/// Throws InputError "the shape is unusable: ..." if the shape has a defect.
 void require_usable(const Shape& shape);
 
-/// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1, so that single
-/// precision and fixed thresholds serve for every position and size.
+/// Coordinates in which a shape's bounding box is centred at the origin and has a diagonal of 1. Single precision and
+/// fixed thresholds then work for every position and size.
 struct UnitFrame {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double diagonal = 1;
@@ -67,10 +67,10 @@ struct UnitFrame {
   [[nodiscard]] Eigen::Vector3d to_unit(const Eigen::Vector3d& x) const { return (x - centre) / diagonal; }
 };
 
-/// The frame of a shape's bounding box; one of size 1 where the box has no extent.
+/// Returns the frame of a shape's bounding box, with a scale of 1 if the box has no extent.
 UnitFrame unit_frame(const Shape& shape);
 
-/// The shape in the frame's coordinates, without normals.
+/// Transforms the shape to the frame's coordinates and drops its normals.
 Shape in_unit_frame(const Shape& shape, const UnitFrame& frame);
 
 }  // namespace shapegauge

@@ -4,16 +4,16 @@
 
 namespace shapegauge {
 
-/// The corners of a triangle.
+/// Corners of a triangle.
 struct Triangle {
   Eigen::Vector3d a, b, c;
 };
 
-/// The point of a triangle closest to x, by the Voronoi regions of its features. Degenerate triangles are treated as
-/// the segment or point that they are.
+/// Returns the point of a triangle closest to x, by the Voronoi regions of its features. Degenerate triangles are
+/// handled as segments or points.
 Eigen::Vector3d closest_point(const Triangle& triangle, const Eigen::Vector3d& x);
 
-/// The point of the segment ab closest to x.
+/// Returns the point of the segment ab closest to x.
 Eigen::Vector3d closest_point_on_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& x);
 
 }  // namespace shapegauge

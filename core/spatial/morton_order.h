@@ -7,11 +7,11 @@
 
 namespace shapegauge {
 
-/// The place of each point along a Morton curve through the points' bounding box: the number of its cell of 2^63.
+/// Computes the Morton codes of points: indices of their cells, of 2^63, along a Morton curve through the bounding box.
 std::vector<std::uint64_t> morton_codes(const Points& points);
 
-/// The points' indices in the order of a Morton curve through their bounding box, so that neighbours in the order are
-/// near each other in space. Points in the same of the curve's 2^63 cells keep their order.
+/// Sorts points along a Morton curve through their bounding box and returns their indices. Neighbours in the order are
+/// close in space. Points in the same of the 2^63 cells keep their order.
 std::vector<std::int32_t> morton_order(const Points& points);
 
 }  // namespace shapegauge

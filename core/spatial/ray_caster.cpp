@@ -153,9 +153,9 @@ void RayCaster::Scene::complete(RayHit& hit, const Eigen::Vector3d& from, const 
   hit.leaving = slope > 0;
 }
 
-RayCaster::RayCaster(const Shape& shape, RaysAtEdges at_edges) : scene_(std::make_unique<Scene>()) {
+RayCaster::RayCaster(const Shape& shape, EdgeHandling edge_handling) : scene_(std::make_unique<Scene>()) {
   scene_->frame = unit_frame(shape);
-  const bool robust = at_edges == RaysAtEdges::hit;
+  const bool robust = edge_handling == EdgeHandling::robust;
   rtcSetSceneFlags(scene_->scene.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
   if (shape.triangles.rows() > 0) scene_->add_triangles(shape);
   rtcCommitScene(scene_->scene.get());

@@ -9,44 +9,43 @@
 
 namespace shapegauge {
 
-/// Where a ray met a shape.
+/// Intersection of a ray with a shape.
 struct RayHit {
   std::int32_t triangle = -1;  ///< -1: nothing was hit
   double distance = 0;         ///< from the origin, in the shape's units
-  bool leaving = false;        ///< the ray runs along the triangle's normal: out of a shape that is oriented outwards
+  bool leaving = false;        ///< the ray runs along the triangle's normal, that is, out of an outward-oriented shape
 
   explicit operator bool() const { return triangle >= 0; }
 };
 
-/// What becomes of a ray that passes through an edge or a vertex, to single precision.
-enum class RaysAtEdges {
-  hit,      ///< it hits one of the triangles there
-  may_slip  ///< it may slip between them, as about one ray in a million does; all rays take a sixth less time
+/// Handling of rays that pass through an edge or a vertex, to single precision.
+enum class EdgeHandling {
+  robust,  ///< the ray hits one of the adjacent triangles
+  fast     ///< about one ray in a million slips between the triangles; all rays take a sixth less time
 };
 
-/// Rays against the triangles of a shape.
+/// Casts rays against the triangles of a shape.
 ///
-/// Which triangle is hit is decided in single precision, in coordinates in which the shape is centred and its diagonal
-/// is 1; the distance is then found in double precision. Size and place of the shape therefore do not matter. Triangles
-/// closer to the origin than 2^-22 diagonals are not hit: rounded, it might lie on either side of them. Where several
-/// triangles are hit at the same distance, the one that comes first in the shape is reported. Safe to use from many
-/// threads at once.
+/// Determines the closest triangle in single precision, in coordinates in which the shape is centred and has a diagonal
+/// of 1, and its distance in double precision. The result therefore does not depend on the size and position of the
+/// shape. Ignores triangles closer to the origin than 2^-22 diagonals, whose side is uncertain after rounding. Of
+/// several triangles at the same distance, reports the first in the shape. Thread-safe.
 class RayCaster {
  public:
-  /// Builds the tree. The shape is not kept. Without triangles, nothing is ever hit.
-  explicit RayCaster(const Shape& shape, RaysAtEdges at_edges = RaysAtEdges::hit);
+  /// Builds the tree; keeps no reference to the shape. Without triangles, all rays miss.
+  explicit RayCaster(const Shape& shape, EdgeHandling edge_handling = EdgeHandling::robust);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;
   RayCaster& operator=(RayCaster&&) noexcept;
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
-  /// The first triangle from the origin along the unit direction, `skipped` left out (a few; they are searched one by
-  /// one).
+  /// Returns the first hit along the unit direction, ignoring the triangles `skipped` (a short list, searched
+  /// linearly).
   [[nodiscard]] RayHit first_hit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
                                  std::span<const std::int32_t> skipped = {}) const;
 
-  /// The same for many rays from one origin: `hits`, as long as `directions`, receives the hit of each.
+  /// Casts several rays from one origin. `hits` must have the size of `directions`.
   void first_hits(const Eigen::Vector3d& origin, std::span<const Eigen::Vector3d> directions,
                   std::span<const std::int32_t> skipped, std::span<RayHit> hits) const;
 

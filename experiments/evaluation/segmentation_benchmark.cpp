@@ -69,7 +69,7 @@ SegmentationErrors mean_of(const std::vector<SegmentationErrors>& all) {
 
 std::vector<MeshEdge> edges_of(const Shape& mesh, const std::vector<std::int32_t>& merged) {
   std::vector<MeshEdge> edges;
-  for_each_edge(edge_uses(mesh.triangles, merged), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(half_edges(mesh.triangles, merged), [&](std::span<const HalfEdge> uses) {
     MeshEdge edge;
     edge.vertices = {uses[0].low, uses[0].high};
     edge.triangles = {uses[0].triangle, uses.size() > 1 ? uses[1].triangle : -1};
@@ -132,7 +132,7 @@ SegmentationScorer::SegmentationScorer(const Shape& mesh, const SegmentationScor
     weights_ = polygon_shares(mesh);
   }
   if (!scoring.cuts) return;
-  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
+  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   edges_ = edges_of(mesh, merged);
   vertices_ = static_cast<std::int32_t>(mesh.vertices.rows());
   const double area = samples.weights.sum();

@@ -105,15 +105,15 @@ QueryScores together(const std::vector<std::string>& parts) {
   return scores;
 }
 
-std::string packed(const SeenRows& seen) {
+std::string packed(const PartialOverview& seen) {
   return std::move(
              Packer().add(seen.first).add(seen.sums).add(seen.entries).add(seen.nearest).add(seen.nearest_distances))
       .bytes();
 }
 
 /// What another rank has seen of the matrix of which this one has seen the rest.
-SeenRows seen_in(const std::string& bytes, const SeenRows& here) {
-  SeenRows seen;
+PartialOverview seen_in(const std::string& bytes, const PartialOverview& here) {
+  PartialOverview seen;
   Unpacker(bytes).take(seen.first).take(seen.sums).take(seen.entries).take(seen.nearest).take(seen.nearest_distances);
   seen.unit = here.unit;
   seen.places = here.places;
@@ -175,7 +175,7 @@ void DistanceJudge::add(Eigen::Index first, const DistanceTable& rows) {
   const Stopwatch stopwatch;
   for (RowJudge& judge : judges_) judge.judge(rows, first);
   seconds_ += stopwatch.seconds();
-  if (seen_) look_at(rows, first, *seen_);
+  if (seen_) accumulate(rows, first, *seen_);
   if (!file_) return;
   const auto place = static_cast<std::uint64_t>(first) * static_cast<std::uint64_t>(rows.cols()) * sizeof(double);
   file_->write(file_begin_ + place, npy_numbers({rows.data(), static_cast<std::size_t>(rows.size())}));
@@ -189,7 +189,7 @@ Judgement DistanceJudge::finish() {
     if (!parts.empty()) judgement.evaluations.push_back(judge.evaluation_of(together(parts)));
   }
   if (!seen_) return judgement;
-  std::vector<SeenRows> all;
+  std::vector<PartialOverview> all;
   for (const std::string& part : ranks_->gather(packed(*seen_))) all.push_back(seen_in(part, *seen_));
   if (!all.empty()) judgement.overview = overview_of(all);
   return judgement;

@@ -74,7 +74,7 @@ class DistanceJudge {
  private:
   RetrievalTask task_;
   std::vector<RowJudge> judges_;
-  std::optional<SeenRows> seen_;
+  std::optional<PartialOverview> seen_;
   std::unique_ptr<SharedFile> file_;
   std::uint64_t file_begin_ = 0;  ///< of the numbers
   Communicator* ranks_;

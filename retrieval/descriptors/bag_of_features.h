@@ -9,37 +9,37 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of codebook() or bag_of_features() that changes a value.
+/// Cache version of codebook() and bag_of_features(); see docs/manual/cache.md.
 inline constexpr int bag_of_features_version = 1;
 
-/// Settings of a bag of features and its codebook.
+/// Options of a bag of features and its codebook.
 struct BagOfFeaturesOptions {
-  int words = 80;                ///< of the codebook, as in the paper's concatenation
-  bool soft = false;             ///< count a sample for all words by Gaussian weights, not for the nearest only
-  double softness = 1;           ///< the Gaussian's width, in mean distances of a word from the nearest other
+  int words = 80;                ///< size of the codebook, as in the paper's concatenation
+  bool soft = false;             ///< assign a sample to all words with Gaussian weights, not only to the nearest
+  double softness = 1;           ///< width of the Gaussian, in mean distances of a word to its nearest neighbour
   bool standardise = false;      ///< divide each field by its standard deviation over the data set
-  int samples_per_shape = 1000;  ///< from which the codebook is learnt
-  int iterations = 50;           ///< of k-means at most
-  int seed = 1;                  ///< of the random numbers that seed it
+  int samples_per_shape = 1000;  ///< number of samples per shape for learning the codebook
+  int iterations = 50;           ///< maximum number of k-means iterations
+  int seed = 1;                  ///< seed of k-means
 };
 
-/// The words that the values of several fields are sorted by.
+/// Codebook for samples of several fields.
 struct Codebook {
-  Eigen::RowVectorXf scales;  ///< by field: what values are divided by
-  Eigen::MatrixXf words;      ///< one a row
+  Eigen::RowVectorXf scales;  ///< by field: divisor of the values
+  Eigen::MatrixXf words;      ///< one word a row
 };
 
 /// Fields of one shape, at the same samples.
 using ShapeFields = std::span<const ScalarField>;
 
-/// k-means (Lloyd's algorithm from a k-means++ seed; Arthur and Vassilvitskii 2007) over samples of all shapes, so many
-/// of each, spread by weight. Samples with a value that is not finite do not count. The same bytes for any number of
-/// threads. There are fewer words where there are fewer different samples. Throws InputError for options out of range,
-/// and ArgumentError for fields that differ in number or length and where no sample counts.
+/// Learns a codebook by k-means (Lloyd's algorithm with k-means++ seeding; Arthur and Vassilvitskii 2007) from a fixed
+/// number of samples of each shape, stratified by weight. Samples with a value that is not finite are ignored. The same
+/// bytes for any number of threads. Returns fewer words if there are fewer distinct samples. Throws InputError for
+/// options out of range, and ArgumentError for fields that differ in number or length and if no sample is valid.
 Codebook codebook(std::span<const ShapeFields> shapes, const BagOfFeaturesOptions& options = {});
 
-/// How much of a shape's weight belongs to each word, normalised to sum 1 (Sivic and Zisserman 2003; soft: van Gemert
-/// et al. 2008). Compared by L1. Throws as codebook().
+/// Computes the share of a shape's weight assigned to each word, normalised to sum 1 (Sivic and Zisserman 2003; soft
+/// assignment: van Gemert et al. 2008). Compared by L1. Throws as codebook() does.
 Eigen::VectorXf bag_of_features(ShapeFields fields, const Codebook& codebook, const BagOfFeaturesOptions& options = {});
 
 Descriptor bag_of_features_descriptor();

@@ -7,22 +7,22 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of d2() that changes a value.
+/// Cache version of d2(); see docs/manual/cache.md.
 inline constexpr int d2_version = 2;
 
-/// Settings of d2().
+/// Options of d2().
 struct D2Options {
-  int points = 1024;   ///< places on the surface, all pairs of which count
+  int points = 1024;   ///< number of surface points, all pairs of which count
   int bins = 64;       ///< from distance 0 to `longest`
-  double longest = 3;  ///< the last bin's end, in mean distances; greater ones count in the last bin
+  double longest = 3;  ///< upper end of the last bin, in mean distances; larger distances count in the last bin
 };
 
-/// The shape distribution D2 (Osada, Funkhouser, Chazelle, Dobkin 2002): the histogram of the distances between pairs
-/// of places spread over the surface by area, divided by their mean, normalised to sum 1. Rotation, scale and mesh do
-/// not matter; clouds are described by their points. Compared by L1, the better of the norms in the paper.
+/// Computes the shape distribution D2 (Osada, Funkhouser, Chazelle, Dobkin 2002): the histogram of distances between
+/// pairs of points spread over the surface by area, divided by their mean, normalised to sum 1. Invariant to rotation,
+/// scale and meshing. Clouds are described by their points. Compared by L1, the better of the norms in the paper.
 ///
-/// The sphere's density of distances d is d / (2 R^2) from 0 to 2 R, its mean 4 R / 3. Throws InputError for options
-/// out of range, an unusable shape, and one without two places.
+/// For a sphere the density of distances d is d / (2 R^2) from 0 to 2 R, with the mean 4 R / 3. Throws InputError for
+/// options out of range, an unusable shape, and one without two distinct points.
 Eigen::VectorXf d2(const Shape& shape, const D2Options& options = {});
 
 Descriptor d2_descriptor();

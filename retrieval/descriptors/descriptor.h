@@ -17,20 +17,20 @@
 
 namespace shapegauge {
 
-/// The settings of a descriptor.
+/// Settings of a descriptor.
 struct DescriptorSettings {
-  ParameterValues values;             ///< of Descriptor::parameters
-  std::vector<ParameterValues> axes;  ///< of Descriptor::axis_parameters, one for each field
+  ParameterValues values;             ///< values of Descriptor::parameters
+  std::vector<ParameterValues> axes;  ///< values of Descriptor::axis_parameters, one set a field
 };
 
-/// What a descriptor is computed from.
+/// Input of a descriptor.
 struct DescriptorInput {
   const Shape& shape;                   ///< prepared, of unit area
-  std::span<const ScalarField> fields;  ///< at the same samples; none where the descriptor takes none
-  ProxySource* proxy = nullptr;         ///< of the shape, shared with its fields and other descriptors; nullptr: none
+  std::span<const ScalarField> fields;  ///< at the same samples; empty for a descriptor without fields
+  ProxySource* proxy = nullptr;         ///< of the shape, shared with its fields and other descriptors; may be null
 };
 
-/// Calls use(ProxySource&) with the input's proxy or, where it has none, with a new one.
+/// Calls use(ProxySource&) with the input's proxy, or with a new one if it has none.
 template <typename Use>
 auto on_proxy(const DescriptorInput& input, Use use) {
   if (input.proxy != nullptr) return use(*input.proxy);
@@ -38,56 +38,56 @@ auto on_proxy(const DescriptorInput& input, Use use) {
   return use(own);
 }
 
-/// What a descriptor must know of the whole data set before it can describe a shape: a codebook, for example. Empty for
-/// most.
+/// Features learnt from the whole data set before shapes are described, such as a codebook. Empty for most descriptors.
 using LearntFeatures = Eigen::MatrixXf;
 
-/// A descriptor: from a shape, or fields on it, to features of a length that only the settings decide, and the distance
-/// between two such. Functions throw InputError for settings out of range and for what cannot
-/// be described. Names, parameters and descriptions are referred to, not copied.
+/// Descriptor: a function from a shape, or fields on it, to features whose length depends only on the settings, and a
+/// distance between features. Functions throw InputError for settings out of range and for shapes that cannot be
+/// described. Names, parameters and descriptions must outlive the entry; they are not copied.
 struct Descriptor {
   std::string_view name;
   std::string_view description;                     ///< one sentence
   std::span<const Parameter> parameters;            ///< not called type, fields or axes
-  std::span<const Parameter> axis_parameters = {};  ///< of each field
+  std::span<const Parameter> axis_parameters = {};  ///< for each field
   std::size_t fewest_fields = 0;
   std::size_t most_fields = 0;
-  int version = 1;  ///< raised with every change of a feature or a distance: caches give none of the old ones then
+  int version = 1;  ///< cache version of the features and the distance; see docs/manual/cache.md
   Eigen::VectorXf (*describe)(const DescriptorInput&, const LearntFeatures&, const DescriptorSettings&) = nullptr;
   DistanceFunction distance = nullptr;
-  /// What is learnt from all shapes before; nullptr: nothing.
+  /// Learns from all shapes before they are described; null if nothing is learnt.
   LearntFeatures (*learn)(std::span<const DescriptorInput>, const DescriptorSettings&) = nullptr;
-  /// Whether it learns with these settings; nullptr: always, where there is `learn`.
+  /// Returns true if these settings need learning; null for always, if there is `learn`.
   bool (*learns)(const DescriptorSettings&) = nullptr;
-  /// Throws InputError where settings contradict each other; nullptr: they cannot.
+  /// Throws InputError if settings contradict each other; null if they cannot.
   void (*check)(const DescriptorSettings&) = nullptr;
 };
 
-/// All descriptors: those of this folder, one line each in descriptor.cpp (docs/developer/extending.md), then those
-/// that were added. An entry has `describe` and `distance`, and no parameters called type, fields or axes.
+/// Returns the registry of descriptors: those of this folder, one line each in descriptor.cpp
+/// (docs/developer/extending.md), followed by those added. An entry must have `describe` and `distance`, and no
+/// parameters called type, fields or axes.
 Registry<Descriptor>& descriptors();
 
-/// Whether the descriptor must see all shapes before it can describe one.
+/// Returns true if the descriptor must learn from all shapes before it can describe one.
 bool learns(const Descriptor& one, const DescriptorSettings& settings);
 
-/// Computes the features of one shape; `learnt` is for descriptors that learn. Checks what `describe` returns: throws
-/// InputError where there are no features or some are not finite, and what `describe` throws.
+/// Computes the features of one shape and validates them; `learnt` is for descriptors that learn. Throws InputError if
+/// there are no features or some are not finite, and as `describe` does.
 Eigen::VectorXf compute_features(const Descriptor& by, const DescriptorInput& input, const LearntFeatures& learnt,
                                  const DescriptorSettings& settings);
 
-/// All distances between shapes with such features, one shape a row; in parallel, the same bytes for any number of
+/// Computes all pairwise distances of features, one shape a row. Parallel, with the same bytes for any number of
 /// threads. Throws InputError for a feature that is not finite.
 DistanceMatrix descriptor_distances(const Descriptor& of, const Signatures& features);
 
-/// The names that feature_distance() understands: those of distances(), then of descriptors().
+/// Returns the names that feature_distance() accepts: those of distances(), followed by those of descriptors().
 std::vector<std::string> feature_distance_names();
 
-/// The distance of that name between features; by a descriptor's name that descriptor's own. Throws
-/// InputError, naming those there are.
+/// Returns a distance between features by its name, or by the name of the descriptor that defines it. Throws InputError
+/// for an unknown name; the message lists the known ones.
 NamedDistance feature_distance(const std::string& name);
 
-/// All distances between features, a row a model, by the distance of that name. Throws InputError as
-/// feature_distance(), and for features that the distance does not take.
+/// Computes all pairwise distances of features, one model a row, by the distance of that name. Throws InputError as
+/// feature_distance() does, and for features outside the distance's domain.
 DistanceMatrix feature_distances(const std::string& name, const Signatures& features);
 
 }  // namespace shapegauge

@@ -7,25 +7,27 @@
 
 namespace shapegauge {
 
-/// Cache version; increment when features change. The version of the proxy is added (version_on_proxy()).
+/// Cache version of geodesic_spectrum(), combined with that of the proxy (version_on_proxy()); see
+/// docs/manual/cache.md.
 inline constexpr int geodesic_spectrum_version = 1;
 
-/// Settings of geodesic_spectrum().
+/// Options of geodesic_spectrum().
 struct GeodesicSpectrumOptions {
-  int eigenvalues = 20;  ///< ratios of eigenvalues, the largest eigenvalue not counted
+  int eigenvalues = 20;  ///< number of ratios of eigenvalues, without the largest eigenvalue itself
 };
 
-/// Geodesic spectrum (after Smeets, Hermans, Vandermeulen, Suetens 2012): eigenvalues l_1, l_2, ... of the matrix of
-/// geodesic distances between landmarks of the surface proxy, each entry times the square roots of the two landmarks'
-/// areas, in descending order of absolute value. Features are log(|l_k+1| / |l_1|); they do not change with scale, and
-/// hardly where the surface bends. Of proxies with fewer landmarks the missing ones repeat the last. Compared by L2.
+/// Computes the geodesic spectrum (after Smeets, Hermans, Vandermeulen, Suetens 2012): eigenvalues l_1, l_2, ... of the
+/// matrix of geodesic distances between landmarks of the surface proxy, in descending order of absolute value. Each
+/// entry is weighted by the square roots of the two landmarks' areas. Features are log(|l_k+1| / |l_1|): invariant to
+/// scale, and nearly invariant to bending. If the proxy has fewer landmarks, the last feature is repeated. Compared by
+/// L2.
 ///
-/// Throws InputError for options out of range and as surface_proxy().
+/// Throws InputError for options out of range and as surface_proxy() does.
 Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options = {});
 
-/// The absolute values of the `count` eigenvalues of a symmetric matrix that are largest in absolute value, in
-/// descending order, by Lanczos iteration (Spectra); fewer where the matrix has fewer rows. Throws InputError where the
-/// iteration does not converge.
+/// Computes the absolute values of the `count` largest eigenvalues, by absolute value, of a symmetric matrix by Lanczos
+/// iteration (Spectra), in descending order; fewer if the matrix has fewer rows. Throws InputError if the iteration
+/// does not converge.
 Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index count);
 
 Descriptor geodesic_spectrum_descriptor();

@@ -9,42 +9,42 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of joint_histogram() that changes a bin: what a cache holds of earlier versions is
-/// then computed anew.
+/// Cache version of joint_histogram(); see docs/manual/cache.md.
 inline constexpr int joint_histogram_version = 1;
 
-/// One axis of a joint histogram: how a field's values become bins.
+/// Axis of a joint histogram: the binning of one field's values.
 struct JointAxis {
   int bins = 40;
-  double smoothing_bins = 1;    ///< standard deviation of a Gaussian (smooth_gaussian), in bins, at most bins; 0: none
-  bool divide_by_mean = false;  ///< the values are first divided by their mean by weight, which no scale then changes
-  double low = 0;               ///< the range's ends, after that division; values beyond them count in the outer bins
+  double smoothing_bins =
+      1;  ///< standard deviation of Gaussian smoothing (smooth_gaussian()), in bins, at most `bins`; 0 for none
+  bool divide_by_mean = false;  ///< divide the values by their weighted mean first, which makes them invariant to scale
+  double low = 0;               ///< ends of the range, after the division; values beyond them count in the outer bins
   double high = 1;
-  bool per_shape = false;      ///< each shape's own least and greatest value instead; of a constant field its value and
-                               ///< 1 more, so that all of it is in the first bin
-  bool over_data_set = false;  ///< those of the data set instead; only descriptor() knows them
+  bool per_shape = false;      ///< use each shape's own minimum and maximum; a constant field counts in the first bin
+  bool over_data_set = false;  ///< use the minimum and maximum over the data set; only known to descriptor()
 };
 
-/// How the bins of a joint histogram become features.
+/// Conversion of the bins of a joint histogram to features.
 struct JointHistogramOptions {
-  bool square_roots = false;  ///< their square roots, so that small shares count more (as in Hellinger's distance)
+  bool square_roots =
+      false;  ///< take square roots, which increases the effect of small bins (as in Hellinger's distance)
 };
 
-/// The range of a field's values, after division by their mean where that is asked for. Throws ArgumentError
-/// where no value counts, or the mean is not positive.
+/// Computes the range of a field's values, after division by their mean if requested. Throws ArgumentError if there is
+/// no valid value, or the mean is not positive.
 Interval joint_range(const ScalarField& field, bool divide_by_mean);
 
-/// The joint histogram of fields at the same samples, one axis each, by the first field's weights, normalised to sum 1;
-/// the last axis varies fastest. Of diameter and centricity it is the pose-oblivious signature of Gal, Shamir and
-/// Cohen-Or 2007. A sample counts where all of its values are numbers. Compared by L1.
+/// Computes the joint histogram of fields at the same samples, one axis each, by the first field's weights, normalised
+/// to sum 1. The last axis varies fastest. With diameter and centricity it is the pose-oblivious signature of Gal,
+/// Shamir and Cohen-Or (2007). Samples with a NaN value are ignored. Compared by L1.
 ///
-/// On independent fields it is the product of their histograms. Throws InputError for an axis out of range, and
-/// ArgumentError for less than two fields, fields that differ in number, axes that are not as many, more than
-/// 1,000,000 bins, and as histogram().
+/// For independent fields it is the product of their histograms. Throws InputError for an axis out of range. Throws
+/// ArgumentError for less than two fields, fields of different lengths, a wrong number of axes, more than 1,000,000
+/// bins, and as histogram() does.
 Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<const JointAxis> axes,
                                 const JointHistogramOptions& options = {});
 
-/// Its settings are its options, and those of its axes, one for each field.
+/// Returns the descriptor. Its settings are JointHistogramOptions and one JointAxis a field.
 Descriptor joint_histogram_descriptor();
 
 }  // namespace shapegauge

@@ -8,24 +8,25 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of shape_dna() that changes a value.
+/// Cache version of shape_dna(); see docs/manual/cache.md.
 inline constexpr int shape_dna_version = 3;
 
-/// Settings of shape_dna().
+/// Options of shape_dna().
 struct ShapeDnaOptions {
-  int eigenvalues = 20;        ///< positive ones; SHREC'11's entry took 12
-  bool divide_by_rank = true;  ///< the k-th divided by k, so that each counts alike; as published: false
+  int eigenvalues = 20;        ///< number of positive eigenvalues; the SHREC'11 entry used 12
+  bool divide_by_rank = true;  ///< divide the k-th eigenvalue by k, which equalises their effect; false as published
 };
 
-/// ShapeDNA (Reuter, Wolter, Peinecke 2006): the first positive eigenvalues of the surface's Laplacian, times its area
-/// over 4 pi, in which units the k-th tends to k (Weyl). They do not change when the surface bends. The zeros, one for
-/// each component, are left out. Meshes with fewer vertices end with zeros. Compared by L2.
+/// Computes ShapeDNA (Reuter, Wolter, Peinecke 2006): the first positive eigenvalues of the surface's Laplacian, times
+/// its area over 4 pi. In these units the k-th tends to k (Weyl). They are invariant to isometric bending. The zeros,
+/// one a component, are omitted. Meshes with fewer vertices are padded with zeros. Compared by L2.
 ///
-/// The sphere's are l (l + 1), each 2 l + 1 times. Throws InputError for options out of range and as
-/// laplacian_spectrum(): for clouds and where the eigenvalues do not converge.
+/// For a sphere the eigenvalues are l (l + 1), with multiplicity 2 l + 1. Throws InputError for options out of range
+/// and as laplacian_spectrum() does: for clouds and if the iteration does not converge.
 Eigen::VectorXf shape_dna(const Shape& mesh, const ShapeDnaOptions& options = {});
 
-/// The same on the surface proxy of any shape. Throws InputError for options out of range and as surface_proxy().
+/// Computes ShapeDNA on the surface proxy of any shape. Throws InputError for options out of range and as
+/// surface_proxy() does.
 Eigen::VectorXf shape_dna_on_proxy(ProxySource& source, const ShapeDnaOptions& options = {});
 
 Descriptor shape_dna_descriptor();

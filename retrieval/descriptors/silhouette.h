@@ -12,23 +12,24 @@
 
 namespace shapegauge {
 
-/// Draws the silhouette of triangles, rotated and seen along z, as pixels x pixels bytes in rows: 1 where a triangle
-/// covers a pixel's centre or a vertex lies in it, so that thin parts leave a trace; 0 elsewhere. The image is the
-/// square from -1 to 1; vertices are rounded to 1/256 of a pixel, and those outside are moved to its border.
-/// - vertices: a column each; all of them are drawn
+/// Draws the silhouette of triangles, rotated and projected along z, as pixels x pixels bytes in rows. A pixel is 1 if
+/// a triangle covers its centre or a vertex lies in it, which preserves thin parts; otherwise 0. The image is the
+/// square [-1, 1]^2. Vertices are rounded to 1/256 of a pixel, and those outside are moved to the border. `vertices`
+/// has one column a vertex; all of them are drawn.
 std::vector<std::uint8_t> silhouette(const Eigen::Matrix3Xf& vertices, const Triangles& triangles,
                                      const Eigen::Matrix3d& rotation, int pixels);
 
-/// Magnitudes of Zernike moments up to order 10 without the area.
+/// Number of magnitudes of Zernike moments up to order 10, without the area.
 inline constexpr std::size_t zernike_moments = 35;
-/// Magnitudes of the outline's Fourier coefficients 1 to 10.
+/// Number of magnitudes of Fourier coefficients 1 to 10 of the outline.
 inline constexpr std::size_t outline_coefficients = 10;
 inline constexpr std::size_t silhouette_feature_count = zernike_moments + outline_coefficients;
 
-/// Features of silhouettes of one size, which turning and mirroring the image do not change: Zernike moments of the
-/// disc that touches the image's sides, by order and then repetition (Khotanzad and Hong 1990), and Fourier
-/// coefficients, over the zeroth, of the distances of the outline from its centroid (Zhang and Lu 2002). The outline is
-/// the longest around a connected part; an empty image has only zeros.
+/// Computes features of silhouettes that are invariant to rotation and reflection of the image.
+/// - Zernike moments of the disc that touches the image's sides, by order and then repetition (Khotanzad and Hong
+///   1990).
+/// - Fourier coefficients, divided by the zeroth, of the distances of the outline from its centroid (Zhang and Lu
+///   2002). The outline is the longest of a connected component; an empty image has zeros only.
 class SilhouetteFeatures {
  public:
   explicit SilhouetteFeatures(int pixels);
@@ -37,12 +38,12 @@ class SilhouetteFeatures {
 
  private:
   int pixels_;
-  /// Sums, along each row of the image, of the conjugate basis over the pixels before: real and then imaginary parts,
-  /// with the area of a pixel and the moments' factor; nothing outside the disc. A run of pixels is one difference.
+  /// Prefix sums along each row of the image of the conjugate basis, real and then imaginary parts, scaled by the area
+  /// of a pixel and the moments' factor, zero outside the disc. A run of pixels is one difference.
   Eigen::Matrix<float, Eigen::Dynamic, 2 * zernike_moments, Eigen::RowMajor> sums_;
 };
 
-/// Returns the features of images of one size, which take a while to prepare; those of up to 256 pixels are kept.
+/// Returns the features object for one image size; caches it for sizes of up to 256 pixels.
 std::shared_ptr<const SilhouetteFeatures> shared_silhouette_features(int pixels);
 
 }  // namespace shapegauge

@@ -65,7 +65,7 @@ Shape centred(const Shape& shape, const Samples& samples) {
   const Eigen::RowVector3d centroid = samples.weights.transpose() * samples.points / total;
   const double mean = samples.weights.dot((samples.points.rowwise() - centroid).rowwise().norm()) / total;
   if (!(mean > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with extent");
-  Shape result = without_doubles(shape);
+  Shape result = without_duplicates(shape);
   result.vertices = (shape.vertices.rowwise() - centroid) / mean;
   result.normals = {};
   return result;

@@ -11,7 +11,7 @@ namespace shapegauge {
 
 Shape splatted(const Shape& shape) {
   require_usable(shape);
-  if (!is_cloud(shape)) return without_doubles(shape);
+  if (!is_cloud(shape)) return without_duplicates(shape);
   const Samples samples = sample_shape(shape, SampleSite::vertices);
   Shape result{Points(4 * samples.points.rows(), 3), Triangles(2 * samples.points.rows(), 3)};
   std::int32_t vertices = 0;

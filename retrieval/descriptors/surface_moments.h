@@ -11,13 +11,13 @@ struct SurfaceMoments {
   double area = 0;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  ///< of the points, about the centroid
-  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();     ///< mean of n n^T, whatever the triangles' orientation
+  Eigen::Matrix3d normals = Eigen::Matrix3d::Zero();     ///< mean of n n^T, independent of the triangles' orientation
 };
 
-/// Computes the moments; of a mesh without area all are zero.
+/// Computes the moments; all zero for a mesh without area.
 SurfaceMoments surface_moments(const Shape& mesh);
 
-/// Returns the eigenvectors of a symmetric matrix as rows of a rotation, by falling eigenvalue.
+/// Returns the eigenvectors of a symmetric matrix as rows of a rotation, by decreasing eigenvalue.
 Eigen::Matrix3d principal_axes(const Eigen::Matrix3d& symmetric);
 
 }  // namespace shapegauge

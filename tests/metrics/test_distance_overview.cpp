@@ -72,13 +72,13 @@ TEST(DistanceOverview, WhoSawWhichRowsInWhichOrderDoesNotMatter) {
     const DistanceMatrix distances = numbers(models);
     const std::vector<int> labels = labels_of(models);
     const DistanceOverview whole = overview_of(distances, labels);
-    std::vector<SeenRows> parts;
+    std::vector<PartialOverview> parts;
     for (const auto& [first, last] : {std::pair<Eigen::Index, Eigen::Index>{0, 11}, {11, 30}, {30, models}}) {
       const std::span first_row(distances.data(), static_cast<std::size_t>(models));
       parts.push_back(begin_overview(labels, largest_finite(first_row, 0), first, last));
       const Eigen::Index middle = (first + last) / 2;
-      look_at(distances.middleRows(middle, last - middle), middle, parts.back());
-      look_at(distances.middleRows(first, middle - first), first, parts.back());
+      accumulate(distances.middleRows(middle, last - middle), middle, parts.back());
+      accumulate(distances.middleRows(first, middle - first), first, parts.back());
     }
     const DistanceOverview together = overview_of(parts);
     EXPECT_EQ(together.cells, whole.cells);

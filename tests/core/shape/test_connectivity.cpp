@@ -16,7 +16,7 @@ RC_GTEST_PROP(CountingSort, IsAStableSort, ()) {
   const auto drawn = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, keys));
   std::vector<std::pair<int, std::size_t>> values;
   for (std::size_t i = 0; i < drawn.size(); ++i) values.emplace_back(drawn[i], i);
-  const auto counted = counted_by_key(values, keys, [](const auto& value) { return value.first; });
+  const auto counted = bucket_sort(values, keys, [](const auto& value) { return value.first; });
   std::ranges::sort(values);  // by key, then by place
   RC_ASSERT(counted.values == values);
   RC_ASSERT(counted.first.size() == keys + 1U);
@@ -55,17 +55,17 @@ TEST(DisjointSets, GrowWithoutForgetting) {
 
 TEST(MergedByPlace, NamesTheFirstVertexAtEachPlace) {
   const Points points{{1, 2, 3}, {0, 0, 0}, {1, 2, 3}, {-0.0, 0, 0}, {1, 2, 4}, {1, 2, 3}};
-  EXPECT_EQ(merged_by_place(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
-  EXPECT_TRUE(merged_by_place(Points(0, 3)).empty());
+  EXPECT_EQ(welded_vertices(points), (std::vector<std::int32_t>{0, 1, 0, 1, 4, 0}));
+  EXPECT_TRUE(welded_vertices(Points(0, 3)).empty());
 }
 
 TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
   const Triangles triangles{{0, 1, 2}, {2, 1, 3}, {1, 1, 2}};
   const std::vector<std::int32_t> merged{0, 1, 2, 3};
-  const std::vector<EdgeUse> uses = edge_uses(triangles, merged);
+  const std::vector<HalfEdge> uses = half_edges(triangles, merged);
   ASSERT_EQ(uses.size(), 6U) << "the last triangle has corners at two places";
   std::vector<std::size_t> sizes;
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
     sizes.push_back(edge.size());
     if (edge.size() < 2) return;
     EXPECT_EQ(edge[0].low, 1);
@@ -81,18 +81,18 @@ TEST(EdgeUses, OfTwoTrianglesWithACommonEdge) {
 }
 
 TEST(EdgeUses, NamesVerticesByTheirPlace) {
-  const std::vector<EdgeUse> uses =
-      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 3, 1, 2});
+  const std::vector<HalfEdge> uses =
+      half_edges(Triangles{{0, 1, 2}, {5, 4, 3}}, std::vector<std::int32_t>{0, 1, 2, 3, 1, 2});
   std::vector<std::size_t> sizes;
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) { sizes.push_back(edge.size()); });
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) { sizes.push_back(edge.size()); });
   EXPECT_EQ(sizes, (std::vector<std::size_t>{1, 1, 2, 1, 1}));
 }
 
 TEST(EdgeUses, OfDoubledTrianglesAreThoseOfTheFirst) {
-  const std::vector<EdgeUse> uses =
-      edge_uses(Triangles{{0, 1, 2}, {5, 4, 3}, {0, 1, 2}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
+  const std::vector<HalfEdge> uses =
+      half_edges(Triangles{{0, 1, 2}, {5, 4, 3}, {0, 1, 2}}, std::vector<std::int32_t>{0, 1, 2, 0, 1, 2});
   ASSERT_EQ(uses.size(), 3U);
-  for (const EdgeUse& use : uses) EXPECT_EQ(use.triangle, 0);
+  for (const HalfEdge& use : uses) EXPECT_EQ(use.triangle, 0);
 }
 
 TEST(Closedness, HoldsForClosedSurfacesHoweverOriented) {

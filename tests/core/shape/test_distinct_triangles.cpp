@@ -17,9 +17,9 @@ Points places() { return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.
 
 TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {
   const Shape shape{places(), Triangles{{0, 1, 2}, {0, 1, 3}, {2, 1, 0}, {2, 4, 5}, {1, 3, 0}, {1, 2, 3}}};
-  EXPECT_EQ(first_of_doubles(shape.triangles, merged_by_place(shape.vertices)), (Indices{0, 1, 0, 0, 1, 5}));
+  EXPECT_EQ(first_duplicates(shape.triangles, welded_vertices(shape.vertices)), (Indices{0, 1, 0, 0, 1, 5}));
   const DistinctTriangles found = distinct_triangles(shape);
-  EXPECT_TRUE(found.has_doubles());
+  EXPECT_TRUE(found.has_duplicates());
   EXPECT_EQ(found.shape.triangles, (Triangles{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}}));
   EXPECT_EQ(found.shape.vertices, shape.vertices);
   EXPECT_EQ(found.triangle_of, (Indices{0, 1, 0, 0, 1, 2}));
@@ -39,10 +39,10 @@ TEST(DistinctTriangles, OfACornerTwiceAreDoublesOnlyWithTheSameCorner) {
 TEST(DistinctTriangles, OfAMeshWithoutDoublesAreAll) {
   for (const auto& [name, shape] : test::shapes_without_doubles()) {
     const DistinctTriangles found = distinct_triangles(shape);
-    EXPECT_FALSE(found.has_doubles()) << name;
+    EXPECT_FALSE(found.has_duplicates()) << name;
     EXPECT_EQ(found.shape.triangles, shape.triangles) << name;
     for (const test::DoubledShape& doubled : test::doublings(shape)) {
-      EXPECT_EQ(without_doubles(doubled.shape).triangles, shape.triangles) << name << ", " << doubled.name;
+      EXPECT_EQ(without_duplicates(doubled.shape).triangles, shape.triangles) << name << ", " << doubled.name;
       EXPECT_EQ(distinct_triangles(doubled.shape).triangle_of, doubled.triangles) << name << ", " << doubled.name;
     }
   }
@@ -51,14 +51,14 @@ TEST(DistinctTriangles, OfAMeshWithoutDoublesAreAll) {
 TEST(DistinctTriangles, OfAMeshWithPolygonsHaveNone) {
   Shape shape{places(), Triangles{{0, 1, 2}, {0, 2, 3}, {2, 1, 0}}};
   shape.polygons = {.of_triangle = {0, 0, 1}, .count = 2};
-  EXPECT_TRUE(without_doubles(shape).polygons.of_triangle.empty()) << "they are those of a list of other triangles";
+  EXPECT_TRUE(without_duplicates(shape).polygons.of_triangle.empty()) << "they are those of a list of other triangles";
   shape.triangles.row(2) << 1, 2, 3;
-  EXPECT_EQ(without_doubles(shape).polygons.of_triangle, (Indices{0, 0, 1}));
+  EXPECT_EQ(without_duplicates(shape).polygons.of_triangle, (Indices{0, 0, 1}));
 }
 
 TEST(DistinctTriangles, OfACloudAreNone) {
   const DistinctTriangles found = distinct_triangles({places(), {}});
-  EXPECT_FALSE(found.has_doubles());
+  EXPECT_FALSE(found.has_duplicates());
   EXPECT_TRUE(is_cloud(found.shape));
   EXPECT_EQ(found.vertex_of.size(), 7U);
 }

@@ -59,7 +59,7 @@ Expected brute_force(const Shape& shape, const Eigen::Vector3d& origin, const Ei
 RC_GTEST_PROP(RayCaster, FindsWhatAllTrianglesTriedInTurnGive, (unsigned seed)) {
   std::mt19937 random(seed);
   const Shape soup = any_soup(100);
-  const RayCaster caster(soup, seed % 2 == 0 ? RaysAtEdges::hit : RaysAtEdges::may_slip);
+  const RayCaster caster(soup, seed % 2 == 0 ? EdgeHandling::robust : EdgeHandling::fast);
   int compared = 0;
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d origin = random_point_within(random, 1);
@@ -128,10 +128,10 @@ Shape nested_spheres(int subdivisions) {
   return test::transformed(shape, 3, test::rotation(5), {7, -2, 1});
 }
 
-std::vector<RayHit> hits_of(const Shape& shape, RaysAtEdges at_edges, const Eigen::Vector3d& origin,
+std::vector<RayHit> hits_of(const Shape& shape, EdgeHandling edge_handling, const Eigen::Vector3d& origin,
                             std::span<const Eigen::Vector3d> directions, std::span<const std::int32_t> skipped = {}) {
   std::vector<RayHit> hits(directions.size());
-  RayCaster(shape, at_edges).first_hits(origin, directions, skipped, hits);
+  RayCaster(shape, edge_handling).first_hits(origin, directions, skipped, hits);
   return hits;
 }
 
@@ -141,11 +141,11 @@ TEST(RayCaster, ManyRaysHitWhatEachHits) {
   std::vector<Eigen::Vector3d> directions = directions_to(shape, origin);
   directions.emplace_back(directions.front());
   const std::array<std::int32_t, 3> skipped = {12, 400, 3};
-  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
-    const RayCaster caster(shape, at_edges);
+  for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
+    const RayCaster caster(shape, edge_handling);
     for (const std::size_t count : {std::size_t{2}, std::size_t{0}, skipped.size()}) {
       const std::span<const std::int32_t> without = std::span(skipped).first(count);
-      const std::vector<RayHit> hits = hits_of(shape, at_edges, origin, directions, without);
+      const std::vector<RayHit> hits = hits_of(shape, edge_handling, origin, directions, without);
       for (std::size_t i = 0; i < directions.size(); ++i) {
         const RayHit hit = caster.first_hit(origin, directions[i], without);
         EXPECT_EQ(hits[i].triangle, hit.triangle);
@@ -162,12 +162,13 @@ TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
   const Eigen::Vector3d origin(7.3, -1, -1);
   const std::vector<Eigen::Vector3d> directions = directions_to(test::sphere(1, 4), {0.1, 0.2, 0.3});
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);
-  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
+  for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
     tbb::task_arena alone(1);
-    const std::vector<RayHit> expected = alone.execute([&] { return hits_of(shape, at_edges, origin, directions); });
+    const std::vector<RayHit> expected =
+        alone.execute([&] { return hits_of(shape, edge_handling, origin, directions); });
     for (const int threads : {2, 8}) {
       tbb::task_arena arena(threads);
-      const std::vector<RayHit> hits = arena.execute([&] { return hits_of(shape, at_edges, origin, directions); });
+      const std::vector<RayHit> hits = arena.execute([&] { return hits_of(shape, edge_handling, origin, directions); });
       for (std::size_t i = 0; i < hits.size(); ++i) {
         ASSERT_EQ(hits[i].triangle, expected[i].triangle);
         ASSERT_EQ(hits[i].distance, expected[i].distance);
@@ -179,8 +180,8 @@ TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
 TEST(RayCaster, TrianglesThatTheOriginLiesOnAreNotHit) {
   const Shape sphere = nested_spheres(3);
   const Eigen::Vector3d centre(7, -2, 1);
-  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
-    const RayCaster caster(sphere, at_edges);
+  for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
+    const RayCaster caster(sphere, edge_handling);
     for (Eigen::Index f = 0; f < 1280; ++f) {
       Eigen::Vector3d origin = Eigen::Vector3d::Zero();
       for (int k = 0; k < 3; ++k) origin += sphere.vertices.row(sphere.triangles(f, k)).transpose() / 3;
@@ -208,9 +209,9 @@ TEST(RayCaster, SizeAndPlaceDoNotMatter) {
 TEST(RayCaster, FirstOfSeveralTrianglesAtOneDistance) {
   const Shape sheet = test::box({1, 1, 1}, 1);
   const Shape sheets = test::joined({sheet, sheet, test::flipped(sheet)});
-  for (const RaysAtEdges at_edges : {RaysAtEdges::hit, RaysAtEdges::may_slip}) {
-    const RayHit alone = RayCaster(sheet, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
-    const RayHit hit = RayCaster(sheets, at_edges).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+  for (const EdgeHandling edge_handling : {EdgeHandling::robust, EdgeHandling::fast}) {
+    const RayHit alone = RayCaster(sheet, edge_handling).first_hit({0.1, 0.2, 5}, {0, 0, -1});
+    const RayHit hit = RayCaster(sheets, edge_handling).first_hit({0.1, 0.2, 5}, {0, 0, -1});
     EXPECT_EQ(hit.triangle, alone.triangle);
     EXPECT_FALSE(hit.leaving);
   }
@@ -239,8 +240,8 @@ TEST(RayCaster, UnusedVerticesAndDegenerateTrianglesDoNoHarm) {
 TEST(RayCaster, NothingToHit) {
   EXPECT_FALSE(RayCaster(Shape{}).first_hit({0, 0, 0}, {0, 0, 1}));
   const std::array<Eigen::Vector3d, 2> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ()};
-  for (const RayHit& hit : hits_of(Shape{}, RaysAtEdges::may_slip, {0, 0, 0}, directions)) EXPECT_FALSE(hit);
-  EXPECT_TRUE(hits_of(test::sphere(1, 1), RaysAtEdges::hit, {0, 0, 0}, {}).empty());
+  for (const RayHit& hit : hits_of(Shape{}, EdgeHandling::fast, {0, 0, 0}, directions)) EXPECT_FALSE(hit);
+  EXPECT_TRUE(hits_of(test::sphere(1, 1), EdgeHandling::robust, {0, 0, 0}, {}).empty());
   Shape point = test::box({0, 0, 0}, 1);
   EXPECT_FALSE(RayCaster(point).first_hit({1, 1, 1}, {0, 0, 1}));
   EXPECT_FALSE(RayCaster(test::sphere(1, 1)).first_hit({0, 0, 3}, {0, 0, 1}));

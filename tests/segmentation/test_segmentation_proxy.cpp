@@ -8,27 +8,27 @@
 #include "shapegauge/core/preparation/diagnostics.h"
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/samples.h"
-#include "shapegauge/segmentation/stand_in.h"
+#include "shapegauge/segmentation/segmentation_proxy.h"
 #include "tests/support/test_shapes.h"
 
 namespace shapegauge {
 
 namespace {
 
-TEST(StandIn, OfAFineMeshAndOfACloudIsItself) {
+TEST(SegmentationProxy, OfAFineMeshAndOfACloudIsItself) {
   for (const Shape& shape : {test::sphere(1, 5), test::random_points(test::sphere(1, 3), 500, 1)}) {
-    const StandIn result = stand_in(shape);
+    const SegmentationProxy result = segmentation_proxy(shape);
     EXPECT_EQ(result.shape.vertices, shape.vertices);
     EXPECT_EQ(result.shape.triangles, shape.triangles);
     std::vector<std::int32_t> nodes(result.node_of.size());
     std::iota(nodes.begin(), nodes.end(), 0);
-    EXPECT_EQ(result.carried_back(nodes), nodes);
+    EXPECT_EQ(result.transferred(nodes), nodes);
   }
 }
 
-TEST(StandIn, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
+TEST(SegmentationProxy, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
   for (const Shape& shape : {test::box({1, 2, 3}, 1), test::sphere(1, 3), test::soup(test::sphere(1, 2))}) {
-    const StandIn result = stand_in(shape);
+    const SegmentationProxy result = segmentation_proxy(shape);
     EXPECT_GE(result.shape.triangles.rows(), 8000);
     EXPECT_LT(result.shape.triangles.rows(), 4 * 8000);
     EXPECT_TRUE(is_watertight_and_oriented(result.shape));
@@ -43,21 +43,21 @@ TEST(StandIn, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
   }
 }
 
-TEST(StandIn, OfATriangleWithTwoCornersAtOnePlaceHasItToo) {
+TEST(SegmentationProxy, OfATriangleWithTwoCornersAtOnePlaceHasItToo) {
   Shape shape = test::box({1, 1, 1}, 1);
   shape.triangles.conservativeResize(shape.triangles.rows() + 1, 3);
   shape.triangles.bottomRows(1) << 0, 0, 1;
-  const StandIn result = stand_in(shape);
+  const SegmentationProxy result = segmentation_proxy(shape);
   EXPECT_EQ(result.node_of.size(), 13U);
   EXPECT_TRUE(result.shape.vertices.allFinite());
   EXPECT_NEAR(surface_area(result.shape), 6, 1e-12);
 }
 
-TEST(StandIn, OfACrackedMeshIsACloudOnIt) {
+TEST(SegmentationProxy, OfACrackedMeshIsACloudOnIt) {
   RandomNumbers random(1);
   const Shape whole = test::sphere(1, 5);
   const Shape cracked = remove_faces(whole, 0.15, random);
-  const StandIn result = stand_in(cracked);
+  const SegmentationProxy result = segmentation_proxy(cracked);
   ASSERT_TRUE(is_cloud(result.shape));
   EXPECT_EQ(result.shape.vertices.rows(), 10000);
   const Points given = sample_shape(cracked, SampleSite::faces).points;
@@ -66,22 +66,23 @@ TEST(StandIn, OfACrackedMeshIsACloudOnIt) {
         (given.row(static_cast<Eigen::Index>(t)) - result.shape.vertices.row(result.node_of[t])).norm();
     EXPECT_LT(distance, 0.1);  // 10,000 points of a sphere of radius 1 are 0.035 apart
   }
-  EXPECT_EQ(stand_in(cracked).shape.vertices, result.shape.vertices);
+  EXPECT_EQ(segmentation_proxy(cracked).shape.vertices, result.shape.vertices);
 }
 
-TEST(StandIn, OfAMeshWithAFewMissingTrianglesIsItself) {
+TEST(SegmentationProxy, OfAMeshWithAFewMissingTrianglesIsItself) {
   // Each triangle that is missing opens three of 1.5 edges a triangle: 4 and 6 % of them.
   for (const double missing : {0.02, 0.03}) {
     RandomNumbers random(1);
-    EXPECT_EQ(is_cloud(stand_in(remove_faces(test::sphere(1, 5), missing, random)).shape), missing == 0.03) << missing;
+    EXPECT_EQ(is_cloud(segmentation_proxy(remove_faces(test::sphere(1, 5), missing, random)).shape), missing == 0.03)
+        << missing;
   }
 }
 
-TEST(StandIn, OfAMeshWithAHoleIsItself) {
+TEST(SegmentationProxy, OfAMeshWithAHoleIsItself) {
   const Shape whole = test::sphere(1, 5);
   Shape open = whole;
   open.triangles = whole.triangles.topRows(whole.triangles.rows() / 2);
-  EXPECT_FALSE(is_cloud(stand_in(open).shape));
+  EXPECT_FALSE(is_cloud(segmentation_proxy(open).shape));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "shapegauge/segmentation/stand_in.h"
+#include "shapegauge/segmentation/segmentation_proxy.h"
 
 #include <algorithm>
 #include <array>
@@ -22,15 +22,15 @@ constexpr double most_open_edges = 0.05;
 
 /// Each triangle cut into four at the middles of its edges, one after the other, its middle one first.
 Shape cut_into_four(const Shape& mesh) {
-  const std::vector<std::int32_t> merged = merged_by_place(mesh.vertices);
-  const std::vector<EdgeUse> uses = edge_uses(mesh.triangles, merged);
+  const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
+  const std::vector<HalfEdge> uses = half_edges(mesh.triangles, merged);
   const Eigen::Index corners = mesh.vertices.rows();
-  // A side of its own for each triangle with two corners at one place, which edge_uses() leaves out.
+  // A side of its own for each triangle with two corners at one place, which half_edges() leaves out.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor> middle =
       Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>::Constant(mesh.triangles.rows(), 3, -1);
   auto next = static_cast<std::int32_t>(corners);
-  for_each_edge(uses, [&](std::span<const EdgeUse> edge) {
-    for (const EdgeUse& use : edge) middle(use.triangle, use.corner) = next;
+  for_each_edge(uses, [&](std::span<const HalfEdge> edge) {
+    for (const HalfEdge& use : edge) middle(use.triangle, use.corner) = next;
     ++next;
   });
   for (std::int32_t& vertex : middle.reshaped<Eigen::RowMajor>()) {
@@ -57,22 +57,22 @@ Shape cut_into_four(const Shape& mesh) {
 bool is_cracked(const Shape& mesh) {
   std::size_t edges = 0;
   std::size_t open = 0;
-  for_each_edge(edge_uses(mesh.triangles, merged_by_place(mesh.vertices)), [&](std::span<const EdgeUse> uses) {
+  for_each_edge(half_edges(mesh.triangles, welded_vertices(mesh.vertices)), [&](std::span<const HalfEdge> uses) {
     ++edges;
     open += uses.size() == 1 ? 1 : 0;
   });
   return static_cast<double>(open) > most_open_edges * static_cast<double>(edges);
 }
 
-StandIn itself(const Shape& shape) {
-  StandIn result{.shape = shape, .node_of = {}};
+SegmentationProxy itself(const Shape& shape) {
+  SegmentationProxy result{.shape = shape, .node_of = {}};
   result.node_of.resize(static_cast<std::size_t>(is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows()));
   std::iota(result.node_of.begin(), result.node_of.end(), 0);
   return result;
 }
 
-StandIn refined(const Shape& mesh) {
-  StandIn result = itself(mesh);
+SegmentationProxy refined(const Shape& mesh) {
+  SegmentationProxy result = itself(mesh);
   while (result.shape.triangles.rows() < fewest_triangles) {
     result.shape = cut_into_four(result.shape);
     for (std::int32_t& node : result.node_of) node *= 4;  // the middle one of the four
@@ -82,16 +82,16 @@ StandIn refined(const Shape& mesh) {
 
 }  // namespace
 
-std::vector<std::int32_t> StandIn::carried_back(std::span<const std::int32_t> labels) const {
+std::vector<std::int32_t> SegmentationProxy::transferred(std::span<const std::int32_t> labels) const {
   std::vector<std::int32_t> carried;
   carried.reserve(node_of.size());
   for (const std::int32_t node : node_of) carried.push_back(labels[static_cast<std::size_t>(node)]);
   return carried;
 }
 
-StandIn stand_in(const Shape& shape) {
+SegmentationProxy segmentation_proxy(const Shape& shape) {
   if (is_cloud(shape) || shape.triangles.rows() == 0) return itself(shape);
-  StandIn result = refined(shape);
+  SegmentationProxy result = refined(shape);
   if (!is_cracked(result.shape)) return result;
   RandomNumbers random(1);
   result.shape = sample_points(shape, {.points = points_of_cracked}, random);
