@@ -16,7 +16,7 @@ class App;
 
 namespace shapegauge {
 
-/// The options that `evaluate` and `compare` share, as they are given.
+/// Options shared by `evaluate` and `compare`, as given.
 struct EvaluationArguments {
   EvaluationFiles files;
   std::string order;
@@ -29,32 +29,32 @@ struct EvaluationArguments {
   int minimum_class_size = 2;
 };
 
-/// The options of resampling, as they are given.
+/// Options of resampling, as given.
 struct ResamplingArguments {
   std::string blocks = "classes";
   double confidence = 0;
   ResamplingOptions resampling;
 };
 
-/// Adds the options that say what a matrix means and how it is judged, and --threads.
+/// Adds the options for labels and evaluation, and --threads.
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments);
 
 /// Adds --confidence, --blocks, --resamples and --seed.
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments);
 
-/// The protocol that the arguments ask for: psb, or trec with judgements, where they do not say.
+/// Returns the protocol of the arguments; by default psb, or trec with judgements.
 Protocol chosen_protocol(const EvaluationArguments& arguments);
 
-/// The settings of the evaluation that the arguments ask for. Throws InputError for a measure that is not known.
+/// Returns the evaluation options of the arguments. Throws InputError for an unknown measure.
 EvaluationOptions evaluation_options(const EvaluationArguments& arguments);
 
-/// The files, and how they are to be taken, but for the matrix.
+/// Returns the files of the evaluation and their interpretation, without the matrix.
 EvaluationFiles files_as_given(const EvaluationArguments& arguments);
 
-/// Evaluates the matrix, or the ranked lists, at the path; a line on the terminal says how far it is.
+/// Evaluates the matrix, or the ranked lists, at the path, with a progress line on the terminal.
 EvaluatedFiles evaluate_with_progress(const std::filesystem::path& path, const EvaluationArguments& arguments);
 
-/// Prints a line each on standard error. Called when all else has gone well: an error comes alone.
+/// Prints each warning as a line on standard error. Called after everything else succeeded: an error is printed alone.
 void print_warnings(std::span<const std::string> warnings);
 
 }  // namespace shapegauge

@@ -17,39 +17,39 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// The options that several commands share, and what they stand for.
+/// Options shared by several commands.
 
 namespace shapegauge {
 
 /// Adds --threads, for with_threads().
 void add_threads_option(CLI::App& command, int& threads);
 
-/// Adds --seed: 0 or more.
+/// Adds --seed, a non-negative integer.
 void add_seed_option(CLI::App& command, std::uint64_t& seed);
 
 /// Adds --denoise.
 void add_denoise_option(CLI::App& command, bool& denoise);
 
-/// The options --offset and --unit. `offset` holds the default.
+/// Values of --offset and --unit. `offset` holds the default.
 struct OffsetArguments {
   std::string offset = "auto";
-  std::string unit = {};  ///< of the files' coordinates; empty: not known
+  std::string unit = {};  ///< of the files' coordinates; empty if unknown
 };
 
 /// Adds --offset and --unit, for parse_offset(). Returns --offset.
 CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments);
 
-/// The value of --offset: a fraction of the bounding box's diagonal, a length, or neither for "auto".
+/// Parsed value of --offset: a fraction of the bounding-box diagonal, a length, or neither for "auto".
 struct GivenOffset {
   std::optional<double> fraction = {};
   std::optional<double> length = {};  ///< in the files' units
 
-  /// As a fraction of the shape's diagonal; nothing for "auto". Throws InputError where that is no offset of fields
-  /// offset_sdf, or the shape has no extent.
+  /// Returns the offset as a fraction of the shape's diagonal; nothing for "auto". Throws InputError if the offset is
+  /// out of the range of offset_sdf fields, or the shape has no extent.
   [[nodiscard]] std::optional<double> fraction_of(const Shape& shape) const;
 };
 
-/// The cache folder that the user asks for.
+/// Cache folder requested by the user.
 struct CacheOption {
   std::filesystem::path named;  ///< empty: default_cache_folder()
   bool none = false;
@@ -58,49 +58,50 @@ struct CacheOption {
 /// Adds --cache.
 void add_cache_option(CLI::App& command, CacheOption& option);
 
-/// The cache folder; empty for no cache.
+/// Returns the cache folder; empty for no cache.
 std::filesystem::path chosen_cache(const CacheOption& option);
 
-/// The value of --offset. Throws InputError for text that is none, for a fraction that offset_sdf fields do not take,
-/// and for a length in a unit where --unit is not given.
+/// Parses --offset. Throws InputError for an invalid text, for a fraction out of the range of offset_sdf fields, and
+/// for a length with a unit if --unit is not given.
 GivenOffset parse_offset(const OffsetArguments& arguments);
 
-/// The value of an option that takes a length, in the files' units: 2, or 2mm where `unit`, that of the files, is
-/// known. Throws InputError for anything else.
+/// Parses an option that takes a length and returns it in the files' units: 2, or 2mm if `unit`, that of the files, is
+/// known. Throws InputError for any other text.
 double parse_length_option(std::string_view name, const std::string& text, const std::string& unit);
 
-/// The options that say how values become colours.
+/// Options of the mapping of values to colours.
 struct ColourArguments {
-  std::string range = {};  ///< LOW,HIGH; empty: by the values
+  std::string range = {};  ///< LOW,HIGH; empty for the range of the values
   std::string scale = "linear";
-  std::string below = {};  ///< a threshold; empty: none
+  std::string below = {};  ///< threshold; empty for none
 };
 
 /// Adds --range, --scale and --below.
 void add_colour_options(CLI::App& command, ColourArguments& arguments);
 
-/// What the options say, in the files' units.
+/// Parsed colour options, in the files' units.
 struct ColourChoice {
   std::optional<Interval> range = {};
   bool logarithmic = false;
   std::optional<double> threshold = {};
 };
 
-/// Throws InputError for wrong values: lengths that are none, a range that is empty or, with a logarithmic scale, not
-/// above 0.
+/// Parses the colour options. Throws InputError for an invalid length and for a range that is empty or, with a
+/// logarithmic scale, not above 0.
 ColourChoice parse_colours(const ColourArguments& arguments, const std::string& unit);
 
-/// Warns where values of the offset SDF are those of the hull of a hollow body, and notes that other thicknesses are of
-/// its wall.
+/// Remarks on hollow bodies: warns if offset SDF values are those of the hull, and notes that other thicknesses are
+/// those of the wall.
 void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks);
 
-/// Remarks on an offset that was chosen automatically, and warns of one below the gaps of the shape.
+/// Notes an automatically chosen offset, and warns of an offset smaller than the gaps of the shape.
 void remark_on(const ChosenOffset& chosen, Remarks& remarks);
 
-/// The offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`, `sufficient`.
+/// Returns the offset for `--timings`: `offset`, `automatic`, `gap_fraction`; for "auto" also `noise_fraction`,
+/// `sufficient`.
 nlohmann::ordered_json to_json(const ChosenOffset& chosen);
 
-/// The option --denoise: denoised(), with a remark on what it found.
+/// Applies --denoise: denoised(), with a remark on the noise found.
 Shape denoised_with_remark(Shape shape, Remarks& remarks);
 
 }  // namespace shapegauge

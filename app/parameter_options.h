@@ -12,33 +12,32 @@ class App;
 class Option;
 }  // namespace CLI
 
-/// Options of a command that are made from the parameters of a registry's entries: their names, meanings, legal values
-/// and defaults are stated there only.
+/// Options of a command generated from the parameters of registry entries, which define their names, meanings, valid
+/// values and defaults.
 namespace shapegauge {
 
-/// What was given for a parameter.
+/// Text given for a parameter.
 struct ParameterText {
-  std::string option;  ///< its name in messages
-  std::string text;    ///< empty: not given
+  std::string option;  ///< name of the option in messages
+  std::string text;    ///< empty if not given
 };
 
-/// By parameter. References to entries stay valid.
+/// Texts by parameter. References to entries stay valid.
 using ParameterTexts = std::map<std::string, ParameterText, std::less<>>;
 
-/// The parameter's meaning and legal values, for --help; `with_default`: its default, too.
+/// Returns the parameter's meaning and valid values, for --help; with its default if `with_default`.
 std::string meaning_of(const Parameter& parameter, bool with_default = true);
 
-/// A description of a registry's entry as --help has them.
+/// Returns a description of a registry entry in the form of --help, without its full stop.
 std::string without_full_stop(std::string_view sentence);
 
-/// Adds an option, of a boolean a flag, that fills `given`. `names`: as CLI11 takes them; empty: `--` and the
-/// parameter's name. `meaning`: empty for meaning_of().
+/// Adds an option, or a flag for a boolean, that fills `given`. `names` as in CLI11; if empty, `--` and the parameter's
+/// name. `meaning` is meaning_of() if empty.
 CLI::Option* add_parameter_option(CLI::App& command, const Parameter& parameter, ParameterText& given,
                                   std::string names = {}, std::string meaning = {});
 
-/// The defaults of the parameters and, in their place, what was given. `subject` follows "goes with" in messages.
-/// Throws InputError for a text that the parameter does not take, and for one that was given of a parameter that is not
-/// in the list.
+/// Returns the parameters' values: those given, and defaults for the others. `subject` follows "applies to" in
+/// messages. Throws InputError for an invalid text, and for a text given for a parameter that is not in the list.
 ParameterValues parameter_values(std::span<const Parameter> parameters, const ParameterTexts& given,
                                  std::string_view subject);
 

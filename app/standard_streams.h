@@ -4,26 +4,26 @@
 #include <string>
 #include <string_view>
 
-/// "-" in place of a file: standard input and output.
+/// Standard input and output, given as "-" in place of a file.
 
 namespace shapegauge {
 
-/// Opens an unusable file for each standard stream that is closed. Otherwise the next file to be opened would
-/// get its descriptor, and messages would be written into results. Call at start-up.
+/// Opens an unusable file for each closed standard stream. Otherwise the next file to be opened would get its
+/// descriptor, and messages would be written into results. Call at start-up.
 void hold_standard_streams();
 
 bool is_standard_stream(const std::filesystem::path& path);
 
-/// All of standard input. Throws InputError where there is nothing.
+/// Reads all of standard input. Throws InputError if it is empty.
 std::string read_standard_input();
 
-/// Throws InputError where not all of it can be written.
+/// Writes to standard output. Throws InputError if the output is incomplete.
 void write_standard_output(std::string_view bytes);
 
-/// A folder of its own for the time of its scope, for readers and writers that need a file's name.
+/// Temporary folder that exists for the lifetime of the object, for readers and writers that need a file name.
 class ScratchFolder {
  public:
-  /// Throws InputError where there is no room for one.
+  /// Throws InputError if the folder cannot be created.
   ScratchFolder();
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder&) = delete;

@@ -10,34 +10,34 @@
 #include <thread>
 #include <utility>
 
-/// Output, messages and progress. Nothing here throws where a stream cannot be written to (full or closed), so that no
-/// results are lost for want of a reader.
+/// Output, messages and progress. Functions never throw if a stream cannot be written (full or closed): results must
+/// not be lost because nobody reads the messages.
 
 namespace shapegauge {
 
 enum class Verbosity {
   quiet,   ///< -q: warnings and errors only
-  normal,  ///< notes and progress, too
-  verbose  ///< -v: what is done and how long it takes, too
+  normal,  ///< also notes and progress
+  verbose  ///< also steps and their run times
 };
 
-/// Writes the text to standard output; failures are remembered for output_error().
+/// Writes the text to standard output; output_error() reports failures.
 void write_output(std::string_view text);
 
-/// Flushes standard output. Returns the error (errno) that kept output of the program from being written, or 0.
+/// Flushes standard output. Returns the error (errno) of the first failed write, or 0.
 int output_error();
 
-/// Applies to everything below from now on; normal before.
+/// Sets the verbosity of the functions below; normal by default.
 void set_verbosity(Verbosity verbosity);
 Verbosity verbosity();
 
-/// Writes formatted text to standard output; failures are remembered for output_error().
+/// Writes formatted text to standard output; output_error() reports failures.
 template <typename... Values>
 void print_output(fmt::format_string<Values...> format, Values&&... values) {
   write_output(fmt::format(format, std::forward<Values>(values)...));
 }
 
-/// Prints "shapegauge: error: <text>", on one line whatever the text.
+/// Prints "shapegauge: error: <text>" on one line, whatever the text.
 void print_error(std::string text);
 
 /// Prints "shapegauge: <text>" unless quiet.
@@ -46,20 +46,20 @@ void note(std::string_view text);
 /// Prints "shapegauge: warning: <text>".
 void warn(std::string_view text);
 
-/// A line on a terminal that says how far a long job is: count, rate, time left. Nothing where standard error is not a
-/// terminal or the program is quiet. Not to be used from several threads at once.
+/// Progress line on a terminal: count, rate, remaining time. Silent if standard error is not a terminal or the program
+/// is quiet. Not thread-safe.
 class ProgressLine {
  public:
   ProgressLine();
-  /// Wipes the line.
+  /// Clears the line.
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// So much of this stage is done; redraws a few times a second.
+  /// Updates the progress of a stage; redraws a few times a second.
   void show(std::string_view stage, std::size_t done, std::size_t total);
 
-  /// Wipes the line, so that a message can be printed.
+  /// Clears the line before a message is printed.
   void clear();
 
  private:
@@ -69,11 +69,12 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_drawn_;
 };
 
-/// The text of the line: "signatures 120/600  3.4/s  2:21 left"; rate and time left once something is done.
+/// Formats a progress line: "signatures 120/600  3.4/s  2:21 left". Rate and remaining time appear once something is
+/// done.
 std::string progress_text(std::string_view stage, std::size_t done, std::size_t total, double seconds);
 
-/// A line on a terminal for a job without parts to count, while the object lives: what is done and for how long, from
-/// two seconds on. Wiped at the end.
+/// Activity line on a terminal for a job without countable parts: its name and elapsed time, from two seconds on.
+/// Cleared on destruction.
 class BusyLine {
  public:
   explicit BusyLine(std::string what);
@@ -87,7 +88,7 @@ class BusyLine {
   std::mutex mutex_;
   std::condition_variable ended_;
   bool end_ = false;
-  std::thread thread_;  ///< draws; none where nothing is shown
+  std::thread thread_;  ///< draws the line; not started if nothing is shown
 };
 
 }  // namespace shapegauge

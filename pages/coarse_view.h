@@ -10,38 +10,36 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of coarse_shape() and CarriedValues: what a cache holds of earlier versions is then
-/// made anew.
+/// Cache version of coarse_shape() and CarriedValues; see docs/manual/cache.md.
 inline constexpr int coarse_shape_version = 2;
 
-/// A mesh that looks like the given one and has at most so many faces, at least 100, however broken the mesh is: by
-/// decimate(); of a mesh with many more faces, and where edge collapses do not get that far, after the vertices in each
-/// cell of a grid were made one, their mean (Rossignac and Borrel 1993). Of a cloud, so many of its points. A shape
-/// that is small enough is returned as it is.
+/// Simplifies a shape for display to at most `faces` faces, at least 100, however broken the mesh is. Uses decimate().
+/// For meshes with many more faces, and where edge collapses stop early, first merges the vertices in each cell of a
+/// grid to their mean (Rossignac and Borrel 1993). Of a cloud, selects that many points. Returns a shape that is small
+/// enough unchanged.
 Shape coarse_shape(const Shape& shape, Eigen::Index faces);
 
-/// Carries what is known at places of a shape over to the places of a coarser one: each of these takes the mean of
-/// those to which it is nearest, and one that is nearest to none takes what its own nearest place has. Of the four
-/// nearest the first counts whose normal does not point the other way, so that the two sides of a thin sheet stay
-/// apart.
+/// Transfers values at samples of a shape to samples of a coarser one. Each target takes the mean of the sources that
+/// are nearest to it, or the value of its own nearest source if there are none. Among the four nearest, the first whose
+/// normal does not point the opposite way is used, which separates the two sides of a thin sheet.
 class CarriedValues {
  public:
   CarriedValues(const Samples& from, const Samples& to);
 
-  /// Means weighted by the area; values that are NaN are left out.
+  /// Returns means weighted by area, ignoring NaN values.
   [[nodiscard]] Eigen::VectorXd means(const Eigen::VectorXd& values) const;
-  /// Means of unit vectors, of unit length again or zero.
+  /// Returns means of unit vectors, normalised or zero.
   [[nodiscard]] Points directions(const Points& directions) const;
-  /// The label of the largest area; of several, the smallest one.
+  /// Returns the label with the largest area (ties: the smallest).
   [[nodiscard]] std::vector<std::int32_t> labels(const std::vector<std::int32_t>& labels) const;
 
  private:
-  Eigen::VectorXd weights_;               ///< of the places carried from
-  std::vector<std::int32_t> target_of_;   ///< by place carried from
-  std::vector<std::int32_t> nearest_to_;  ///< by place carried to
+  Eigen::VectorXd weights_;               ///< of the sources
+  std::vector<std::int32_t> target_of_;   ///< by source
+  std::vector<std::int32_t> nearest_to_;  ///< by target
 };
 
-/// The view of the coarse_shape().
+/// Returns the view of the coarse_shape().
 ShapeView coarse_view(ShapeView view, Eigen::Index faces);
 
 }  // namespace shapegauge

@@ -6,30 +6,29 @@
 #include <string_view>
 #include <utility>
 
-/// What pages of HTML are made of. They need nothing but themselves: styles, scripts and data are in them.
+/// Building blocks of HTML pages. Pages are self-contained: styles, scripts and data are embedded.
 
 namespace shapegauge {
 
-/// The bytes in base64 (RFC 4648, with padding).
+/// Encodes bytes in base64 (RFC 4648, with padding).
 std::string base64(std::string_view bytes);
 
-/// The value with so many significant digits: the fewest characters that say enough.
+/// Rounds a value to a number of significant digits, to shorten its text.
 double rounded(double value, int digits);
 
-/// The text as it stands in HTML, in attributes too.
+/// Escapes a text for HTML content and attributes.
 std::string html_text(std::string_view text);
 
-/// JSON that may stand in a script element: no `<` can end it, and where text is not UTF-8, a mark stands for the
-/// bytes.
+/// Formats JSON for a script element: `<` is escaped, and invalid UTF-8 is replaced by a mark.
 std::string script_data(const nlohmann::ordered_json& json);
 
-/// The page with each mark, such as {{data}}, replaced by what goes there. Marks come in the page's order. The page is
-/// gone through once: a mark in what goes there is text like any other.
+/// Replaces each mark of a page, such as {{data}}, by its content. Marks are in the page's order. Contents are not
+/// searched for marks.
 std::string filled_page(std::string_view page,
                         std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
 
-/// The files of pages/, its bundled scripts and the JavaScript libraries, as the build compiles them in
-/// (CMakeLists.txt). Pages have marks such as {{data}} where the rest goes.
+/// Files of pages/, its bundled scripts and the JavaScript libraries, compiled in by the build (CMakeLists.txt). Pages
+/// have marks such as {{data}} for their contents.
 namespace page_files {
 
 std::string_view common_style();  ///< of all pages, after palette_style()

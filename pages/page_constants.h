@@ -4,8 +4,8 @@
 
 namespace shapegauge {
 
-/// What the scripts of the pages have in common with the program, as the module pages/common/constants.mjs: packing of
-/// numbers, the colour map, shading, splats. The target update_page_constants writes the file.
+/// Returns the constants shared by the program and the pages' scripts as the module pages/common/constants.mjs: packing
+/// of numbers, colour map, shading, splats. The target update_page_constants writes the file.
 std::string page_constants_script();
 
 }  // namespace shapegauge

@@ -13,47 +13,47 @@
 
 namespace shapegauge {
 
-/// What the report of a method says beyond its distances; nothing of it for a distance matrix from elsewhere.
+/// Histograms of a method in a report; empty for a distance matrix from elsewhere.
 struct ReportHistograms {
-  const Signatures* table = nullptr;  ///< a histogram a row
-  std::vector<Interval> ranges;       ///< of each row's histogram
-  std::vector<std::size_t> parts;     ///< instead of a table: methods whose histograms are side by side here
+  const Signatures* table = nullptr;  ///< one histogram a row
+  std::vector<Interval> ranges;       ///< by row: range of the histogram
+  std::vector<std::size_t> parts;     ///< in place of a table: methods whose histograms are concatenated
 };
 
-/// A method in a report.
+/// Method in a report.
 struct ReportMethod {
   std::string name;
-  std::string description;  ///< its settings, in a few words; may be empty
+  std::string description;  ///< settings in a few words; may be empty
   const DistanceOverview* distances = nullptr;
-  std::span<const Evaluation> evaluations;  ///< one or more, one a protocol; the same protocols for all methods
+  std::span<const Evaluation> evaluations;  ///< at least one, one a protocol; the same protocols for all methods
   ReportHistograms histograms;
 };
 
-/// Pictures of the models, all drawn alike.
+/// Pictures of the models, all rendered alike.
 struct ReportPictures {
-  std::vector<std::string> png;  ///< one a model, the bytes of a PNG file; none at all without pictures
-  Interval range;                ///< of the values with the ends of the colour map
-  std::string field;             ///< what the colours show
+  std::vector<std::string> png;  ///< one a model, the bytes of a PNG file; empty without pictures
+  Interval range;                ///< values at the ends of the colour map
+  std::string field;             ///< field that the colours show
 };
 
-/// A field that the views of the models show.
+/// Field shown by the views of the models.
 struct ViewedField {
   std::string name;
-  std::optional<Interval> colours;  ///< the values with the ends of the colour scale; else each model's own
+  std::optional<Interval> colours;  ///< values at the ends of the colour scale; if absent, each model's own
 };
 
-/// The models as shapes that one can turn.
+/// Interactive 3D views of the models.
 struct ReportViews {
-  std::vector<ViewedField> fields;  ///< of every view, in its order
+  std::vector<ViewedField> fields;  ///< of every view, in order
   std::vector<std::string>
-      shapes;  ///< one a model, as shape_view_json() without names gives them; none at all without views
+      shapes;  ///< one a model, as shape_view_json() returns them, without names; empty without views
 };
 
-/// All that the report shows. What it points to must outlive it.
+/// Contents of a report. Everything it points to must outlive it.
 struct Report {
   std::string title;
   std::string description;
-  std::vector<std::pair<std::string, std::string>> facts;  ///< about all methods: a heading and what is to be said
+  std::vector<std::pair<std::string, std::string>> facts;  ///< headings and texts about all methods
   std::vector<std::string> classes;                        ///< names, by label
   std::vector<std::string> ids;                            ///< of the models: rows and columns of the matrices
   std::vector<int> labels;                                 ///< of the models
@@ -61,11 +61,11 @@ struct Report {
   ReportPictures pictures;
   ReportViews views;
   std::vector<std::string> warnings;
-  std::vector<std::pair<std::string, std::string>> failures;  ///< models left out, and why
+  std::vector<std::pair<std::string, std::string>> failures;  ///< omitted models and the reasons
 };
 
-/// The report as one HTML file that needs nothing else: styles, scripts, data and pictures are in it. The same report
-/// gives the same bytes, on any number of threads.
+/// Renders the report as one self-contained HTML file with embedded styles, scripts, data and pictures. The same report
+/// gives the same bytes on any number of threads.
 std::string report_page(const Report& report);
 
 }  // namespace shapegauge

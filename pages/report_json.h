@@ -8,20 +8,20 @@
 
 namespace shapegauge {
 
-/// Non-negative numbers as {"scale", "values"}: packed_values() from 0 to the scale, which is the largest finite value,
-/// or 1.
+/// Encodes non-negative numbers as {"scale", "values"}: packed_values() from 0 to the scale, which is the largest
+/// finite value, or 1.
 nlohmann::ordered_json packed_numbers(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-/// The picture of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as
-/// packed_numbers(). Of a symmetric picture, row i has the cells from column i on.
+/// Encodes the heat map of a distance matrix: {"side", "block", "symmetric", "scale", "values"}, the last two as in
+/// packed_numbers(). Row i of a symmetric heat map has the cells from column i on.
 nlohmann::ordered_json heat_map(const DistanceOverview& distances);
 
-/// The most models for each of which the report says its nearest ones; of larger data sets it does so for the worst
-/// queries only.
+/// Maximum number of models for which the report lists the nearest ones of each; for larger data sets it does so for
+/// the worst queries only.
 inline constexpr std::size_t most_models_with_neighbours = 2000;
 
-/// The report as the data that the page's scripts read (pages/report/): what `report` holds, the nearest
-/// models, confusion matrices and worst queries that are found from it, and the program's version. No times, no paths.
+/// Encodes the report for the page's scripts (pages/report/): the contents of `report`, the nearest models, confusion
+/// matrices and worst queries computed from it, and the program's version. Contains no times and no paths.
 nlohmann::ordered_json report_json(const Report& report);
 
 }  // namespace shapegauge

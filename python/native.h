@@ -19,18 +19,18 @@
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/experiments/engine/run_control.h"
 
-/// What the sources of the native module share.
+/// Shared by the sources of the native module.
 
 namespace shapegauge {
 
-/// Told what is being done and how far it is: stage, done, total. None: nobody is.
+/// Progress callback with the stage, the number of items done and the total; None for no progress.
 using PythonProgress = std::optional<std::function<void(std::string, std::size_t, std::size_t)>>;
 
-/// The control of a run that Ctrl-C stops. The progress is told with the interpreter's lock; an exception of its own
-/// stops the run as well.
+/// Makes the control of a run that Ctrl-C stops. The progress callback runs with the interpreter's lock; an exception
+/// from it stops the run as well.
 RunControl interruptible_control(int threads, Cancellation& cancellation, const PythonProgress& progress);
 
-/// Runs the work without the interpreter's lock on at most so many threads (0: all). Ctrl-C stops it.
+/// Runs the work without the interpreter's lock on at most `threads` threads (0: all). Ctrl-C stops it.
 template <typename Work>
 auto compute(int threads, const Work& work) {
   std::optional<decltype(work())> result;
@@ -40,7 +40,7 @@ auto compute(int threads, const Work& work) {
   return std::move(*result);
 }
 
-/// A NumPy array that owns the matrix: nothing is copied.
+/// Makes a NumPy array that owns the matrix, without copying.
 template <typename Matrix>
 pybind11::array array_of(Matrix&& matrix) {
   auto owned = std::make_unique<std::decay_t<Matrix>>(std::forward<Matrix>(matrix));
@@ -58,11 +58,11 @@ pybind11::array array_of(Matrix&& matrix) {
   }
 }
 
-/// The shape of arrays. Throws InputError for one that is of no use.
+/// Makes a shape from arrays. Throws InputError for an unusable array.
 Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                const Eigen::Ref<const Points>& normals);
 
-/// Adds the functions of searches to the module.
+/// Adds the search functions to the module.
 void bind_search(pybind11::module_& module);
 
 }  // namespace shapegauge

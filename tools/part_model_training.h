@@ -9,36 +9,36 @@
 
 namespace shapegauge {
 
-/// Two regions met while merging, and what people say of them.
+/// Pair of regions met while merging, with its label from human segmentations.
 struct PartExample {
   RegionFeatures features;
-  double together = 0;  ///< the share of pairs of nodes, one in each, that people put into one part
-  double weight = 0;    ///< in training
+  double together = 0;  ///< share of pairs of nodes, one in each, that people put into one part
+  double weight = 0;    ///< training weight
 };
 
-/// What people say of the first regions of a surface: over all of their segmentations, the mean number of pairs of
-/// nodes, one in each of two regions, that are in the same segment. `segmentations[k][i]` is the segment of node i,
-/// `patch[i]` its region. Symmetric; on the diagonal pairs of a region's own nodes are counted once for each order.
+/// Computes, for each pair of regions, the number of pairs of nodes, one in each, that are in the same segment,
+/// averaged over all human segmentations. `segmentations[k][i]` is the segment of node i, `patch[i]` its region.
+/// Symmetric; on the diagonal, pairs of a region's own nodes are counted once for each order.
 Eigen::MatrixXd pairs_together(std::span<const std::int32_t> patch, std::int32_t regions,
                                const std::vector<std::vector<std::int32_t>>& segmentations);
 
-/// The pairs of regions that merging compares, with what people say of them: merging by what people say or, where there
-/// is a model, by the model, until no pair has an affinity of 0.3. The weight of an example is the root of its number
-/// of pairs of nodes; a surface's weights sum to 1.
+/// Collects the pairs of regions that merging compares, with their labels. Merges by the labels or, if given, by the
+/// model, until no pair has an affinity of 0.3. The weight of an example is the square root of its number of pairs of
+/// nodes; a surface's weights sum to 1.
 std::vector<PartExample> part_examples(Regions regions, const Eigen::MatrixXd& together, const PartModel* model);
 
-/// How a model is trained.
+/// Options of training.
 struct TrainingOptions {
-  int hidden_units = 8;  ///< of each network
-  int networks = 3;      ///< trained from different starts; the model is their mean (of log odds)
+  int hidden_units = 8;  ///< hidden units of each network
+  int networks = 3;      ///< networks with different initialisations; the model is their mean (of log odds)
   int epochs = 4;        ///< passes over the examples
   double decay = 3e-4;   ///< weight of half of the sum of squared weights
-  double rate = 0.01;    ///< of learning at the start; it falls to 0 as a cosine
+  double rate = 0.01;    ///< initial learning rate, decaying to 0 as a cosine
   std::uint64_t seed = 1;
 };
 
-/// The model of least cross entropy with the examples: by Adam (Kingma and Ba 2015) in batches of 256. The same input
-/// gives the same model. Throws ArgumentError for no examples and options that are not positive.
+/// Trains the model of least cross entropy on the examples with Adam (Kingma and Ba 2015) in batches of 256.
+/// Deterministic. Throws ArgumentError without examples and for options that are not positive.
 PartModel train_part_model(const std::vector<PartExample>& examples, const TrainingOptions& options);
 
 }  // namespace shapegauge

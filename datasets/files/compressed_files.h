@@ -7,23 +7,23 @@
 
 namespace shapegauge {
 
-/// The extension that tells a file's format, in lower case: that of the name, without `.gz`.
+/// Returns the extension that determines a file's format, in lower case, without `.gz`.
 std::string format_extension(const std::filesystem::path& path);
 
-/// Largest number of bytes that a file of `packed` bytes may unpack to: 256 MiB, or 50 times `packed` where that is
-/// more, but at most 16 GiB. Tables of numbers shrink to a half or a tenth of their size.
+/// Returns the maximum size to which a file of `packed` bytes may unpack: 256 MiB or 50 times `packed`, whichever is
+/// larger, but at most 16 GiB. Tables of numbers typically shrink to between a half and a tenth of their size.
 std::size_t most_unpacked_bytes(std::size_t packed);
 
-/// Throws InputError for a file that unpacks to more than most_unpacked_bytes().
+/// Throws the InputError for a file that unpacks to more than most_unpacked_bytes().
 [[noreturn]] void fail_unpacking(const std::string& source, std::size_t packed);
 
-/// The bytes of a file; where its name ends in `.gz`, what is compressed in it. Throws InputError as read_file_bytes,
-/// where it is no gzip file or a damaged one, and where it unpacks to more than most_unpacked_bytes().
+/// Reads a file, decompressed if its name ends in `.gz`. Throws InputError as read_file_bytes() does, for an invalid or
+/// damaged gzip file, and for one that unpacks to more than most_unpacked_bytes().
 std::string read_plain_bytes(const std::filesystem::path& path);
 
-/// The `.npy` file of the only array of a NumPy `.npz` archive, given its bytes. Throws InputError where it is no such
-/// archive, is damaged, unpacks to more than most_unpacked_bytes(), or has another number of arrays than one, which are
-/// then named.
+/// Extracts the `.npy` file of the only array of a NumPy `.npz` archive, given its bytes. Throws InputError for an
+/// invalid or damaged archive, one that unpacks to more than most_unpacked_bytes(), and one without exactly one array;
+/// the message lists the arrays.
 std::string array_in_npz(std::string_view bytes, const std::string& source);
 
 }  // namespace shapegauge

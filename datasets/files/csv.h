@@ -10,39 +10,39 @@
 
 namespace shapegauge {
 
-/// One row of a table.
+/// Row of a table.
 struct CsvRow {
   std::vector<std::string> cells;
-  std::size_t line = 0;  ///< where it begins in the file, counted from 1
+  std::size_t line = 0;  ///< line of the file on which the row begins, counted from 1
 };
 
-/// The rows of a text of separated values (RFC 4180). A cell in quotation marks may contain separators, line ends and,
-/// doubled, quotation marks; blanks around a cell do not count. Rows with nothing but blanks are passed over. Throws
-/// InputError "<source>:<line>: ..." where quotation marks are not closed or something follows them.
+/// Parses separated values (RFC 4180). A quoted cell may contain separators, line ends and, doubled, quotation marks.
+/// Blanks around a cell are removed, and blank rows skipped. Throws InputError "<source>:<line>: ..." for an unclosed
+/// quotation mark and for text after a closing one.
 std::vector<CsvRow> parse_csv(std::string_view text, const std::string& source, char separator = ',');
 
-/// The separator of a table: the first of tab, semicolon and comma that occurs in the first line that is not blank;
-/// nothing where none does.
+/// Returns the separator of a table: the first of tab, semicolon and comma that occurs in the first non-blank line;
+/// nothing if none does.
 std::optional<char> first_separator(std::string_view text);
 
-/// The rows of a table of words with first_separator(), else a comma, between cells. Throws InputError as parse_csv,
-/// and for a row of another length than the first.
+/// Parses a table of words, separated by first_separator() or, without one, by commas. Throws InputError as parse_csv()
+/// does, and for rows of different lengths.
 std::vector<CsvRow> parse_word_table(std::string_view text, const std::string& source);
 
-/// Names of the column that holds the class of each model, in the order of preference.
+/// Names of the column with the class of each model, in order of preference.
 inline constexpr std::array<std::string_view, 3> class_column_names{"class", "label", "category"};
 
-/// Position of the first column with one of these lower-case names, in any case; nothing where there is none.
+/// Returns the index of the first column with one of these lower-case names, ignoring case; nothing if there is none.
 std::optional<std::size_t> find_column(const CsvRow& header, std::span<const std::string_view> names);
 
-/// The separator of a table of numbers, with or without names in quotation marks: a comma, unless the first line has
-/// tabs or semicolons but no other commas than those in quotation marks and decimal ones (between digits).
+/// Returns the separator of a table of numbers, with or without quoted names: a comma, unless the first line has tabs
+/// or semicolons and no commas other than quoted or decimal ones (between digits).
 char number_separator(std::string_view text);
 
-/// The text as a cell that parse_csv reads back: in quotation marks where it needs them.
+/// Formats a cell that parse_csv() restores, quoted if necessary.
 std::string csv_cell(std::string_view text);
 
-/// The cells as one line, with its LF.
+/// Formats the cells as one line with its LF.
 std::string csv_line(const std::vector<std::string>& cells);
 
 }  // namespace shapegauge

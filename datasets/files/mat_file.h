@@ -6,9 +6,8 @@
 
 namespace shapegauge {
 
-/// Reads the only matrix of real numbers in a MATLAB `.mat` file: single, double, or integers of any size, by the
-/// library matio. Throws InputError where it cannot be read or has another number of such matrices than one, which are
-/// then named.
+/// Reads the only real matrix in a MATLAB `.mat` file (single, double, or integers of any size) with the library matio.
+/// Throws InputError if the file cannot be read or does not have exactly one such matrix; the message lists them.
 DistanceMatrix read_mat(const std::filesystem::path& path);
 
 }  // namespace shapegauge

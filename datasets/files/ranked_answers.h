@@ -8,47 +8,48 @@
 
 namespace shapegauge {
 
-/// Answers to queries as lists of models, which need not have all models.
+/// Ranked answers to queries; a list need not contain all models.
 struct RankedAnswers {
   struct Answer {
     std::string query;
     std::vector<std::pair<std::string, double>> models;  ///< id and distance
   };
-  std::vector<Answer> answers;  ///< in the order in which the queries come first
-  std::string name;             ///< of a TREC run: its tag, if all lines have the same
+  std::vector<Answer> answers;  ///< in order of first appearance of the queries
+  std::string name;             ///< tag of a TREC run, if all lines have the same
 };
 
-/// Which models are relevant to which queries.
+/// Relevance judgements.
 struct Judgements {
   struct Judged {
     std::string query;
     std::vector<std::string> relevant;
-    std::vector<int> grades;              ///< of the relevant, above 0
-    std::vector<std::string> irrelevant;  ///< judged, and not relevant
+    std::vector<int> grades;              ///< of the relevant models, positive
+    std::vector<std::string> irrelevant;  ///< judged as not relevant
   };
   std::vector<Judged> queries;
-  bool graded = false;  ///< there were grades above 1
+  bool graded = false;  ///< some grades are above 1
 };
 
-/// A TREC run: lines `query Q0 model rank score tag`. The score orders, larger is better, as in trec_eval; the rank
-/// plays no part. Throws InputError with the line: another number of words, a score that is no finite number, a model
-/// that occurs twice for a query, no lines.
+/// Parses a TREC run: lines `query Q0 model rank score tag`. As in trec_eval, the order is by descending score and the
+/// rank is ignored. Throws InputError, with the line, for a wrong number of words, a score that is not finite, a
+/// repeated model of a query, and no lines.
 RankedAnswers parse_trec_run(std::string_view text, const std::string& source);
 
-/// Ranked lists: a line for each query, its id and then the models', the best first, between blanks or commas. Throws
-/// InputError with the line: a query without models or with two lines, a model that occurs twice, no lines.
+/// Parses ranked lists: one line a query with its id and then the models' ids, best first, separated by blanks or
+/// commas. Throws InputError, with the line, for a query without models or with two lines, a repeated model, and no
+/// lines.
 RankedAnswers parse_ranked_lists(std::string_view text, const std::string& source);
 
-/// TREC judgements (qrels): lines `query iteration model grade`; a grade above 0 is relevant. Throws InputError with
-/// the line: another number of words, a grade that is no whole number, a model that is judged twice for a query, no
-/// lines.
+/// Parses TREC judgements (qrels): lines `query iteration model grade`; positive grades are relevant. Throws
+/// InputError, with the line, for a wrong number of words, a grade that is not an integer, a model judged twice for a
+/// query, and no lines.
 Judgements parse_qrels(std::string_view text, const std::string& source);
 
-/// Whether a file holds a TREC run (.run, .trec, or .txt with a first line like one) or ranked lists (.lists); each may
-/// be compressed, with `.gz` behind.
+/// Returns true for a TREC run (.run, .trec, or .txt with a matching first line) or ranked lists (.lists), also
+/// compressed with `.gz`.
 bool is_ranked_answers_file(const std::filesystem::path& path);
 
-/// Reads a TREC run or ranked lists, as the name's extension tells.
+/// Reads a TREC run or ranked lists, by the name's extension.
 RankedAnswers read_ranked_answers(const std::filesystem::path& path);
 
 /// Reads TREC judgements, compressed or not.

@@ -8,15 +8,15 @@
 
 namespace shapegauge {
 
-/// SHA-256 of the bytes, 64 hexadecimal digits, as sha256sum prints it.
+/// Computes SHA-256 of bytes, as 64 hexadecimal digits like sha256sum.
 std::string sha256(std::string_view bytes);
 
-/// The same of a file's contents. Throws InputError where it cannot be read or is empty.
+/// Computes SHA-256 of a file's contents. Throws InputError if it cannot be read or is empty.
 std::string sha256_of_file(const std::filesystem::path& path);
 
-/// The hash of everything that a shape depends on: that of the file and, where it depends on files beside it
-/// (shape_neighbours()), of the hashes and names of all. Files that cannot be read, which read_shape() reports,
-/// are left out.
+/// Computes the hash of everything that a shape depends on: that of its file or, if the shape depends on neighbouring
+/// files (shape_neighbours()), of the hashes and names of all. Skips files that cannot be read, which read_shape()
+/// reports.
 std::string sha256_of_shape(const ShapeSource& source);
 
 }  // namespace shapegauge

@@ -9,21 +9,21 @@
 
 namespace shapegauge {
 
-/// A class's body in the rest pose, meshed, ready to be posed.
+/// Meshed body of a class in the rest pose, ready to be posed.
 struct ArticulatedBody {
   Skeleton skeleton;
   RestPose rest;
   Triangles triangles;
-  Eigen::VectorXi labels;   ///< for each triangle, the limb that it belongs to
-  Eigen::MatrixXd weights;  ///< see bone_weights
+  Eigen::VectorXi labels;   ///< limb of each triangle
+  Eigen::MatrixXd weights;  ///< see bone_weights()
 };
 
-/// Meshes a skeleton's skin with about so many triangles (within a fifth) and attaches it to the bones.
+/// Meshes the skin of a skeleton with about `faces` triangles (within a fifth) and binds it to the bones.
 ArticulatedBody make_body(const Skeleton& skeleton, int faces);
 
-/// An individual of the body's class in a pose: proportions drawn at random, then poses until one is free of
-/// self-intersections and of degenerate triangles, the range of motion shrinking from draw to draw. Throws
-/// std::runtime_error where none of them is.
+/// Draws an individual of the body's class in a random pose: random proportions, then poses until one is free of
+/// self-intersections and degenerate triangles. The range of motion shrinks with each attempt. Throws
+/// std::runtime_error if all attempts fail.
 Shape draw_model(const ArticulatedBody& body, RandomNumbers& random);
 
 }  // namespace shapegauge

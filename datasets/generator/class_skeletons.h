@@ -6,13 +6,13 @@
 
 namespace shapegauge {
 
-/// Number of classes.
+/// Returns the number of classes.
 std::size_t class_count();
 
-/// The skeleton of a class, from 0 to class_count() - 1. Those that differ most come first.
+/// Returns the skeleton of a class, from 0 to class_count() - 1. The most distinct classes come first.
 Skeleton class_skeleton(std::size_t index);
 
-/// The classes, each a skeleton in its rest pose, of about the size of 2 to 4 units.
+/// Skeletons of the classes in the rest pose, 2 to 4 units in size.
 /// @{
 Skeleton ant_skeleton();
 Skeleton bird_skeleton();

@@ -3,10 +3,10 @@
 #include "shapegauge/core/base/random_numbers.h"
 #include "shapegauge/datasets/generator/solid.h"
 
-/// The objects of the classes, of about the size of 2 units, drawn at random; z is up. Not for users of the library.
+/// Random rigid objects of each class, about 2 units in size, with z up; not part of the public interface.
 namespace shapegauge {
 
-/// Draws what an object is like.
+/// Draws the random properties of an object.
 class Draw {
  public:
   explicit Draw(RandomNumbers& random) : random_(random) {}
@@ -21,7 +21,7 @@ class Draw {
   RandomNumbers& random_;
 };
 
-/// A straight leg or post, square or round.
+/// Makes a straight leg or post, square or round.
 Solid post(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, bool square);
 
 SolidObject draw_aeroplane(RandomNumbers& random);

@@ -12,42 +12,43 @@
 
 namespace shapegauge {
 
-/// One model of a data set that generate_dataset makes with the same number of faces and the same seed.
+/// Model of a data set that generate_dataset() makes with the same number of faces and seed.
 struct GeneratedModel {
-  std::string model_class;  ///< a choice of generated_model_parameters()
-  int model = 0;            ///< which of its class, from 0
+  std::string model_class;  ///< one of the choices of generated_model_parameters()
+  int model = 0;            ///< index within its class
   int faces = 4000;         ///< approximate number of triangles
   std::uint64_t seed = 1;
 };
 
-/// Makes the model. Throws InputError for a class that is not known and an option out of range.
+/// Generates the model. Throws InputError for an unknown class and an option out of range.
 Shape generate_model(const GeneratedModel& wanted);
 
-/// What generate_dataset makes.
+/// Options of generate_dataset().
 struct GeneratorOptions {
-  int classes = 16;          ///< the first so many choices of generated_model_parameters()
-  int models_per_class = 8;  ///< each one an individual of its class in a pose of its own, or an object
+  int classes = 16;          ///< number of classes, the first choices of generated_model_parameters()
+  int models_per_class = 8;  ///< individuals of the class in random poses, or random objects
   int faces = 4000;          ///< approximate number of triangles of a model
-  std::uint64_t seed = 1;    ///< the same seed and options give the same bytes, whatever the number of threads
-  bool force = false;        ///< replace a data set that the folder holds already
+  std::uint64_t seed = 1;    ///< the same seed and options give the same bytes for any number of threads
+  bool force = false;        ///< replace a data set already in the folder
 };
 
-/// The options as parameters, with their legal values: those of GeneratorOptions but `force`, and those of
-/// GeneratedModel, whose class is `class`.
+/// Return the options as parameters with their valid values: those of GeneratorOptions except `force`, and those of
+/// GeneratedModel, whose class is called `class`.
 std::span<const Parameter> generator_parameters();
 std::span<const Parameter> generated_model_parameters();
 
-/// Called after every model with the number of models written so far and in all; one call at a time, from any thread.
+/// Called after every model with the numbers of models written so far and in total; serialised, from any thread.
 using GeneratorProgress = std::function<void(int done, int total)>;
 
-/// Writes articulated shapes and, after their classes, rigid objects into the folder (made where absent), in the layout
-/// of SHREC'11:
-/// - T0.off, T1.off, ...: closed, manifold, outward-oriented meshes without self-intersections, one component each;
-/// - T0.seg, T1.seg, ...: a part label per triangle, one integer a line, as in the Princeton segmentation benchmark;
-/// - test.cla: the classification; the models of a class are scattered over the numbers at random;
-/// - parts.json: per class the names of its parts, in the order of the labels; an object may lack some.
-/// Models are made in parallel (TBB). Throws InputError: an option out of range, a folder that cannot be written, a
-/// folder that holds T*.off, T*.seg or test.cla already (unless forced: then those are replaced or removed).
+/// Writes articulated shapes and, after their classes, rigid objects into a folder (created if missing), in the layout
+/// of SHREC'11.
+/// - T0.off, T1.off, ...: closed, manifold, outward-oriented meshes without self-intersections, one component each.
+/// - T0.seg, T1.seg, ...: a part label per triangle, one integer a line, as in the Princeton segmentation benchmark.
+/// - test.cla: the classification; the models of a class have random numbers.
+/// - parts.json: per class the names of its parts, in the order of labels; an object may lack some.
+///
+/// Models are generated in parallel (TBB). Throws InputError for an option out of range, a folder that cannot be
+/// written, and a folder that already has T*.off, T*.seg or test.cla (with `force`, these are replaced or removed).
 void generate_dataset(const std::filesystem::path& folder, const GeneratorOptions& options,
                       const GeneratorProgress& progress = {});
 

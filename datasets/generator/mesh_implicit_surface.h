@@ -5,14 +5,13 @@
 
 namespace shapegauge {
 
-/// Meshes an implicit surface with about so many triangles (within a fifth) by restricted Delaunay refinement (CGAL's
-/// surface mesher; Boissonnat and Oudot 2005). The triangles are close to equilateral, no angle below 30 degrees; where
-/// the surface is thin they are smaller, as the square root of its thickness. The mesh is closed, manifold, of one
-/// component and oriented outward: where so few triangles do not give such a mesh, it has more. Throws
-/// std::runtime_error where that does not help either.
+/// Meshes an implicit surface with about `faces` triangles (within a fifth) by restricted Delaunay refinement (CGAL's
+/// surface mesher; Boissonnat and Oudot 2005). Triangles are nearly equilateral, with no angle below 30 degrees; on
+/// thin parts they shrink with the square root of the thickness. The mesh is closed, manifold, connected and oriented
+/// outwards; it has more triangles if that is necessary. Throws std::runtime_error if meshing fails.
 Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces);
 
-/// Whether two triangles of a manifold mesh meet elsewhere than at a vertex or an edge that they share (CGAL, exact).
+/// Returns true if two triangles of a manifold mesh intersect other than at a shared vertex or edge (CGAL, exact).
 bool self_intersects(const Shape& mesh);
 
 }  // namespace shapegauge

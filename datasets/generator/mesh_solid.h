@@ -8,16 +8,16 @@
 
 namespace shapegauge {
 
-/// An object's mesh.
+/// Mesh of an object with labelled parts.
 struct SolidMesh {
   Shape mesh;
-  Eigen::VectorXi labels;  ///< for each triangle, the label of its part
+  Eigen::VectorXi labels;  ///< part label of each triangle
 };
 
-/// Meshes an object with about so many triangles (within a fifth): marching tetrahedra (Doi and Koide 1991) on a grid
-/// fine enough for the thinnest wall, then isotropic remeshing (CGAL; Botsch and Kobbelt 2004). The mesh is closed,
-/// manifold, of one component, oriented outward and free of self-intersections; where walls are thin it has more
-/// triangles. Nothing where no such mesh is found: the object is in pieces, or its walls are too thin.
+/// Meshes an object with about `faces` triangles (within a fifth): marching tetrahedra (Doi and Koide 1991) on a grid
+/// fine enough for the thinnest wall, followed by isotropic remeshing (CGAL; Botsch and Kobbelt 2004). The mesh is
+/// closed, manifold, connected, oriented outwards and free of self-intersections; thin walls increase the number of
+/// triangles. Returns nothing if the object is in pieces or its walls are too thin.
 std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces);
 
 }  // namespace shapegauge

@@ -9,14 +9,14 @@
 
 namespace shapegauge {
 
-/// A class of rigid objects: hollow, flat, turned or built of pieces, which articulated bodies are not.
+/// Class of rigid objects: hollow, flat, turned or composed of pieces, unlike articulated bodies.
 struct ObjectClass {
   std::string name;
-  std::vector<std::string> parts;  ///< by label; not every object has them all
+  std::vector<std::string> parts;  ///< by label; an object may lack some
   SolidObject (*draw)(RandomNumbers& random);
 };
 
-/// The classes of objects. Those that differ most come first.
+/// Returns the classes of objects. The most distinct classes come first.
 std::span<const ObjectClass> object_classes();
 
 }  // namespace shapegauge

@@ -10,62 +10,62 @@
 
 namespace shapegauge {
 
-/// A body as the set where a function is negative. Near the surface the function is close to the distance.
+/// Solid as the set where a function is negative. Near the surface the function approximates the distance.
 struct Solid {
   std::function<double(const Eigen::Vector3d&)> distance;
-  Eigen::AlignedBox3d box;  ///< holds the body
+  Eigen::AlignedBox3d box;  ///< contains the solid
 };
 
-/// A point (distance from the axis, height) of the outline of a body of revolution.
+/// Outline of a solid of revolution: points (distance from the axis, height).
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// A box with rounded edges. The rounding is part of the half sizes.
+/// Makes a box with rounded edges. The rounding is part of the half sizes.
 Solid rounded_box(const Eigen::Vector3d& centre, const Eigen::Vector3d& half_sizes, double rounding);
 
-/// The body between an outline and the z axis, which the outline's ends are joined to, rounded outwards.
+/// Makes the solid of revolution between an outline and the z axis, with its ends joined to the axis, rounded outwards.
 Solid revolved(const Outline& outline, double rounding);
 
-/// The wall about an outline, turned about the z axis: a vessel.
+/// Makes a vessel: the wall around an outline, rotated about the z axis.
 Solid revolved_wall(const Outline& outline, double thickness);
 
-/// A cylinder with rounded edges about the segment from one point to another. The rounding is part of its size.
+/// Makes a cylinder with rounded edges about a segment. The rounding is part of its size.
 Solid rounded_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, double rounding);
 
-/// A tube of varying radius along a smooth curve, flattened as a limb is.
+/// Makes a tube of varying radius along a smooth curve, flattened like a limb.
 Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis = Eigen::Vector3d::UnitZ(),
            double flatness = 1);
 
-/// What is in both. `within` may be a body without bounds.
+/// Intersects two solids. `within` may be unbounded.
 Solid intersection(const Solid& solid, const Solid& within);
 
-/// What is in the first and not in the second.
+/// Subtracts the second solid from the first.
 Solid difference(const Solid& solid, const Solid& removed);
 
-/// All points between two heights.
+/// Makes the set of all points between two heights.
 Solid slab(double low, double high);
 
-/// The body moved.
+/// Applies a rigid motion to a solid.
 Solid transformed_solid(const Solid& solid, const Eigen::Isometry3d& motion);
 
-/// The body turned about the z axis.
+/// Rotates a solid about the z axis.
 Solid turned_about_z(const Solid& solid, double degrees);
 
-/// One part of an object.
+/// Part of an object.
 struct SolidPart {
-  int label = 0;  ///< which of its class's parts it is
+  int label = 0;  ///< index among the parts of its class
   Solid solid;
 };
 
-/// A rigid object made of parts, which are united; the creases between them are rounded off.
+/// Rigid object: the union of its parts, with rounded creases between them.
 struct SolidObject {
   std::vector<SolidPart> parts;
   double blend = 0.02;     ///< width of the rounding
-  double thinnest = 0.05;  ///< thickness of its thinnest wall
+  double thinnest = 0.05;  ///< thickness of the thinnest wall
 
-  /// Value of the whole object's function: negative inside.
+  /// Evaluates the function of the whole object: negative inside.
   [[nodiscard]] double distance(const Eigen::Vector3d& point) const;
 
-  /// The label of the part with the least distance, of equal ones the first.
+  /// Returns the label of the part with the least distance (ties: the first).
   [[nodiscard]] int label_at(const Eigen::Vector3d& point) const;
 };
 

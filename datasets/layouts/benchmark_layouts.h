@@ -6,37 +6,37 @@
 
 namespace shapegauge {
 
-/// Layouts in which published data sets come (docs/manual/datasets.md). find_* throw InputError as find_dataset();
-/// looks_like_* say whether a folder has the layout, from the names in it.
+/// Layouts of published data sets (docs/manual/datasets.md). The functions find_* throw InputError as find_dataset()
+/// does; looks_like_* return true if the names in a folder match the layout.
 
-/// The layout "shrec07": models 1.off to 400.off, twenty of each class in a row. A class that lacks models stays, and
-/// further numbers are an error.
+/// Layout "shrec07": models 1.off to 400.off, twenty consecutive ones a class. Classes with missing models are kept;
+/// larger numbers are an error.
 /// @{
 Dataset find_shrec07_dataset(const DatasetLocation& location);
 bool looks_like_shrec07(const std::filesystem::path& root);
 /// @}
 
-/// The layout "psb" of the Princeton Shape Benchmark: model 812 is db/8/m812/m812.off, and a .cla file says which
-/// models are used and their classes. A model without a file gets the name that the file should have.
+/// Layout "psb" of the Princeton Shape Benchmark: model 812 is db/8/m812/m812.off, and a .cla file lists the models and
+/// their classes. A model without a file gets the expected file name.
 /// @{
 Dataset find_psb_dataset(const DatasetLocation& location);
 bool looks_like_psb(const std::filesystem::path& root);
 /// @}
 
-/// The layout "named": files whose names are a class and a number, such as cat0.off, cat10.off and dog1.off.
+/// Layout "named": file names consist of a class and a number, such as cat0.off, cat10.off and dog1.off.
 /// @{
 Dataset find_named_dataset(const DatasetLocation& location);
 bool looks_like_named(const std::filesystem::path& root);
 /// @}
 
-/// The layout "tree": folders in folders; each folder that holds models is a class, named by its path below the root.
+/// Layout "tree": nested folders; each folder with models is a class, named by its path below the root.
 /// @{
 Dataset find_tree_dataset(const DatasetLocation& location);
 bool looks_like_tree(const std::filesystem::path& root);
 /// @}
 
-/// The layout "shapenet" of ShapeNetCore as SHREC'16 and '17 had it: a table id,synsetId,subSynsetId,modelId,split; a
-/// model of the split s is s/model_<id>.obj, or below a folder of its synset there; its class is its synset.
+/// Layout "shapenet" of ShapeNetCore as used in SHREC'16 and '17: a table id,synsetId,subSynsetId,modelId,split. A
+/// model of the split s is s/model_<id>.obj, possibly within a folder of its synset; its class is its synset.
 /// @{
 Dataset find_shapenet_dataset(const DatasetLocation& location);
 bool looks_like_shapenet(const std::filesystem::path& root);

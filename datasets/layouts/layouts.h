@@ -11,38 +11,39 @@
 
 namespace shapegauge {
 
-/// A way in which a data set lies in a folder.
+/// Layout of a data set in a folder.
 struct DatasetLayout {
   std::string_view name;
   Dataset (*find)(const DatasetLocation&);
-  std::string_view usual_classification{};  ///< the file beside the models that says their classes; empty: none
-  bool has_splits = false;                  ///< DatasetLocation::split chooses among the models
-  bool has_classification = true;           ///< a file may say the classes; else names of files and folders do
-  /// Whether a folder looks like one of the layout; null: where the usual classification is there.
+  std::string_view usual_classification{};  ///< default file beside the models with their classes; empty for none
+  bool has_splits = false;                  ///< DatasetLocation::split selects models
+  bool has_classification = true;           ///< a file may define the classes; otherwise names of files and folders do
+  /// Returns true if a folder looks like this layout. Null: if the default classification is present.
   bool (*recognises)(const std::filesystem::path& root) = nullptr;
 };
 
-/// All layouts: those of layouts.cpp, then those that were added.
+/// Returns the registry of layouts: those of layouts.cpp, followed by those added.
 Registry<DatasetLayout>& dataset_layouts();
 
-/// The data set at the location. Throws InputError: a folder or a classification that is absent or wrong, no models.
+/// Finds the data set at a location. Throws InputError for an absent or invalid folder or classification, and without
+/// models.
 Dataset find_dataset(const DatasetLocation& location);
 
-/// Whether the file is named like a table of the layout "csv": .csv or .tsv, in any case.
+/// Returns true for the name of a table of the layout "csv": .csv or .tsv, ignoring case.
 bool is_model_table(const std::filesystem::path& path);
 
-/// The location in a folder whose layout is told by what is there: the first layout that recognises it, else folders. A
-/// classification that is named is a table (csv) or, unless the folder is one of psb, that of shrec11. Throws
-/// InputError where the folder is absent.
+/// Detects the layout of a data set from its folder: the first layout that recognises it, otherwise folders. A given
+/// classification is a table (csv) or, unless the folder has the layout psb, that of shrec11. Throws InputError if the
+/// folder is absent.
 DatasetLocation recognise_dataset(const std::filesystem::path& root, const std::filesystem::path& classification = {});
 
-/// Something that is wrong with one model.
+/// Fault of one model.
 struct ModelFailure {
-  std::size_t model = 0;  ///< index in Dataset::models
+  std::size_t model = 0;  ///< index into Dataset::models
   std::string message;
 };
 
-/// Looks at the file of every model: is it there, and does it begin like a shape? Models that fail, in order.
+/// Checks that the file of every model exists and begins like a shape. Returns the failures in order.
 std::vector<ModelFailure> check_models(const Dataset& dataset);
 
 }  // namespace shapegauge

@@ -14,66 +14,65 @@
 
 namespace shapegauge {
 
-/// What an entry of the cache holds.
+/// Kind of cache entry.
 enum class EntryKind {
-  shape,         ///< what was found of a shape while it was prepared: diagnostics, scale, noise
-  samples,       ///< the weights of a shape's samples
-  field,         ///< the values of a field on a shape
-  histogram,     ///< of one field on one shape
-  distances,     ///< a distance matrix
-  picture,       ///< of a shape, for the report
-  view,          ///< of a shape, to be turned in the report
-  features,      ///< of a descriptor, of one shape
-  learnt,        ///< what a descriptor has learnt from a data set
-  segmentation,  ///< the parts of a shape
-  evaluation,    ///< of a submission to a leaderboard
+  shape,         ///< findings of the preparation of a shape: diagnostics, scale, noise
+  samples,       ///< weights of a shape's samples
+  field,         ///< values of a field on a shape
+  histogram,     ///< histogram of one field on one shape
+  distances,     ///< distance matrix
+  picture,       ///< picture of a shape, for the report
+  view,          ///< interactive view of a shape, for the report
+  features,      ///< features of a descriptor of one shape
+  learnt,        ///< features that a descriptor has learnt from a data set
+  segmentation,  ///< parts of a shape
+  evaluation,    ///< evaluation of a submission to a leaderboard
 };
 
 inline constexpr std::size_t number_of_entry_kinds = 11;
 
-/// The kinds' names, which are also the extensions of the entries' files.
+/// Names of the kinds, which are also the extensions of the entries' files.
 inline constexpr std::array<std::string_view, number_of_entry_kinds> entry_kind_names{
     "shape", "samples",  "field",  "histogram",    "distances", "picture",
     "view",  "features", "learnt", "segmentation", "evaluation"};
 
 constexpr std::string_view name_of(EntryKind kind) { return entry_kind_names.at(static_cast<std::size_t>(kind)); }
 
-/// The bytes of the file of an entry: a line that names the format, a line `<kind> <key>`, a line `<bytes> <SHA-256>`
-/// of what follows, and that.
+/// Encodes the file of an entry: a line with the format, a line `<kind> <key>`, a line `<bytes> <SHA-256>` of the
+/// content, and the content.
 std::string encode_entry(EntryKind kind, std::string_view key, std::string_view content);
 
-/// What the file of an entry holds; nothing where a byte of it is not what was written: another length, another
-/// checksum, another key.
+/// Decodes the file of an entry. Nothing if it is corrupt: another length, checksum or key.
 std::optional<std::string> decode_entry(EntryKind kind, std::string_view key, std::string_view bytes);
 
-/// How many results of one kind a run found in the cache, and how many it computed.
+/// Numbers of results of one kind found in the cache and computed.
 struct CacheUse {
   std::size_t hits = 0;
   std::size_t computed = 0;
 };
 
-/// How a run used the cache.
+/// Use of the cache by a run.
 struct CacheReport {
-  std::filesystem::path folder;  ///< empty: there was none
+  std::filesystem::path folder;  ///< empty if there was no cache
   std::array<CacheUse, number_of_entry_kinds> uses;
 };
 
-/// A store of results on disk, each under a key that stands for all that the result depends on
-/// (runner/cache_records.h).
+/// Store of results on disk. The key of a result covers everything that the result depends on
+/// (signatures/cache_records.h).
 ///
-/// Every entry is one file, written as a whole or not at all and verified when it is read. Safe to use from several
-/// threads and several processes. Disk errors never fail a run: what cannot be looked up is computed, what cannot be
-/// stored is not, and warnings() says so.
+/// Every entry is one file, written atomically and verified on reading. Safe for concurrent use by several threads and
+/// processes. Disk errors never fail a run: missing results are computed, results that cannot be stored are not, and
+/// warnings() reports it.
 class Cache {
  public:
-  /// No cache: finds nothing and stores nothing.
+  /// Disables caching: finds nothing and stores nothing.
   Cache() = default;
-  /// A cache in the folder, which is made when the first entry is stored; of an empty path: none. With `recompute` it
-  /// finds nothing, and stores what is computed in place of what was there.
+  /// Opens a cache in the folder, which is created with the first entry; an empty path disables caching. With
+  /// `recompute`, lookups find nothing, and computed results replace existing entries.
   explicit Cache(std::filesystem::path folder, bool recompute = false);
 
-  /// Looks up the value under the key, as `read` makes it; nothing where there is none or where it is damaged, which is
-  /// a warning. `read` throws nlohmann::json::exception for a value that is not of its form.
+  /// Looks up the value under the key and converts it by `read`. Nothing if there is none or it is damaged, which adds
+  /// a warning. `read` throws nlohmann::json::exception for a malformed value.
   template <typename Read>
   auto lookup(EntryKind kind, const std::string& key, const Read& read)
       -> std::optional<std::invoke_result_t<Read, const nlohmann::json&>> {
@@ -87,7 +86,7 @@ class Cache {
     }
   }
 
-  /// Stores a value under the key. Binary values and numbers come back bit by bit.
+  /// Stores a value under the key. Binary values and numbers are restored bit by bit.
   void store(EntryKind kind, const std::string& key, const nlohmann::json& value);
 
   /// Counts a result as found in the cache or as computed, for the report.
@@ -95,7 +94,7 @@ class Cache {
 
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] CacheReport report() const;
-  /// One line each, for damaged entries and for a folder that cannot be written to.
+  /// Returns one line for each problem: damaged entries, a folder that cannot be written.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:

@@ -10,9 +10,9 @@
 
 namespace shapegauge {
 
-/// Weighted quantile: the smallest value such that the values up to it carry at least this fraction of the total
-/// weight. With 0.5 it is the (lower) median, always one of the values. NaN where there are no values or no weight.
-/// Throws ArgumentError where values and weights differ in number.
+/// Returns the weighted quantile: the smallest value whose cumulative weight reaches this fraction of the total. With
+/// 0.5 it is the (lower) median, always one of the values. NaN without values or weight. Throws ArgumentError for
+/// different numbers of values and weights.
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction);
 
 /// Ground-truth normals: those of a mesh's triangles.
@@ -21,7 +21,8 @@ class TrueNormals {
   /// Throws ArgumentError for a point cloud.
   explicit TrueNormals(const Shape& mesh);
 
-  /// The unit normal, by its corners' order, of the triangle nearest to the point; zero where that has no area.
+  /// Returns the unit normal, by the order of corners, of the triangle nearest to the point; zero for a triangle
+  /// without area.
   [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& point) const;
 
  private:
@@ -29,43 +30,41 @@ class TrueNormals {
   TriangleBVH tree_;
 };
 
-/// Angles between normals and the truth, in degrees, each weighted by the area of its sample.
+/// Angles between normals and the ground truth, in degrees, weighted by the area of samples.
 struct NormalErrors {
   double mean = 0;
   double median = 0;
   double percentile_90 = 0;
 };
 
-/// The errors of the unit normals at the points. Zero normals do not count, nor do weights of zero; all is NaN where
-/// nothing counts. sided: whether a normal that points the other way is wrong by 180 degrees; otherwise it is right.
-/// Runs in the calling TBB arena.
+/// Computes the errors of unit normals at points. Ignores zero normals and zero weights; all NaN if nothing is left.
+/// With `sided`, an opposite normal is wrong by 180 degrees; otherwise it is correct. Runs in the calling TBB arena.
 NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const Points& normals,
                            const Eigen::VectorXd& weights, bool sided);
 
-/// Values of a field where they are, in the units of the shape's file.
+/// Values of a field with their positions, in the units of the shape's file.
 struct PlacedValues {
   Points points;
-  Eigen::VectorXd values;  ///< all of them finite
+  Eigen::VectorXd values;  ///< all finite
   FieldDimension dimension = FieldDimension::length;
 };
 
-/// The values at samples that have one and that stand for some area, in units of the shape's file: lengths are
+/// Selects the samples with a value and a positive area and converts them to units of the shape's file: lengths are
 /// multiplied by `unit`, and values by unit_of(dimension, unit).
 PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values, FieldDimension dimension,
                            double unit);
 
-/// How far a field is from that of the reference: quantiles of |value - reference's value at its sample nearest by|,
-/// each sample counting once.
+/// Errors of a field relative to a reference: quantiles over samples of |value - reference's value at its nearest
+/// sample|, unweighted.
 struct ValueErrors {
-  double median = 0;                  ///< of lengths as fractions of the reference's diagonal, of areas as fractions of
-                                      ///< its square, of values without a dimension unscaled
+  double median = 0;                  ///< lengths as fractions of the reference's diagonal, areas of its square
   double percentile_90 = 0;           ///< as above
-  double relative_median = 0;         ///< of the errors, each divided by the magnitude of the reference's value
-  double relative_percentile_90 = 0;  ///< of those
+  double relative_median = 0;         ///< of the errors divided by the magnitude of the reference's value
+  double relative_percentile_90 = 0;  ///< of the same relative errors
 };
 
-/// The errors of the values with respect to the reference's, which are in the same units and place and of the same
-/// dimension. NaN where either has no values. Runs in the calling TBB arena.
+/// Computes the errors of values relative to the reference's, which must have the same units, position and dimension.
+/// NaN if either has no values. Runs in the calling TBB arena.
 ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& reference, double reference_diagonal);
 
 }  // namespace shapegauge

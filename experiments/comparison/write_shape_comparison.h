@@ -8,13 +8,13 @@
 
 namespace shapegauge {
 
-/// The entry of the registry (experiment_kinds()).
+/// Returns the entry for experiment_kinds().
 ExperimentKind comparison_kind();
 
 /// Writes all result files of a comparison into the folder, as write_results() does.
 void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results);
 
-/// The summary of a comparison for a terminal: distances, errors, normals, timings.
+/// Formats the summary of a comparison for a terminal: distances, errors, normals, timings.
 std::string summary_text(const ShapeComparisonResults& results);
 
 }  // namespace shapegauge

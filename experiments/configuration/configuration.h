@@ -21,71 +21,71 @@
 
 namespace shapegauge {
 
-/// Where the range of a histogram comes from (docs/reference/definitions.md#histograms).
+/// Source of the range of a histogram (docs/reference/definitions.md#histograms).
 enum class HistogramRange { per_shape, dataset, fixed };
 
-/// How a field becomes a histogram.
+/// Options of the histogram of a field.
 struct HistogramConfiguration {
   HistogramOptions options;
   HistogramRange range = HistogramRange::per_shape;
   Interval fixed;  ///< with HistogramRange::fixed, in lengths of shapes of unit area
 };
 
-/// A signature: the histogram of a field, the features of a descriptor, distances derived from those of other
-/// signatures, or, with none of these, signatures side by side.
+/// Signature: the histogram of a field, the features of a descriptor, distances derived from those of other signatures,
+/// or, with none of these, a concatenation of signatures.
 struct SignatureConfiguration {
   std::string name;
   std::optional<Field> field;
   HistogramConfiguration histogram;            ///< of the field
-  std::optional<DescriptorChoice> descriptor;  ///< instead of a field
-  std::optional<DerivedDistances> derived;     ///< instead of both
-  std::vector<std::size_t> parts;  ///< by index, the signatures to concatenate or to derive from; each comes earlier in
-                                   ///< computation_order()
+  std::optional<DescriptorChoice> descriptor;  ///< in place of a field
+  std::optional<DerivedDistances> derived;     ///< in place of a field and a descriptor
+  std::vector<std::size_t>
+      parts;  ///< by index: signatures to concatenate or to derive from; they come earlier in computation_order()
 };
 
-/// What to do with a model that cannot be used.
+/// Handling of models that cannot be used.
 enum class OnError { stop, skip };
 
-/// How the models of a run are drawn for its report; alike for all of them.
+/// Rendering options of the report's pictures, common to all models.
 struct PictureOptions {
-  /// Values with the ends of the colour map, which runs with the square root of (value - low) so that thin parts differ
-  /// as well; by default from 0 to the diameter of a sphere of unit area.
+  /// Values at the ends of the colour map, which is proportional to the square root of (value - low) to emphasise thin
+  /// parts. By default from 0 to the diameter of a sphere of unit area.
   Interval range = {.low = 0, .high = 0.5641895835477563};
   int width = 120;  ///< pixels
   int height = 96;  ///< pixels
 };
 
-/// The page that a run of the experiment ends in.
+/// Options of the report of a run.
 struct ReportConfiguration {
   bool wanted = true;
-  bool pictures = true;                ///< of the models; there is a field that colours them
-  std::size_t pictured_signature = 0;  ///< the signature whose pictured_field() that is
+  bool pictures = true;                ///< pictures of the models; requires a field to colour them
+  std::size_t pictured_signature = 0;  ///< signature whose pictured_field() colours them
   PictureOptions picture_options;
-  bool views = true;  ///< of the models, that the reader can turn; where there are pictures
+  bool views = true;  ///< interactive 3D views of the models; requires pictures
 };
 
-/// A whole experiment, checked, with all defaults filled in.
+/// Complete, validated experiment with all defaults.
 struct Configuration {
   std::string name;
   std::string description;
-  std::optional<DatasetLocation> location;    ///< a data set on disk, or else
-  std::optional<GeneratorOptions> generator;  ///< one that the program makes
+  std::optional<DatasetLocation> location;    ///< data set on disk, or
+  std::optional<GeneratorOptions> generator;  ///< generated data set
   std::vector<Perturbation> perturbations;    ///< applied to every model after reading
-  std::uint64_t seed = 1;                     ///< of the perturbations
-  PreparationOptions preparation;             ///< of every model, then
+  std::uint64_t seed = 1;                     ///< seed of the perturbations
+  PreparationOptions preparation;             ///< of every model, after the perturbations
   std::vector<Protocol> protocols{Protocol::psb};
-  std::vector<Measure> measures;  ///< those of the protocols, unless others are named
+  std::vector<Measure> measures;  ///< those of the protocols by default
   Ties ties = Ties::index;
   int minimum_class_size = 2;
   OnError on_error = OnError::stop;
   std::vector<SignatureConfiguration> signatures;
   std::string distance = "l1";
-  bool keep_distances = true;  ///< as files of the results
+  bool keep_distances = true;  ///< in result files
   ReportConfiguration report;
 };
 
-/// The settings that are parameters, by the section of the configuration that has them: of the experiment itself, of a
-/// signature's "histogram", and of "evaluation" and "preparation". Those of "generate" are the generator's.
+/// Return the parameters of a section of the configuration: the experiment itself, a signature's "histogram",
+/// "evaluation" and "preparation". Those of "generate" are the generator's.
 /// @{
 std::span<const Parameter> experiment_parameters();
 std::span<const Parameter> histogram_parameters();
@@ -93,32 +93,32 @@ std::span<const Parameter> evaluation_parameters();
 std::span<const Parameter> preparation_parameters();
 /// @}
 
-/// The field of a signature that can colour a model: its own, or the first of its descriptor's. Null where it has none.
+/// Returns the field that can colour a model: the signature's own, or the first of its descriptor. Null if it has none.
 const Field* pictured_field(const SignatureConfiguration& signature);
 
-/// The index of a signature that is made from itself, directly or through others; nothing where there is none.
+/// Returns the index of a signature that depends on itself, directly or indirectly, if there is one.
 std::optional<std::size_t> part_of_itself(const std::vector<SignatureConfiguration>& signatures);
 
-/// The signatures' indices, parts before the signatures that are made from them. None may be a part of itself.
+/// Returns the signatures' indices in topological order: parts before the signatures made from them. Dependencies must
+/// be acyclic.
 std::vector<std::size_t> computation_order(const std::vector<SignatureConfiguration>& signatures);
 
-/// The histogram's settings as JSON with all defaults filled in, in the form of a signature's "histogram".
+/// Formats a histogram's settings as a signature's "histogram", with all defaults.
 nlohmann::json to_json(const HistogramConfiguration& histogram);
 
-/// The signatures as JSON with all defaults filled in, in the form of a configuration's "signatures".
+/// Formats signatures as a configuration's "signatures", with all defaults.
 nlohmann::json to_json(const std::vector<SignatureConfiguration>& signatures);
 
-/// The generator's settings as JSON, in the form of a configuration's "generate".
+/// Formats the generator's settings as a configuration's "generate".
 nlohmann::json to_json(const GeneratorOptions& generator);
 
-/// A data set on disk, in the form of a configuration's "dataset", with absolute paths.
+/// Formats a data set on disk as a configuration's "dataset", with absolute paths.
 nlohmann::json to_json(const DatasetLocation& location);
 
-/// The configuration as JSON with all defaults filled in, in the form that configurations are read from; paths are
-/// absolute.
+/// Formats a configuration with all defaults and absolute paths; reading restores it.
 nlohmann::json to_json(const Configuration& configuration);
 
-/// The options in the form of a configuration's "preparation".
+/// Formats preparation options as a configuration's "preparation".
 nlohmann::json to_json(const PreparationOptions& preparation);
 
 }  // namespace shapegauge

@@ -6,10 +6,10 @@
 
 namespace shapegauge {
 
-/// Replaces data sets that a document names by the file that describes them, as in "dataset": "datasets/psb.json" or
-/// in the list "datasets", by what the file holds: layout, root and the like, or "generate"; in the list with the
-/// file's "name", or its stem. Files are relative to `folder`, their roots to the file. Throws InputError for a file
-/// that cannot be read or is no such description; the message begins with `source`.
+/// Replaces data sets given by a description file, as in "dataset": "datasets/psb.json" or in the list "datasets", by
+/// the contents of the file: layout, root and the like, or "generate". In the list, adds the file's "name" or its stem.
+/// Files are relative to `folder`, their roots to the file. Throws InputError for a file that cannot be read or is not
+/// a description; `source` prefixes the message.
 void read_dataset_files(nlohmann::json& document, const std::string& source, const std::filesystem::path& folder);
 
 }  // namespace shapegauge

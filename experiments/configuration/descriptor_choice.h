@@ -8,20 +8,20 @@
 
 namespace shapegauge {
 
-/// A descriptor that a configuration asks for, and the fields that it is computed from.
+/// Descriptor chosen by a configuration, with the fields that it is computed from.
 struct DescriptorChoice {
-  nlohmann::json settings;  ///< type and all settings, those of fields and axes too, defaults filled in
+  nlohmann::json settings;  ///< type and all settings, including those of fields and axes, with all defaults
   Descriptor descriptor;
   DescriptorSettings values;
   std::vector<Field> fields;  ///< all at the same samples
 };
 
-/// The descriptor that the settings describe, by their "type"; "fields" lists the fields of one that takes some, and
-/// "axes" the settings of each. Throws InputError for a type that is not in descriptors(), and ConfigurationError with
-/// the place for settings that it does not take: too few or too many fields, fields at different samples.
+/// Makes the descriptor with the given settings. "type" is its name, "fields" lists its fields, if any, and "axes" the
+/// settings for each field. Throws InputError for a type that is not in descriptors(), and ConfigurationError with the
+/// path for invalid settings: too few or too many fields, fields at different samples.
 DescriptorChoice make_descriptor(const nlohmann::json& settings);
 
-/// The fields that the descriptor is computed from, of a prepared shape. Throws InputError as they do.
+/// Computes the descriptor's fields on a prepared shape. Throws InputError as the fields do.
 std::vector<ScalarField> compute_fields(const DescriptorChoice& choice, FieldSource& source);
 
 }  // namespace shapegauge

@@ -14,54 +14,54 @@
 
 namespace shapegauge {
 
-/// What a perturbation may depend on besides the shape.
+/// State of a perturbation step besides the shape.
 struct PerturbationContext {
-  RandomNumbers random;                        ///< a stream of the step's own
+  RandomNumbers random;                        ///< random stream of the step
   std::size_t model = 0;                       ///< the model's index in the data set
-  std::vector<std::size_t>* chosen = nullptr;  ///< where steps that choose append what they chose
+  std::vector<std::size_t>* chosen = nullptr;  ///< receives the choices of steps that choose
 };
 
-/// A step that a configuration asks for: how shapes are changed before anything is computed of them.
+/// Perturbation step of a configuration, applied to shapes before anything is computed.
 struct Perturbation {
-  nlohmann::json settings;  ///< type and all settings, defaults filled in
-  nlohmann::json versions;  ///< of the step's type, and of the types of the steps that it may choose
+  nlohmann::json settings;  ///< type and all settings, with all defaults
+  nlohmann::json versions;  ///< versions of the step's type, and of the types that it may choose
   std::function<Shape(Shape, PerturbationContext&)> apply;
 };
 
-/// Applies the steps one after the other. Each has a stream of its own, which the parent's next number seeds: what one
-/// step draws does not change what the others do.
+/// Applies the steps in order. Each has its own random stream, seeded by the parent's next number: the draws of one
+/// step do not affect the others.
 Shape apply_perturbations(Shape shape, const std::vector<Perturbation>& steps, PerturbationContext& parent);
 
-/// A model's shape after the steps.
+/// Shape of a model after the perturbation steps.
 struct PerturbedShape {
   Shape shape;
-  std::vector<std::size_t> chosen;  ///< by step that chooses, in order of application: the index of its choice
+  std::vector<std::size_t> chosen;  ///< by step that chooses, in order of application: index of the choice
 };
 
-/// Applies the steps to a model. What is drawn depends on the seed and the model's id only, not on the other models.
+/// Applies the steps to a model. Random draws depend only on the seed and the model's id, not on other models.
 PerturbedShape perturb_model(Shape shape, const std::vector<Perturbation>& steps, std::uint64_t seed,
                              std::string_view id, std::size_t model);
 
-/// A type of perturbation that configurations can name.
+/// Type of perturbation step in configurations.
 struct PerturbationType {
-  std::string_view name;         ///< the value of "type"
+  std::string_view name;         ///< value of "type"
   std::string_view description;  ///< one sentence
   std::span<const Parameter> parameters;
-  bool has_choices = false;  ///< has the setting "choices", too: lists of steps
+  bool has_choices = false;  ///< also has the setting "choices": lists of steps
 };
 
-/// All types of perturbations: those of shape_perturbations(), to which shape_perturbations().add() adds, and
-/// "one_of", which gives each model one of several lists of steps.
+/// Returns all types of perturbations: the entries of shape_perturbations(), and "one_of", which applies one of several
+/// lists of steps to each model.
 std::vector<PerturbationType> perturbation_types();
 
-/// The step that the settings describe, by their "type". Throws InputError for a type that is not in
-/// perturbation_types(), and for settings that the type does not take.
+/// Makes the step with the given settings, by their "type". Throws InputError for a type that is not in
+/// perturbation_types(), and for invalid settings.
 Perturbation make_perturbation(const nlohmann::json& settings);
 
-/// The steps of a list.
+/// Makes the steps of a list.
 std::vector<Perturbation> make_perturbations(const nlohmann::json& list);
 
-/// The settings of the steps, defaults filled in, in the form that make_perturbations() takes.
+/// Formats the settings of the steps as make_perturbations() takes them, with all defaults.
 nlohmann::json to_json(const std::vector<Perturbation>& steps);
 
 }  // namespace shapegauge

@@ -10,16 +10,16 @@
 
 namespace shapegauge {
 
-/// Something in a configuration that has parameters: a type of field, of perturbation or of descriptor, a way to
-/// re-rank, or a section of the document.
+/// Part of a configuration with parameters: a type of field, perturbation or descriptor, a re-ranking method, or a
+/// section of the document.
 struct ParameterGroup {
   std::string_view name;         ///< "offset_sdf", "histogram"
   std::string_view description;  ///< empty for a section
   std::span<const Parameter> parameters;
-  std::span<const Parameter> axis_parameters = {};  ///< of a descriptor: of each of its fields
+  std::span<const Parameter> axis_parameters = {};  ///< of each field of a descriptor
 };
 
-/// The types of fields, perturbations and descriptors, the ways to re-rank, and the sections.
+/// Return the groups of parameters: types of fields, perturbations and descriptors, re-ranking methods, and sections.
 /// @{
 std::vector<ParameterGroup> field_groups();
 std::vector<ParameterGroup> perturbation_groups();
@@ -28,22 +28,22 @@ std::vector<ParameterGroup> rerank_groups();
 std::vector<ParameterGroup> section_groups();
 /// @}
 
-/// The JSON Schema (draft 7) of an experiment's configuration: the structure (base_schema.json), filled in with the
-/// fields, descriptors, perturbations, distances, protocols and layouts that the registries have at the moment.
+/// Returns the JSON Schema (draft 7) of experiment configurations: the structure (base_schema.json) with the current
+/// entries of the registries of fields, descriptors, perturbations, distances, protocols and layouts.
 /// configs/experiment.schema.json is this text, for editors.
 std::string experiment_schema();
 
-/// The text of docs/reference/configuration.md with its tables filled in: what stands between a line `<!-- NAME -->`
-/// and the next line `<!-- end -->` is replaced by the tables of the group of that name, or of all `fields`,
-/// `perturbations`, `descriptors` or ways to `rerank`.
+/// Fills in the tables of docs/reference/configuration.md: replaces the text between a line `<!-- NAME -->` and the
+/// next line `<!-- end -->` by the tables of the group of that name, or of all `fields`, `perturbations`, `descriptors`
+/// or `rerank` methods.
 std::string with_reference_tables(std::string_view page);
 
-/// Holds a configuration to the experiment schema. Throws InputError for the first thing that is wrong, most telling
-/// first: an unknown key, with the nearest known one; then what is deepest in the document. The message gives the
-/// source, the path as `--set` writes it, what is wrong and what is allowed.
+/// Validates a configuration against the experiment schema. Throws InputError for one fault: an unknown key first, with
+/// the nearest known one; otherwise the deepest in the document. The message has the source, the path in the notation
+/// of `--set`, the fault and the valid values.
 void check_against_schema(const nlohmann::json& configuration, const std::string& source);
 
-/// The same for a part of a configuration: what the schema calls by that name in its definitions, such as "descriptor".
+/// Validates a part of a configuration against a definition of the schema, such as "descriptor".
 void check_against_schema(const nlohmann::json& part, const std::string& definition, const std::string& source);
 
 }  // namespace shapegauge

@@ -10,17 +10,18 @@
 
 namespace shapegauge {
 
-/// An error that all ranks know of: each throws it, and it is enough that one says it.
+/// Error known to all ranks: each throws it, and only one needs to report it.
 class SharedError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Collective. Throws a SharedError on all ranks where one of them has an error; that of the lowest rank. An empty
-/// message is none.
+/// Throws a SharedError on all ranks if one of them has an error; that of the lowest rank. An empty message means no
+/// error. Collective.
 void agree_on(const std::string& error, Communicator& ranks);
 
-/// Collective. Does the work here; where it fails on a rank (std::exception), all ranks throw. Alone, it is just done.
+/// Runs the work on this rank; if it fails on any rank (std::exception), all ranks throw. A single rank just runs it.
+/// Collective.
 template <typename Work>
 auto on_all_ranks(Communicator& ranks, const Work& work) -> std::invoke_result_t<Work> {
   if (ranks.size() == 1) return work();
@@ -42,7 +43,7 @@ auto on_all_ranks(Communicator& ranks, const Work& work) -> std::invoke_result_t
   }
 }
 
-/// Collective. Does the work on rank 0 and tells its bytes to all; where it fails, all ranks throw.
+/// Runs the work on rank 0 and broadcasts its bytes; if it fails, all ranks throw. Collective.
 template <typename Work>
 std::string on_first_rank(Communicator& ranks, const Work& work) {
   return ranks.broadcast(on_all_ranks(ranks, [&] { return ranks.rank() == 0 ? work() : std::string(); }));

@@ -13,7 +13,7 @@
 
 namespace shapegauge {
 
-/// Jobs with numbers from 0 on, each of which is handed out once, in order, to whoever asks next.
+/// Work queue of numbered jobs, each handed out once, in order.
 class Jobs {
  public:
   Jobs() = default;
@@ -23,15 +23,15 @@ class Jobs {
   Jobs& operator=(Jobs&&) = delete;
   virtual ~Jobs() = default;
 
-  /// The next job; nothing where there is none left. Any thread.
+  /// Returns the next job, if any. Thread-safe.
   virtual std::optional<std::size_t> next() = 0;
-  /// Hands out no more. Any thread.
+  /// Closes the queue. Thread-safe.
   virtual void stop() = 0;
-  /// How many have been handed out, as far as is known here.
+  /// Returns the number of jobs handed out, as far as known on this rank.
   [[nodiscard]] virtual std::size_t handed_out() const = 0;
 };
 
-/// A file that all processes write to, each in its own places.
+/// File written by all processes, each at its own offsets.
 class SharedFile {
  public:
   SharedFile() = default;
@@ -41,14 +41,14 @@ class SharedFile {
   SharedFile& operator=(SharedFile&&) = delete;
   virtual ~SharedFile() = default;
 
-  /// Writes the bytes at that place. Throws std::runtime_error "cannot write <path>: <reason>".
+  /// Writes the bytes at an offset. Throws std::runtime_error "cannot write <path>: <reason>".
   virtual void write(std::uint64_t offset, std::string_view bytes) = 0;
-  /// Ends the writing, of all processes. Throws as write().
+  /// Closes the file for all processes. Throws as write() does.
   virtual void close() = 0;
 };
 
-/// The processes (ranks) of a run, one of which is this. What all must call, in the same order, is collective; it waits
-/// for the others. Bytes are of any length.
+/// Communication between the processes (ranks) of a run. Collective functions must be called by all ranks in the same
+/// order, and wait for the others. Messages may have any length.
 class Communicator {
  public:
   Communicator() = default;
@@ -61,23 +61,23 @@ class Communicator {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
 
-  /// Called now and then while it waits for others; may throw to end the waiting.
+  /// Sets a function that is called occasionally while waiting for other ranks; it may throw to stop waiting.
   void set_waiting(std::function<void()> waiting) { waiting_ = std::move(waiting); }
 
-  /// Collective. Calls the work with `count` jobs that the ranks share. Returns when all jobs are done.
+  /// Calls the work with `count` jobs shared by the ranks. Returns when all jobs are done. Collective.
   virtual void share_jobs(std::size_t count, const std::function<void(Jobs&)>& work) = 0;
-  /// Collective. On rank 0 the bytes of each rank, elsewhere nothing.
+  /// Returns the bytes of each rank on rank 0, and nothing elsewhere. Collective.
   virtual std::vector<std::string> gather(std::string bytes) = 0;
-  /// Collective. Rank 0's bytes, on all ranks.
+  /// Returns rank 0's bytes on all ranks. Collective.
   virtual std::string broadcast(std::string bytes) = 0;
-  /// Collective. Gives each rank its bytes; returns what each rank has given this one.
+  /// Sends each rank its bytes and returns those received from each rank. Collective.
   virtual std::vector<std::string> exchange(std::vector<std::string> to_ranks) = 0;
-  /// Collective. Gives the bytes to the next rank (the first comes after the last) and returns those of the one before,
-  /// while `meanwhile` is done here.
+  /// Sends the bytes to the next rank (cyclically) and returns those of the previous one, while `meanwhile` runs.
+  /// Collective.
   virtual std::string pass_on(std::string_view bytes, const std::function<void()>& meanwhile) = 0;
-  /// Collective. A new file of so many bytes, in place of one that is there.
+  /// Creates a file of that many bytes, replacing an existing one. Collective.
   virtual std::unique_ptr<SharedFile> create_file(const std::filesystem::path& path, std::uint64_t bytes) = 0;
-  /// Ends all processes at once, this one with the status; does not return.
+  /// Terminates all processes at once, this one with the status; does not return.
   virtual void abort(int status) = 0;
 
  protected:
@@ -89,16 +89,16 @@ class Communicator {
   std::function<void()> waiting_;
 };
 
-/// A run of this process alone.
+/// Makes a communicator for this process alone.
 std::unique_ptr<Communicator> single_process();
 
-/// The processes that this one was started with (mpirun, srun), or this one alone. MPI is loaded only where there are
-/// others, from a module of its own (built where MPI is installed): SHAPEGAUGE_MPI_MODULE in the environment, or
-/// shapegauge_mpi.so beside the executable or in the folder of libraries. Throws InputError where it cannot be loaded,
-/// or knows of other processes than the environment says.
+/// Makes a communicator for the processes that this one was started with (mpirun, srun), or for this one alone. MPI is
+/// loaded only if there are others, from its own module (built if MPI is installed): SHAPEGAUGE_MPI_MODULE in the
+/// environment, or shapegauge_mpi.so beside the executable or in the library folder. Throws InputError if the module
+/// cannot be loaded, or reports other processes than the environment.
 std::unique_ptr<Communicator> started_processes();
 
-/// Consecutive numbers from first to before last.
+/// Half-open range [first, last) of consecutive numbers.
 struct Range {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -106,7 +106,7 @@ struct Range {
   [[nodiscard]] std::size_t size() const { return last - first; }
 };
 
-/// The part of `count` things in a row that belongs to a rank: all parts are about as large.
+/// Returns a rank's part of `count` consecutive items; all parts have about the same size.
 Range part_of_rank(std::size_t count, int rank, int size);
 
 }  // namespace shapegauge

@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-/// Numbers and texts as bytes, for another process of the same program on the same kind of machine.
+/// Serialisation of numbers and texts for another process of the same program on the same kind of machine.
 
 namespace shapegauge {
 
-/// What is copied byte by byte.
+/// Types that are copied byte by byte.
 template <typename Value>
 concept Plain = std::is_trivially_copyable_v<Value> && !std::is_array_v<Value> && !std::is_pointer_v<Value>;
 
-/// Appends values to bytes.
+/// Serialises values.
 class Packer {
  public:
   template <Plain Number>
@@ -34,7 +34,7 @@ class Packer {
     add(matrix.rows()).add(matrix.cols());
     return add_bytes(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(Number));
   }
-  /// The numbers without their count.
+  /// Appends bytes without their count.
   Packer& add_bytes(const void* begin, std::size_t count) {
     if (count > 0) bytes_.append(static_cast<const char*>(begin), count);
     return *this;
@@ -46,7 +46,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// Takes them back, in the same order.
+/// Deserialises values in the same order.
 class Unpacker {
  public:
   explicit Unpacker(std::string_view bytes) : rest_(bytes) {}

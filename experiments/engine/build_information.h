@@ -4,13 +4,13 @@
 
 namespace shapegauge {
 
-/// The compiler that built this library, name and version.
+/// Returns name and version of the compiler that built this library.
 std::string_view compiler();
 
-/// The CMake build type, such as "Release".
+/// Returns the CMake build type, such as "Release".
 std::string_view build_type();
 
-/// Versions of the libraries that results depend on, as a JSON object {"name": "version", ...}.
+/// Returns the versions of libraries that affect results, as a JSON object {"name": "version", ...}.
 std::string_view library_versions();
 
 }  // namespace shapegauge

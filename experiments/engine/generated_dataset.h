@@ -8,8 +8,8 @@
 
 namespace shapegauge {
 
-/// Makes a data set in the folder unless it was made there before, by this version and commit with these options.
-/// Collective: rank 0 makes it. Throws InputError as generate_dataset(), and Interrupted.
+/// Generates a data set in the folder unless this version and commit already did so with the same options. Collective:
+/// rank 0 generates. Throws InputError as generate_dataset() does, and Interrupted.
 void prepare_generated(const std::filesystem::path& folder, const GeneratorOptions& options, const RunControl& control,
                        Communicator& ranks);
 

@@ -7,14 +7,14 @@
 
 namespace shapegauge {
 
-/// The kind of processor and those of its instruction sets by which the libraries choose their code at run time, such
-/// as "x86-64 sse4.2 avx2 fma avx512f": with others the last bits of values may differ.
+/// Returns the processor type with those instruction sets for which libraries have special code, such as "x86-64 sse4.2
+/// avx2 fma avx512f". The last bits of values may depend on them.
 std::string processor();
 
-/// The program and what it runs on: version, commit, compiler, build type, libraries, processor.
+/// Returns the program and its platform: version, commit, compiler, build type, libraries, processor.
 nlohmann::ordered_json program_json();
 
-/// SHA-256 of the result files in the folder, by name; not of tables of timings, which differ from run to run.
+/// Returns SHA-256 of the result files in the folder, by name, without tables of timings, which vary between runs.
 nlohmann::ordered_json outputs_json(const std::filesystem::path& folder, std::span<const std::string> files);
 
 }  // namespace shapegauge

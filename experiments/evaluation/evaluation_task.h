@@ -13,13 +13,13 @@
 
 namespace shapegauge {
 
-/// The ids of the rows and columns of a matrix; both empty where it does not name them.
+/// Ids of the rows and columns of a matrix; both empty if it has none.
 struct MatrixIds {
   std::vector<std::string> rows;
   std::vector<std::string> columns;
 };
 
-/// The size of a matrix.
+/// Size of a matrix.
 struct MatrixSize {
   Eigen::Index rows = 0;
   Eigen::Index columns = 0;
@@ -34,52 +34,53 @@ struct ListCoverage {
   std::size_t incomplete = 0;  ///< lists with fewer models than are relevant: even their best order scores below 1
 };
 
-/// What the rows and columns of a matrix mean, with the names that people read.
+/// Interpretation of the rows and columns of a matrix, with names for readers.
 struct EvaluationTask {
   RetrievalTask retrieval;
   std::vector<std::string> query_ids;      ///< by row
   std::vector<std::string> class_names;    ///< by class in the retrieval task
   bool same_rows_and_columns = false;      ///< row i and column i are the same model
   std::optional<ListCoverage> coverage{};  ///< of ranked lists; a matrix covers all
-  std::vector<std::string> warnings;       ///< how the files were taken, where a user might expect otherwise
+  std::vector<std::string> warnings;       ///< remarks on how the files were interpreted
 };
 
-/// Which model a row is where no ids say so: the i-th in natural order (2 before 10), or in that of the labels' file.
-/// usual: that of the file where it is a list (ModelLabels::listed), else natural.
+/// Order of rows without ids: natural order of the labels' ids (2 before 10), or that of the labels' file. `usual`:
+/// that of the file if it is a list (ModelLabels::listed), otherwise natural.
 enum class RowOrder { usual, natural, file };
 
-/// Whether queries that are in the labels or judgements but have no answer count, with an answer that finds nothing.
+/// Handling of labelled or judged queries without an answer: ignored, or counted with empty answers.
 enum class Unanswered { left_out, count };
 
-/// The models of a matrix without ids: the i-th row is the i-th labelled model, in that order. Where queries and
-/// targets are separate sets: queries by targets if the matrix has that size, else all models by all models.
+/// Returns the models of a matrix without ids: the i-th row is the i-th labelled model, in that order. If queries and
+/// targets are separate sets: queries by targets if the matrix has that size, otherwise all models by all models.
 MatrixIds labelled_ids(const ModelLabels& labels, const MatrixSize& size, RowOrder order);
 
-/// The task of a matrix of these models under labels. Ids are compared as canonical_model_id has it. Throws InputError:
-/// a model in no class, a model twice among the rows or the columns, a query without a row, a target without a column.
+/// Makes the task of a matrix of these models with labels. Compares ids by canonical_model_id(). Throws InputError for
+/// a model without class, a repeated model of the rows or columns, a query without a row, and a target without a
+/// column.
 EvaluationTask task_of_labels(const MatrixIds& ids, const ModelLabels& labels);
 
-/// The task of a matrix of these models under judgements. A row's own column is that of the same id, if there is one.
-/// Throws InputError where a judged query or model is not in the matrix; `source` names the judgements.
+/// Makes the task of a matrix of these models with judgements. A row's own column is that of the same id, if any.
+/// Throws InputError if a judged query or model is not in the matrix; `source` names the judgements.
 EvaluationTask task_of_judgements(const MatrixIds& ids, const Judgements& judgements, const std::string& source);
 
-/// Ranked answers as a matrix: a row a query, a column a model, NaN where an answer does not have the model. Columns
-/// are in descending order of their ids, which is how trec_eval breaks ties.
+/// Ranked answers as a matrix: a row a query, a column a model, NaN if an answer lacks the model. Columns are in
+/// descending order of ids, like ties in trec_eval.
 struct RankedTask {
   DistanceMatrix distances;
   EvaluationTask task;
 };
 
-/// Ranked answers under labels. Labelled queries without an answer are told in a warning. Throws InputError where a
-/// model is in no class, a query has two spellings, or an answer has a model that is no target.
+/// Makes the task of ranked answers with labels. Warns of labelled queries without an answer. Throws InputError for a
+/// model without class, a query with two spellings, and an answer with a model that is not a target.
 RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labels, Unanswered unanswered);
 
-/// Ranked answers under judgements: what is relevant counts whether found or not, and a query is never one of the
-/// models. Queries without judgements are left out; they and judged queries without an answer are told in a warning.
+/// Makes the task of ranked answers with judgements: all relevant models count, found or not, and a query is never one
+/// of the models. Ignores queries without judgements; warns of these and of judged queries without an answer.
 RankedTask task_of_answers(const RankedAnswers& answers, const Judgements& judgements, Unanswered unanswered);
 
-/// Whether a report (pages/report.h) can show the task: its models are all queries to all others, each has a class, and
-/// answers do not end early.
+/// Returns true if a report (pages/report.h) can show the task: all models are queries to all others, each has a class,
+/// and lists are complete.
 bool is_fit_for_report(const EvaluationTask& task);
 
 }  // namespace shapegauge

@@ -11,43 +11,42 @@
 
 namespace shapegauge {
 
-/// What one method gives for every query.
+/// Scores of one method for every query.
 struct MethodScores {
   std::string method;
-  std::string source;  ///< file that it is from
+  std::string source;  ///< file of the scores
   std::string protocol;
   std::vector<std::string> measures;
   std::vector<std::string> queries;  ///< ids
-  std::vector<std::string> classes;  ///< of the queries
+  std::vector<std::string> classes;  ///< classes of the queries
   Eigen::MatrixXd values;            ///< queries x measures, fractions
 };
 
-/// The values of all methods in a table as `run` and `evaluate --per-query` write it: method,protocol,id,class and then
-/// measures in percent. Throws InputError: another header, a row of another length, a cell that is no number from 0 to
-/// 100, a query that occurs twice for a method and protocol.
+/// Reads the scores of all methods in a table of `run` or `evaluate --per-query`: method,protocol,id,class and then
+/// measures in percent. Throws InputError for another header, a row of another length, a cell that is not a number from
+/// 0 to 100, and a repeated query of a method and protocol.
 std::vector<MethodScores> read_method_scores(const std::filesystem::path& path);
 
-/// The name of a method by its file: that which a TREC run gives itself, else the file's without its extension.
+/// Returns the name of a method: the tag of a TREC run, otherwise the file's name without its extension.
 std::string method_name(const std::filesystem::path& path, const EvaluationData& data);
 
-/// The values of an evaluation.
+/// Returns the scores of an evaluation.
 MethodScores method_scores(const std::string& method, const std::string& source, const EvaluationTask& task,
                            const Evaluation& evaluation);
 
-/// Methods side by side on the same queries.
+/// Methods aligned to the same queries.
 struct AlignedMethods {
   std::vector<std::string> methods;
   std::string protocol;
   std::vector<std::string> measures;
-  std::vector<int> classes;             ///< of each query
+  std::vector<int> classes;             ///< class of each query
   std::vector<Eigen::MatrixXd> values;  ///< by measure: queries x methods
 };
 
-/// Brings methods to the same queries and measures: those that are wanted, or all that every method has. `names`, if
-/// there are any, name the methods; otherwise methods of equal name get the shortest end of their file's path that
-/// tells them apart. Throws InputError: fewer than two methods, different protocols, a query that one method has and
-/// another has not, or has in another class, a measure that a method does not have, another number of names, equal
-/// names.
+/// Aligns methods to the same queries and measures: the requested measures, or all common ones. `names` are the
+/// methods' names, if given. Otherwise methods of equal names get the shortest distinguishing suffix of their file's
+/// path. Throws InputError for fewer than two methods, different protocols, queries that differ between methods or have
+/// different classes, a missing measure, a wrong number of names, and equal names.
 AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
                              std::span<const std::string> names = {});
 

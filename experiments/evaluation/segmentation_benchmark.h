@@ -10,54 +10,54 @@
 
 namespace shapegauge {
 
-/// A mesh and people's segmentations of it.
+/// Mesh with its human segmentations.
 struct SegmentedModel {
   std::string id;
   std::filesystem::path mesh;
   std::vector<std::filesystem::path> people;  ///< .seg files
-  int label = 0;                              ///< index of its class in SegmentationBenchmark::classes
+  int label = 0;                              ///< index into SegmentationBenchmark::classes
 };
 
-/// Meshes that people segmented.
+/// Meshes with human segmentations.
 struct SegmentationBenchmark {
   std::vector<SegmentedModel> models;  ///< in natural order of their ids
   std::vector<std::string> classes;
-  std::vector<std::string> without_people;  ///< ids of meshes that nobody segmented; they are not among the models
+  std::vector<std::string> without_people;  ///< ids of meshes without segmentations, which are not among the models
   SkippedEntries skipped = {};
 };
 
-/// The Princeton Segmentation Benchmark as it is handed out: meshes `off/N.off` and people's segmentations
-/// `seg/N/*.seg`. Its classes are told by the number: 20 in a row from 1 on, as Chen et al. 2009 number them; other
-/// names are a class "other". Throws InputError where a folder is absent or nobody segmented anything.
+/// Finds the Princeton Segmentation Benchmark as distributed: meshes `off/N.off` and human segmentations `seg/N/*.seg`.
+/// Classes follow from the number, 20 consecutive ones from 1 on (Chen et al. 2009); other names have the class
+/// "other". Throws InputError if a folder is absent or there are no segmentations.
 SegmentationBenchmark find_segmentation_benchmark(const std::filesystem::path& root);
 
-/// Shapes that generate_dataset() made, each with one "person's" segmentation: the parts that it was made of. Throws
-/// InputError as find_dataset().
+/// Finds shapes of generate_dataset(), each with one ground-truth segmentation: its parts. Throws InputError as
+/// find_dataset() does.
 SegmentationBenchmark find_generated_parts(const std::filesystem::path& root);
 
-/// What is compared of segmentations.
+/// Options of scoring segmentations.
 struct SegmentationScoring {
-  bool by_area = false;  ///< triangles count by their area; else all alike, as the benchmark's own tables have it
-  bool cuts = true;      ///< the cut discrepancy too, which takes the longest
+  bool by_area = false;  ///< weight triangles by area; otherwise equally, as in the benchmark's own tables
+  bool cuts = true;      ///< also compute the cut discrepancy, which takes the longest
 };
 
-/// A mesh made ready to compare segmentations of it.
+/// Scores segmentations of one mesh.
 class SegmentationScorer {
  public:
-  /// Throws InputError where the mesh is unusable or a cloud.
+  /// Throws InputError for an unusable mesh or a cloud.
   SegmentationScorer(const Shape& mesh, const SegmentationScoring& scoring);
 
-  /// The errors of one segmentation against another one that is taken for the truth.
+  /// Computes the errors of a segmentation relative to a ground truth.
   [[nodiscard]] SegmentationErrors errors(const std::vector<std::int32_t>& labels,
                                           const std::vector<std::int32_t>& truth) const;
 
-  /// The mean errors of a segmentation against each of the people's; a cut discrepancy that is not defined does not
-  /// count.
+  /// Computes the mean errors of a segmentation relative to each human segmentation, ignoring undefined cut
+  /// discrepancies.
   [[nodiscard]] SegmentationErrors errors_against(const std::vector<std::int32_t>& labels,
                                                   const std::vector<std::vector<std::int32_t>>& people) const;
 
-  /// The mean errors of each person's segmentation against each other one's: what can be reached. Of fewer than two
-  /// people all are NaN.
+  /// Computes the mean errors between all pairs of human segmentations, as a bound of what can be reached. All NaN for
+  /// fewer than two.
   [[nodiscard]] SegmentationErrors errors_among(const std::vector<std::vector<std::int32_t>>& people) const;
 
  private:

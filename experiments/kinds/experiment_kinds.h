@@ -9,12 +9,12 @@
 
 namespace shapegauge {
 
-/// All kinds of experiments: those of the library, then those that were added. An entry has both functions.
+/// Returns the registry of kinds of experiments: those of the library, followed by those added. An entry must have both
+/// functions.
 Registry<ExperimentKind>& experiment_kinds();
 
-/// The experiment that the document of a configuration describes. Of several kinds that know it the last one that was
-/// added has it, and one that no kind knows is read as the first kind, which says what is missing. Throws as
-/// ExperimentKind::read.
+/// Reads the experiment of a configuration's document. If several kinds recognise it, the last one added is used; if
+/// none does, the first kind reads it and reports what is missing. Throws as ExperimentKind::read does.
 Experiment read_experiment(const nlohmann::json& document, const std::string& source,
                            const std::filesystem::path& folder);
 

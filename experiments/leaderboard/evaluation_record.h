@@ -6,10 +6,10 @@
 
 namespace shapegauge {
 
-/// The evaluation as an entry of the cache.
+/// Encodes an evaluation as a cache record.
 nlohmann::json to_record(const Evaluation& evaluation);
 
-/// Reads the record back, bit by bit. Throws nlohmann::json::exception where it is not of that form.
+/// Decodes the record, bit by bit. Throws nlohmann::json::exception for a malformed record.
 Evaluation evaluation_from_record(const nlohmann::json& record);
 
 }  // namespace shapegauge

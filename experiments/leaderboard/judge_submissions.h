@@ -16,47 +16,47 @@
 
 namespace shapegauge {
 
-/// How submissions are judged; all of them alike.
+/// Options of judging submissions, common to all of them.
 struct JudgingOptions {
-  EvaluationFiles
-      files;  ///< labels or judgements; `matrix` is not used, the others hold where a submission says nothing
+  EvaluationFiles files;  ///< labels or judgements; `matrix` is unused, and the other settings are defaults for
+                          ///< submissions that do not set them
   EvaluationOptions evaluation;
-  StandingOptions standings;  ///< the average is not used: both are computed
-  std::string rank_by{};      ///< a measure; empty: mAP, or the first one where that is not among them
+  StandingOptions standings;  ///< without the average, as both are computed
+  std::string rank_by{};      ///< measure; if empty, mAP or, without it, the first one
 };
 
-/// A submission that could be judged.
+/// Evaluated submission.
 struct JudgedSubmission {
-  Submission submission;  ///< with a name that no other has
-  EvaluationFiles files;  ///< as it was judged
+  Submission submission;  ///< with a unique name
+  EvaluationFiles files;  ///< as evaluated
   std::string sha256;     ///< of the file
   Evaluation evaluation;
   std::vector<std::string> query_ids;  ///< by row
   bool fit_for_report = false;         ///< see is_fit_for_report()
-  std::vector<std::string> warnings;   ///< what a reader should know of it, a sentence each
+  std::vector<std::string> warnings;   ///< for readers, one sentence each
 };
 
-/// Submissions and what they are worth.
+/// Submissions with their evaluations and standings.
 struct Leaderboard {
-  std::vector<JudgedSubmission> submissions;  ///< the best by `rank_by`, averaged over queries, first
+  std::vector<JudgedSubmission> submissions;  ///< best first, by `rank_by` averaged over queries
   std::vector<RefusedSubmission> refused;
   std::vector<std::string> measures;
   std::size_t rank_by = 0;                         ///< index of a measure
   std::vector<std::string> class_names;            ///< by class
-  std::vector<int> labels;                         ///< class of each model to be found
+  std::vector<int> labels;                         ///< class of each target
   std::vector<std::vector<MethodStanding>> micro;  ///< by measure, by submission: averages over queries
-  std::vector<std::vector<MethodStanding>> macro;  ///< so too: averages over classes
+  std::vector<std::vector<MethodStanding>> macro;  ///< averages over classes: by measure, by submission
 };
 
-/// Told which submission of how many is being judged.
+/// Receives the current submission and the progress.
 using JudgingProgress = std::function<void(const std::string& name, std::size_t done, std::size_t all)>;
 
-/// Judges every submission by itself, from the cache where it, the labels and the options are as they were before, and
-/// ranks those that can be judged. A submission is refused where it cannot be read, does not fit the labels, holds a
-/// distance that is NaN, has other queries than the first one that was judged, or looks like similarities given as
-/// distances or the other way round and neither its JSON nor the options say which. Queries without a ranked list count
-/// with scores of 0. Adds to the refused ones of `found`. Throws InputError where a measure to rank by is not among the
-/// measures, and where no submission can be judged.
+/// Evaluates every submission on its own, using the cache if it, the labels and the options are unchanged, and ranks
+/// the valid ones. A submission is refused if it cannot be read, does not match the labels, has a NaN distance, or has
+/// other queries than the first valid one. It is also refused if it appears to mix up similarities and distances and
+/// neither its JSON file nor the options specify which. Queries without a ranked list count with scores of 0. Appends
+/// to the refused ones of `found`. Throws InputError if the measure to rank by is not computed, and if no submission is
+/// valid.
 Leaderboard judge_submissions(const FoundSubmissions& found, const JudgingOptions& options, Cache& cache,
                               const JudgingProgress& progress = {});
 

@@ -8,17 +8,17 @@
 
 namespace shapegauge {
 
-/// An evaluation of a report and the matrix that it is of.
+/// Evaluation of a report with its matrix.
 struct ReportedEvaluation {
   NamedEvaluation named;
   const EvaluationData* data = nullptr;
 };
 
-/// The report of several methods, whose matrices are of the same models in the same order. Throws InputError where they
-/// are not.
+/// Renders the report of several methods. Throws InputError unless their matrices have the same models in the same
+/// order.
 std::string evaluation_report_page(const std::vector<ReportedEvaluation>& methods);
 
-/// The report (pages/report.h) of a matrix that was evaluated; its task must be is_fit_for_report().
+/// Renders the report (pages/report.h) of an evaluated matrix; its task must be is_fit_for_report().
 std::string evaluation_report_page(const NamedEvaluation& named, const EvaluationData& data);
 
 }  // namespace shapegauge

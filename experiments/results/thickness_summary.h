@@ -13,42 +13,42 @@
 
 namespace shapegauge {
 
-/// The percentiles of a summary.
+/// Percentiles of a summary.
 inline constexpr std::array<int, 7> summary_percentiles{1, 5, 25, 50, 75, 95, 99};
 
-/// The thickness of a shape in a few numbers, weighted by area.
+/// Area-weighted statistics of the thickness of a shape.
 struct ThicknessSummary {
   std::size_t samples = 0;
-  std::size_t missing = 0;  ///< samples without a value, which do not count below
+  std::size_t missing = 0;  ///< samples without a value, which are ignored below
   double area = 0;          ///< of the samples with a value, in squared units of the shape
   double least = 0;
   double greatest = 0;
   double mean = 0;
-  /// The least values that so much of the area is at or below.
+  /// Weighted percentiles: the least values whose cumulative area reaches that fraction.
   std::array<double, summary_percentiles.size()> percentiles{};
-  std::optional<double> area_below = {};  ///< of samples below the threshold, where one is given
+  std::optional<double> area_below = {};  ///< area of samples below the threshold, if one is given
 };
 
-/// The summary of a field; NaN in place of values and 0 in place of areas where no sample has a value.
+/// Computes the summary of a field; NaN values and zero areas if no sample has a value.
 ThicknessSummary summarise(const ScalarField& field, std::optional<double> threshold = {});
 
-/// A summary and what it is of.
+/// Summary with the name of its shape.
 struct NamedSummary {
   std::string name;
   ThicknessSummary summary;
 };
 
-/// How summaries are written.
+/// Formatting of summaries.
 struct SummaryWords {
-  std::string unit = {};                 ///< of lengths; empty: not known
-  std::optional<double> threshold = {};  ///< in that unit, as it was given to summarise()
+  std::string unit = {};                 ///< of lengths; empty if unknown
+  std::optional<double> threshold = {};  ///< in that unit, as given to summarise()
 };
 
-/// A row a shape. Areas below the threshold are in percent of the area.
+/// Makes a table with a row for each shape. Areas below the threshold are in percent of the area.
 Table summary_table(std::span<const NamedSummary> summaries, const SummaryWords& words);
 
-/// The summary with all digits: samples, missing, unit, area, min, percentiles, max, mean, below. Null for what is
-/// unknown.
+/// Formats the summary with all digits: samples, missing, unit, area, min, percentiles, max, mean, below. Unknown
+/// values are null.
 nlohmann::ordered_json summary_json(const NamedSummary& summary, const SummaryWords& words);
 
 }  // namespace shapegauge

@@ -5,7 +5,7 @@
 
 namespace shapegauge {
 
-/// The report of a run. It points into the results.
+/// Makes the report of a run. It refers to the results.
 Report report_of(const ExperimentResults& results);
 
 }  // namespace shapegauge

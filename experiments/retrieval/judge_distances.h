@@ -14,45 +14,45 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// Distances that nobody holds: they are computed some rows at a time, judged, written, and forgotten.
+/// Streamed distances: blocks of rows are computed, evaluated, written and discarded.
 
 namespace shapegauge {
 
-/// Signatures of many models, of which each process has some that follow each other (part_of_rank()).
+/// Signatures of many models, distributed over processes as consecutive parts (part_of_rank()).
 struct SharedSignatures {
   const Signatures& rows;  ///< of this process
-  std::size_t all = 0;     ///< how many there are
+  std::size_t all = 0;     ///< total number
 };
 
-/// Takes rows of a distance matrix, from the row `first` on.
+/// Receives rows of a distance matrix, from the row `first` on.
 using RowVisitor = std::function<void(Eigen::Index first, const DistanceTable& rows)>;
 
-/// Calls visit() with the rows of the distance matrix that belong to this process, some at a time, in order. The
-/// signatures of the other processes pass by, a process's at a time: with P processes of N models of B numbers each, a
-/// process holds 3 N B / P numbers of signatures and rows of at most 128 MiB. The same bits as distance_matrix().
-/// Collective. In parallel. Throws SharedError for signatures that check_signatures() refuses, and what visit() throws.
+/// Calls visit() with this process's rows of the distance matrix, in blocks, in order. Signatures of the other
+/// processes are received one process at a time. With P processes of N models of B numbers each, a process holds 3 N B
+/// / P numbers of signatures and rows of at most 128 MiB. Equal to distance_matrix() to the bit. Collective and
+/// parallel. Throws SharedError for signatures that check_signatures() rejects, and the errors of visit().
 void visit_distances(const NamedDistance& distance, const SharedSignatures& signatures, Communicator& ranks,
                      const RowVisitor& visit);
 
-/// Collective. largest_finite() of the first row of the distance matrix.
+/// Returns largest_finite() of the first row of the distance matrix. Collective.
 double largest_of_first(const NamedDistance& distance, const SharedSignatures& signatures, Communicator& ranks);
 
-/// What is asked of the distances of a method.
+/// Requested evaluations of the distances of a method.
 struct JudgedMethod {
   std::vector<EvaluationOptions> evaluations;
   bool overview = false;
-  double largest = 0;          ///< largest_of_first(), where an overview of many models is wanted
-  std::filesystem::path file;  ///< where the matrix goes, `.npy`; empty: nowhere
+  double largest = 0;          ///< largest_of_first(), for an overview of many models
+  std::filesystem::path file;  ///< `.npy` file for the matrix; not written if empty
 };
 
-/// What was found of it; on rank 0.
+/// Results of judging a method's distances; on rank 0.
 struct Judgement {
-  std::vector<Evaluation> evaluations;  ///< as asked for
+  std::vector<Evaluation> evaluations;  ///< as requested
   std::optional<DistanceOverview> overview;
 };
 
-/// Judges the distances of one method between models of these labels, by their rows, of which this process sees those
-/// of `own`. All of it is collective but add().
+/// Evaluates the distances of one method between labelled models by rows. This process handles the rows of `own`. All
+/// functions but add() are collective.
 class DistanceJudge {
  public:
   DistanceJudge(std::span<const int> labels, const Range& own, const JudgedMethod& wanted, Communicator& ranks);
@@ -62,13 +62,13 @@ class DistanceJudge {
   DistanceJudge& operator=(DistanceJudge&&) = delete;
   ~DistanceJudge() = default;
 
-  /// Takes rows, from the row `first` on. In parallel.
+  /// Accumulates rows, from the row `first` on. Parallel.
   void add(Eigen::Index first, const DistanceTable& rows);
 
-  /// What was found of all rows of all processes.
+  /// Returns the results of all rows of all processes.
   Judgement finish();
 
-  /// Seconds that evaluating has taken here.
+  /// Returns the seconds of evaluation on this rank.
   [[nodiscard]] double seconds() const { return seconds_; }
 
  private:
@@ -76,7 +76,7 @@ class DistanceJudge {
   std::vector<RowJudge> judges_;
   std::optional<PartialOverview> seen_;
   std::unique_ptr<SharedFile> file_;
-  std::uint64_t file_begin_ = 0;  ///< of the numbers
+  std::uint64_t file_begin_ = 0;  ///< offset of the numbers
   Communicator* ranks_;
   double seconds_ = 0;
 };

@@ -18,33 +18,32 @@
 
 namespace shapegauge {
 
-/// A model that a run went on without.
+/// Model that a run omitted.
 struct FailedModel {
   Model model;
   std::string message;
 };
 
-/// What a run found for one signature.
+/// Results of a run for one signature.
 struct MethodResults {
   std::string name;
-  DistanceMatrix distances;             ///< rows and columns are ExperimentResults::models; empty where nobody keeps
-                                        ///< them, or a file does
-  DistanceOverview overview;            ///< of the distances, for the report; empty where none is wanted
+  DistanceMatrix distances;  ///< rows and columns are ExperimentResults::models; empty if not kept or written to a file
+  DistanceOverview overview;            ///< for the report; empty if not requested
   std::vector<Evaluation> evaluations;  ///< by protocol of the configuration
-  Signatures signatures;                ///< row i is of ExperimentResults::models[i]; empty for derived distances, and
-                                        ///< of several processes where neither report nor files have them
-  std::vector<Interval> histogram_ranges;  ///< of each row, where the signature is one histogram; else empty
+  Signatures signatures;  ///< row i is of ExperimentResults::models[i]; empty for derived distances and, with several
+                          ///< processes, if needed by neither report nor files
+  std::vector<Interval> histogram_ranges;  ///< of each row, if the signature is one histogram; otherwise empty
 };
 
-/// All that a run found.
+/// Results of a run.
 struct ExperimentResults {
   Configuration configuration;
   std::vector<std::string> classes;   ///< names, by label
-  std::vector<Model> models;          ///< those that have signatures
-  std::vector<ShapeReport> shapes;    ///< of the models
-  std::vector<std::string> pictures;  ///< of the models, as PNG files; none at all where the configuration wants none
-  std::vector<std::string> views;     ///< the same, for shapes that one can turn (model_view())
-  std::vector<ViewedField> viewed;    ///< the fields of the views
+  std::vector<Model> models;          ///< models with signatures
+  std::vector<ShapeReport> shapes;    ///< by model
+  std::vector<std::string> pictures;  ///< by model, as PNG files; empty if not configured
+  std::vector<std::string> views;     ///< by model, interactive 3D views (model_view()); empty if not configured
+  std::vector<ViewedField> viewed;    ///< fields of the views
   std::vector<FailedModel> failures;
   SkippedEntries skipped;  ///< in the folder of the data set
   std::vector<FieldReport> fields;
@@ -55,46 +54,46 @@ struct ExperimentResults {
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage, in order
 };
 
-/// distance_matrix(), taken from the cache where it is there, and else kept there. A matrix of more than 64 MB (2,900
-/// shapes) is not kept: it is computed as fast as it is read. Throws as distance_matrix() does.
+/// Computes distance_matrix() or reads it from the cache; stores it there. A matrix of more than 64 MB (2,900 shapes)
+/// is not cached, because it is computed as fast as it is read. Throws as distance_matrix() does.
 DistanceMatrix distances_through_cache(const Signatures& signatures, const std::string& distance, Cache& cache);
 
-/// descriptor_distances(), in the same way.
+/// Computes descriptor_distances() through the cache in the same way.
 DistanceMatrix distances_through_cache(const Signatures& features, const Descriptor& descriptor, Cache& cache);
 
-/// The most models of which several processes, too, hold whole distance matrices, on rank 0: those that sums, fusions
-/// and re-ranking are made of. 2 GiB each.
+/// Maximum number of models for whole distance matrices on rank 0 with several processes, as needed by sums, fusions
+/// and re-ranking. 2 GiB each.
 inline constexpr std::size_t most_models_of_derived_distances = 16384;
 
-/// Where a run goes, and who runs it.
+/// Destinations of a run.
 struct RunPlaces {
-  std::filesystem::path generated_folder;  ///< of a data set that the configuration asks to generate
-  /// By signature the `.npy` file of its distances, written by rows; none: those that the configuration keeps are in
-  /// the results.
+  std::filesystem::path generated_folder;  ///< of a generated data set
+  /// By signature: `.npy` file of its distances, written by rows. If empty, the results contain the distances that the
+  /// configuration keeps.
   std::vector<std::filesystem::path> distance_files;
 };
 
 /// Runs a whole experiment: data set, signatures, distances, evaluation. Throws InputError for a model that fails with
-/// OnError::stop, for data that cannot be evaluated, and Interrupted. Results are the same bytes whatever the cache
-/// holds, for any number of threads, and of processes, of which rank 0 has them.
+/// OnError::stop and for data that cannot be evaluated; throws Interrupted. Results are the same bytes whatever the
+/// state of the cache, for any number of threads and processes; rank 0 has them.
 ///
-/// Distances are computed, judged and written by rows (judge_distances.h). Whole matrices are in memory where they are
-/// derived from others, or others from them; where the results have them; and up to 2,900 models, by way of the cache.
-/// Of several processes rank 0 has those of the first kind; of more than most_models_of_derived_distances models it
-/// does not, which is an InputError. Collective.
+/// Distances are computed, evaluated and written by rows (judge_distances.h). Whole matrices are in memory in three
+/// cases: for derived distances and those that they derive from; if the results contain them; and for up to 2,900
+/// models, through the cache. With several processes, rank 0 holds those of the first case; more than
+/// most_models_of_derived_distances models are an InputError. Collective.
 ExperimentResults run_experiment(const Configuration& configuration, const RunPlaces& places, const RunControl& control,
                                  Cache& cache, Communicator& ranks);
 
-/// The same in this process alone, with the matrices in the results.
+/// Runs an experiment in this process alone, with the matrices in the results.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control, Cache& cache);
 
-/// The same without a cache.
+/// Runs an experiment in this process alone, without a cache.
 ExperimentResults run_experiment(const Configuration& configuration, const std::filesystem::path& generated_folder,
                                  const RunControl& control);
 
-/// Warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and other
-/// models at equal distance) their number and the range of FT over the orders of tied models.
+/// Returns warnings about the results of a run: field_warnings(), and for each method with tied queries (relevant and
+/// other models at equal distance) their number and the range of FT over the orders of tied models.
 std::vector<std::string> run_warnings(const ExperimentResults& results);
 
 }  // namespace shapegauge

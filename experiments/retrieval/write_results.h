@@ -8,19 +8,19 @@
 
 namespace shapegauge {
 
-/// A retrieval experiment. The distances go to their files by rows: whole matrices are in memory only where
-/// run_experiment() says so.
+/// Makes a retrieval experiment. Distances are written by rows; whole matrices are in memory only as run_experiment()
+/// documents.
 Experiment retrieval_experiment(Configuration configuration);
 
-/// The entry of the registry (experiment_kinds()).
+/// Returns the entry for experiment_kinds().
 ExperimentKind retrieval_kind();
 
-/// Writes all result files of a run (docs/reference/definitions.md#result-files) into the folder, made where absent,
-/// each whole or not at all, the manifest last; then removes what an earlier run wrote and this one has not. Throws
-/// InputError where a file cannot be written: the folder then holds what it held before (StagedResults).
+/// Writes all result files of a run (docs/reference/definitions.md#result-files) into the folder, created if missing,
+/// each atomically, the manifest last; then removes files of an earlier run that this one did not write. Throws
+/// InputError if a file cannot be written; the folder is then unchanged (StagedResults).
 void write_results(const std::filesystem::path& destination, const ExperimentResults& results);
 
-/// The summary of a run for a terminal: its evaluations.
+/// Formats the summary of a run for a terminal: its evaluations.
 std::string summary_text(const ExperimentResults& results);
 
 }  // namespace shapegauge

@@ -13,23 +13,23 @@
 
 namespace shapegauge {
 
-/// By term, the distance that the method compares its signatures by.
+/// Returns, by term, the distance by which the method compares signatures.
 std::vector<NamedDistance> distances_of(const SearchMethod& method);
 
-/// The sum over the models whose tables the index has. `before`: an earlier index by the same method, or nullptr;
-/// models of the same id and contents need no new rows then, and the result is the same. In parallel.
+/// Computes the sum over the models in the index. `before` is an earlier index with the same method, or null: models
+/// with the same id and contents need no new rows then, and the result is the same. Parallel.
 CollectionSum sum_of(const SearchMethod& method, const ShapeIndex& index, const RunControl& control,
                      const ShapeIndex* before = nullptr);
 
-/// By term, the distances from a signature to all models. `member`: its index where it is one of them, else -1. In
-/// parallel. Throws ArgumentError for signatures that the distance does not take.
+/// Computes, by term, the distances from a signature to all models. `member` is its index if it is one of them,
+/// otherwise -1. Parallel. Throws ArgumentError for signatures outside the distance's domain.
 std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& distances, const ShapeIndex& index,
                                             std::span<const Eigen::RowVectorXf> signatures, Eigen::Index member);
 
-/// The nearest models of each by the sum, so many. In parallel.
+/// Finds the `count` nearest models of each model by the sum. Parallel.
 NearestModels nearest_in(const SearchMethod& method, const ShapeIndex& index, int count, const RunControl& control);
 
-/// Writes the index to its file, or adds a note that says why it cannot.
+/// Writes the index to its file, or adds a note with the reason if that fails.
 void write_index(const OpenIndex& index, std::vector<std::string>& notes);
 
 }  // namespace shapegauge

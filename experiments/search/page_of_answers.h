@@ -7,8 +7,8 @@
 
 namespace shapegauge {
 
-/// The page of answers (search_page()): each query and each shape found is read from its file, brought to unit area,
-/// simplified, and coloured by its thickness, the offset SDF. A shape whose file cannot be read has no picture. Throws
+/// Renders the page of answers (search_page()). Each query and each result is read from its file, scaled to unit area,
+/// simplified, and coloured by its thickness (offset SDF). A shape whose file cannot be read has no picture. Throws
 /// Interrupted.
 std::string page_of_answers(const OpenIndex& index, std::span<const SearchQuery> queries,
                             std::span<const SearchAnswer> answers, const std::string& title, const RunControl& control);

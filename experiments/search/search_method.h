@@ -14,31 +14,31 @@
 
 namespace shapegauge {
 
-/// How a search compares shapes: a signature of a configuration, and what it is made from.
+/// Method of a search: a signature of a configuration with everything that it depends on.
 struct SearchMethod {
   std::string name;                ///< of the signature
-  Configuration configuration;     ///< its preparation, and the signatures that are compared; nothing else counts
-  std::vector<std::size_t> terms;  ///< the compared signatures, by index; one, or the terms of a sum
-  std::vector<double> weights;     ///< by term, as they are given
+  Configuration configuration;     ///< its preparation and the compared signatures; the rest is ignored
+  std::vector<std::size_t> terms;  ///< indices of the compared signatures: one, or the terms of a sum
+  std::vector<double> weights;     ///< by term, as given
   SumWeights weight_kind = SumWeights::given;
   DistanceScale scale = DistanceScale::none;
-  DiffusionOptions diffusion;  ///< with which answers are re-ranked
+  DiffusionOptions diffusion;  ///< for re-ranked answers
 
-  /// Identifies the method and the program: an index of another key cannot be used.
+  /// Returns a key of the method and the program; an index with another key cannot be used.
   [[nodiscard]] std::string key() const;
 };
 
-/// The method of a configuration of a retrieval experiment. `signature`: its name; empty: the last one that a
-/// search can compare by. Diffusion has the settings of the signature that re-ranks it, where there is one. What the
-/// configuration says of a data set, perturbations, evaluation and report does not count. Throws InputError where there
-/// is no such signature, and for one that is neither computed from each shape nor a sum of such.
+/// Makes the search method of a retrieval experiment's configuration. `signature` is its name; if empty, the last
+/// suitable one. Diffusion has the settings of the signature that re-ranks it, if any. Settings of the data set,
+/// perturbations, evaluation and report are ignored. Throws InputError for an unknown signature, and for one that is
+/// neither computed from each shape nor a sum of such.
 SearchMethod search_method(nlohmann::json configuration, const std::string& source, const std::string& signature = {});
 
-/// The method of a file, changed as `--set` says it (apply_override()). Throws InputError as above.
+/// Reads the method of a file with overrides of `--set` (apply_override()). Throws InputError as search_method() does.
 SearchMethod read_search_method(const std::filesystem::path& file, std::span<const std::string> overrides = {},
                                 const std::string& signature = {});
 
-/// The method of configs/recommended.json.
+/// Returns the method of configs/recommended.json.
 SearchMethod recommended_search_method();
 
 }  // namespace shapegauge

@@ -5,18 +5,17 @@
 
 namespace shapegauge {
 
-/// How alike the parts of the shapes of a class are, which takes no people: a row for each method and class, and for
-/// each method the mean of its classes.
-///
-/// - "parts": the median number of parts. Parts of less than 1 % of the area do not count here.
-/// - "same number": of pairs of shapes of the class, the fraction with the same number of parts.
-/// - "sizes": of those pairs the mean difference in size, half the sum of the differences between the fractions of the
-///   area that the largest parts have, the second largest, and so on: 0 where all are the same, at most 1.
-/// - "sizes, others": the same of the pairs of a shape of the class and one of another class.
+/// Measures the consistency of parts among the shapes of a class, without human segmentations: a row for each method
+/// and class, and for each method the mean of its classes.
+/// - "parts": median number of parts, without parts of less than 1 % of the area.
+/// - "same number": fraction of pairs of shapes of the class with the same number of parts.
+/// - "sizes": mean difference in size over those pairs: half the sum of differences between the area fractions of the
+///   largest parts, the second largest, and so on. 0 if all are equal, at most 1.
+/// - "sizes, others": the same over pairs of a shape of the class and one of another class.
 Table consistency_table(const SegmentationResults& results);
 
-/// What perturbations change of the parts: a row for each method that has some, with the median, the mean and the
-/// greatest of SegmentedShape::moved. No row where no method has perturbations.
+/// Measures the effect of perturbations on the parts: a row for each method with perturbations, with the median, mean
+/// and maximum of SegmentedShape::moved.
 Table moved_table(const SegmentationResults& results);
 
 }  // namespace shapegauge

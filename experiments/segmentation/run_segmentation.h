@@ -17,47 +17,47 @@
 
 namespace shapegauge {
 
-/// What was found of one shape.
+/// Results for one shape.
 struct SegmentedShape {
   std::string mesh_sha256;
   std::vector<std::string> people_sha256;
-  std::vector<std::vector<std::int32_t>> labels;  ///< by method; of each face of the file the number of its part
+  std::vector<std::vector<std::int32_t>> labels;  ///< by method: part number of each face of the file
   bool has_polygons = false;                      ///< faces of the file are polygons
   std::vector<std::vector<double>> part_sizes;    ///< by method: the parts' fractions of the area, largest first
-  /// By method with perturbations: the Rand Index error of its parts against those of the method without them; NaN for
-  /// others.
+  /// By method with perturbations: Rand error of its parts relative to those of the method without perturbations; NaN
+  /// for other methods.
   std::vector<double> moved;
-  std::vector<std::string> pictures;  ///< PNG files: the first person's parts where there are any, then by method
+  std::vector<std::string> pictures;  ///< PNG files: first the parts of one human segmentation, if any, then by method
 };
 
-/// All that a segmentation experiment found.
+/// Results of a segmentation experiment.
 struct SegmentationResults {
   SegmentationExperiment experiment;
-  SegmentationBenchmark benchmark;     ///< the shapes that could be used
-  bool has_people = true;              ///< somebody cut the shapes
-  SegmentationScores scores;           ///< of the methods, and of people where a shape has two
-  std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark's
+  SegmentationBenchmark benchmark;     ///< usable shapes
+  bool has_people = true;              ///< human segmentations exist
+  SegmentationScores scores;           ///< of the methods, and of people for shapes with at least two segmentations
+  std::vector<SegmentedShape> shapes;  ///< in the order of the benchmark
   std::vector<LeftOutShape> failures;
   CacheReport cache;
   int threads = 1;
   std::vector<std::pair<std::string, double>> timings;  ///< seconds by stage
 };
 
-/// The parts of a shape by a method of the experiment, whose perturbations do not count here. Throws InputError as the
-/// method's function.
+/// Segments a shape by a method of the experiment, ignoring its perturbations. Throws InputError as the method's
+/// function does.
 std::vector<std::int32_t> segmented(const Shape& shape, const SegmentationMethod& method);
 
-/// The versions of the algorithms that the parts by a method depend on, by their names.
+/// Returns the versions, by name, of the algorithms that a method's parts depend on.
 nlohmann::json versions_of(const SegmentationMethod& method);
 
 /// Runs a whole segmentation experiment: parts of each shape by each method, through the cache, and their errors.
-/// Generated shapes lie in `generated`, and are made there unless they were before (prepare_generated()). All but the
-/// timings is the same for any number of threads and of processes, of which rank 0 has the results. Collective. Throws
-/// InputError for a shape that fails with OnError::stop and where no shape is left, and Interrupted.
+/// Generated shapes are in `generated` and are reused (prepare_generated()). Everything but the timings is the same for
+/// any number of threads and processes; rank 0 has the results. Collective. Throws InputError for a shape that fails
+/// with OnError::stop and if no shape is left; throws Interrupted.
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                                      const RunControl& control, Cache& cache, Communicator& ranks);
 
-/// The same in this process alone.
+/// Runs a segmentation experiment in this process alone.
 SegmentationResults run_segmentation(const SegmentationExperiment& experiment, const std::filesystem::path& generated,
                                      const RunControl& control, Cache& cache);
 

@@ -5,8 +5,8 @@
 
 namespace shapegauge {
 
-/// The report of a segmentation experiment, shapes of the greatest Rand error of the first method first. Its pictures
-/// point into the results.
+/// Makes the report of a segmentation experiment, with shapes in decreasing order of the first method's Rand error. Its
+/// pictures refer to the results.
 SegmentationPage report_of(const SegmentationResults& results);
 
 }  // namespace shapegauge

@@ -16,68 +16,70 @@
 #include "shapegauge/experiments/signatures/model_view.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// Keys of the cache: SHA-256 of all that a result depends on, which is the keys of what it is made of, the parameters
-/// of the step, the version of its algorithm, and the program that computes it: its release, compiler, libraries and
-/// kind of processor, with another of which the last bits may differ.
+/// Cache keys: SHA-256 of everything that a result depends on. These are the keys of its inputs, the parameters of the
+/// step, the version of its algorithm, and the program: its release, compiler, libraries and processor type, which may
+/// affect the last bits.
 
-/// What the entries of the cache hold, as JSON with the numbers of arrays as binary values. Read back, everything is
-/// the same bit by bit. The functions that read throw nlohmann::json::exception where a record is not of that form.
+/// Cache records: JSON, with arrays of numbers as binary values. Reading restores everything bit by bit. The functions
+/// that read throw nlohmann::json::exception for a malformed record.
 
 namespace shapegauge {
 
-/// What the prepared shape of a model depends on besides the configuration.
+/// Input of a model's prepared shape, apart from the configuration.
 struct ModelSource {
   std::string_view sha256;     ///< of the file's bytes
-  std::filesystem::path file;  ///< its extension tells the format
-  std::string_view id;         ///< matters to perturbations only
-  std::size_t index = 0;       ///< in the data set; so does this
+  std::filesystem::path file;  ///< its extension selects the format
+  std::string_view id;         ///< only used by perturbations
+  std::size_t index = 0;       ///< in the data set; only used by perturbations
 };
 
-/// Of a model's shape, perturbed and prepared. Where it is, and without perturbations its id, do not matter.
+/// Returns the key of a model's shape, perturbed and prepared. It does not depend on the file's path nor, without
+/// perturbations, on the id.
 std::string shape_key(const ModelSource& source, const Configuration& configuration);
 
-/// Of the samples of that shape.
+/// Returns the key of samples of that shape.
 std::string samples_key(const std::string& shape, const SamplePlan& plan);
 
-/// Of a field on that shape.
+/// Returns the key of a field on that shape.
 std::string field_key(const std::string& shape, const Field& field);
 
-/// Of a histogram of that field over a range that depends on no other shape.
+/// Returns the key of a histogram of that field over a range that does not depend on other shapes.
 std::string histogram_key(const std::string& field, const HistogramConfiguration& histogram);
 
-/// Of the features of a descriptor on that shape. `fields`: the keys of its fields there; `learnt`: that of what it has
-/// learnt, empty where it has not.
+/// Returns the key of a descriptor's features of that shape. `fields` are the keys of its fields; `learnt` is that of
+/// its learnt features, or empty.
 std::string features_key(const std::string& shape, const DescriptorChoice& choice,
                          const std::vector<std::string>& fields, const std::string& learnt);
 
-/// Of what a descriptor learns from all shapes of a data set. `fields`: the keys of its fields on each of them.
+/// Returns the key of what a descriptor learns from a data set. `fields` are the keys of its fields on each shape.
 std::string learnt_key(const DescriptorChoice& choice, const std::vector<std::vector<std::string>>& fields);
 
-/// Of the picture of a shape that is coloured by that field.
+/// Returns the key of a shape's picture coloured by that field.
 std::string picture_key(const std::string& field, const PictureOptions& options);
 
-/// Of the view of a shape with those fields, of at most so many faces.
+/// Returns the key of a shape's view with those fields and at most that many faces.
 std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces);
 
-/// Of the distance matrix of the signatures. `distance`: its name.
+/// Returns the key of the distance matrix of signatures by the named distance.
 std::string distances_key(const Signatures& signatures, const std::string& distance);
 
-/// The name, with its version, by which distances_key() knows a descriptor's own distance.
+/// Returns the name and version that identify a descriptor's own distance in distances_key().
 std::string distance_of(const Descriptor& descriptor);
 
-/// Of the parts of a shape by a method; `versions` are those of its algorithms, `seed` that of its perturbations.
+/// Returns the key of a shape's parts by a method. `versions` are those of its algorithms, `seed` that of its
+/// perturbations.
 std::string segmentation_key(const ModelSource& source, const SegmentationMethod& method,
                              const nlohmann::json& versions, std::uint64_t seed);
 
-/// The numbers of an array.
+/// Record of an array of numbers.
 nlohmann::json numbers_record(const Eigen::VectorXd& numbers);
 Eigen::VectorXd read_numbers(const nlohmann::json& record);
 
-/// What is known of a model without its fields.
+/// Record of a model without its fields.
 nlohmann::json shape_record(const ModelDescription& model);
 ModelDescription read_shape_record(const nlohmann::json& record);
 
-/// A field on a model with its values, in double precision as the histograms want them.
+/// Field on a model with its values, in double precision as histograms need them.
 struct CachedField {
   FieldDescription facts;  ///< without values
   Eigen::VectorXd values;
@@ -85,7 +87,7 @@ struct CachedField {
 nlohmann::json field_record(const CachedField& field);
 CachedField read_field_record(const nlohmann::json& record);
 
-/// A histogram with what is known of its field, whose values need not be read then.
+/// Histogram with the facts of its field, which avoids reading the field's values.
 struct CachedHistogram {
   FieldDescription facts;  ///< without values
   Eigen::VectorXf bins;
@@ -93,29 +95,29 @@ struct CachedHistogram {
 nlohmann::json histogram_record(const CachedHistogram& histogram);
 CachedHistogram read_histogram_record(const nlohmann::json& record);
 
-/// What one process tells another of a model: all but values, histograms and features.
+/// Serialise a model for another process: everything but values, histograms and features.
 /// @{
 std::string described_bytes(const ModelDescription& model);
 ModelDescription read_described(std::string_view bytes);
 /// @}
 
-/// The features of a descriptor.
+/// Record of a descriptor's features.
 nlohmann::json features_record(const FeatureDescription& features);
 FeatureDescription read_features(const nlohmann::json& record);
 
-/// What a descriptor has learnt.
+/// Record of a descriptor's learnt features.
 nlohmann::json learnt_record(const LearntFeatures& learnt);
 LearntFeatures read_learnt(const nlohmann::json& record);
 
-/// A picture: the bytes of its file.
+/// Record of a picture: the bytes of its file.
 nlohmann::json picture_record(std::string_view png);
 std::string read_picture(const nlohmann::json& record);
 
-/// A view: its text.
+/// Record of a view: its text.
 nlohmann::json view_record(const std::string& view);
 std::string read_view(const nlohmann::json& record);
 
-/// A distance matrix.
+/// Record of a distance matrix.
 nlohmann::json distances_record(const DistanceMatrix& distances);
 DistanceMatrix read_distances(const nlohmann::json& record);
 

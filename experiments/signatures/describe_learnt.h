@@ -14,16 +14,15 @@
 
 namespace shapegauge {
 
-/// Descriptions of models by their index in the data set: those that this process has.
+/// Descriptions of this process's models by their index in the data set.
 using DescribedModels = std::map<std::size_t, ModelDescription>;
 
-/// Completes the features of the descriptors that learn: what they learn from the fields of all models, in order, is
-/// taken from the cache or learnt and kept there, and then the features likewise. Of several processes rank 0 learns,
-/// from the fields of all; each describes its own models. Models that are absent take no part. Returns the models that
-/// cannot be described, in order, the same on all ranks; those after the first may be left out. Without them the others
-/// learn something else: where there are any, nothing is complete, and it has to be called again without them. Throws
-/// InputError where nothing can be learnt, and Interrupted. Collective. Runs in the calling
-/// TBB arena. `learnt` becomes what the planned descriptors have learnt, empty for those that do not learn.
+/// Completes the features of descriptors that learn: learns from the fields of all models, in order, and then computes
+/// the features, both through the cache. Rank 0 learns, from the fields of all; each rank describes its own models.
+/// Ignores missing models. Returns the models that cannot be described, in order, the same on all ranks, possibly only
+/// the first. Since they affect what is learnt, the result is then incomplete: call the function again without them.
+/// `learnt` receives the learnt features by planned descriptor, empty for those that do not learn. Throws InputError if
+/// nothing can be learnt, and Interrupted. Collective. Runs in the calling TBB arena.
 std::vector<ModelFailure> describe_learnt(DescribedModels& models, const Configuration& configuration,
                                           std::span<const PlannedField> plan, const RunControl& control, Cache& cache,
                                           Communicator& ranks, std::vector<LearntFeatures>& learnt);

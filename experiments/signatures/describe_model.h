@@ -17,107 +17,108 @@
 
 namespace shapegauge {
 
-/// A field to compute on every shape, and the signatures that use it.
+/// Field to compute on every shape, with the signatures that use it.
 struct PlannedField {
   Field field;
-  std::vector<std::size_t> signatures;  ///< indices of the signatures that are histograms of it
-  bool keep_values = false;             ///< what depends on the whole data set has to wait for all shapes
+  std::vector<std::size_t> signatures;  ///< indices of signatures that are histograms of it
+  bool keep_values = false;             ///< for results that depend on the whole data set
 };
 
-/// A descriptor to compute on every shape, and its fields in the plan.
+/// Descriptor to compute on every shape, with its fields in the plan.
 struct PlannedDescriptor {
-  std::size_t signature = 0;        ///< index of the signature that it is
-  std::vector<std::size_t> fields;  ///< indices in the plan of fields
-  bool learns = false;              ///< it must see all shapes first
+  std::size_t signature = 0;        ///< index of the signature
+  std::vector<std::size_t> fields;  ///< indices into the plan of fields
+  bool learns = false;              ///< it must learn from all shapes first
 };
 
-/// The distinct fields of the signatures, in order of first use: fields of equal settings are computed once.
+/// Returns the distinct fields of the signatures in order of first use. Fields of equal settings are computed once.
 std::vector<PlannedField> plan_fields(const std::vector<SignatureConfiguration>& signatures);
 
-/// The signatures that are descriptors, in order, with their fields in plan_fields().
+/// Returns the signatures that are descriptors, in order, with their fields in plan_fields().
 std::vector<PlannedDescriptor> plan_descriptors(const std::vector<SignatureConfiguration>& signatures,
                                                 std::span<const PlannedField> plan);
 
-/// Whether it is the field that colours the models in the report.
+/// Returns true for the field that colours the models in the report.
 bool is_pictured(const PlannedField& planned, const Configuration& configuration);
 
-/// The most fields in the view of a model.
+/// Maximum number of fields in the view of a model.
 inline constexpr std::size_t most_viewed_fields = 6;
 
-/// The indices of the fields that the views of the models show: the one that colours their pictures, then those that
-/// signatures are histograms of. None where the configuration wants no views.
+/// Returns the indices of the fields in the views of models: the one that colours their pictures, then those of
+/// histogram signatures. Empty if the configuration disables views.
 std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const Configuration& configuration);
 
-/// What one shape gave for one field.
+/// Results for one field on one shape.
 struct FieldDescription {
   Interval range;           ///< of the values
-  Eigen::VectorXf values;   ///< kept where the plan says so, else empty; single precision, as there is one a sample and
-  Eigen::VectorXf weights;  ///< a data set has millions
+  Eigen::VectorXf values;   ///< kept if planned, otherwise empty; in single precision to save memory
+  Eigen::VectorXf weights;  ///< sample weights; kept and stored like the values
   FieldOutcomes outcomes;
-  std::optional<double> offset;  ///< where the field chose one
+  std::optional<double> offset;  ///< if the field chose one
   double seconds = 0;
 };
 
-/// What one shape gave for one descriptor.
+/// Results for one descriptor on one shape.
 struct FeatureDescription {
   Eigen::VectorXf features;
   double seconds = 0;  ///< without its fields
 };
 
-/// What is kept of one shape; its mesh is not.
+/// Description of one shape, without its mesh.
 struct ModelDescription {
-  std::string sha256;                        ///< of the file; empty where a shape has none
+  std::string sha256;                        ///< of the file; empty for a shape without file
   ShapeDiagnostics diagnostics;              ///< after the perturbations, in the file's units
   std::vector<FieldDescription> fields;      ///< as in the plan
-  std::vector<Eigen::VectorXf> histograms;   ///< by signature; empty where it cannot be computed from one shape alone
-  std::vector<FeatureDescription> features;  ///< by planned descriptor; of those that learn empty until they have
-  std::string shape_key;                     ///< shape_key() in the cache; empty where there is none
-  std::vector<std::size_t> chosen;           ///< what perturbations that choose have chosen
-  double area = 0;                           ///< that was scaled to 1, in the file's units, squared
-  double noise = 0;                          ///< NoiseLevel::relative(), where the preparation looks for noise
-  double pass_band = 0;                      ///< of the preparation's smoothing; 0: none
-  std::string picture;                       ///< model_picture(), where the configuration wants one
-  std::string view;                          ///< model_view(), where the configuration wants one
+  std::vector<Eigen::VectorXf> histograms;   ///< by signature; empty if it depends on other shapes
+  std::vector<FeatureDescription> features;  ///< by planned descriptor; empty for those that have yet to learn
+  std::string shape_key;                     ///< shape_key() in the cache; empty if unknown
+  std::vector<std::size_t> chosen;           ///< choices of perturbations that choose
+  double area = 0;                           ///< area that was scaled to 1, in the file's units squared
+  double noise = 0;                          ///< NoiseLevel::relative(), if the preparation estimates noise
+  double pass_band = 0;                      ///< of the preparation's smoothing; 0 if not smoothed
+  std::string picture;                       ///< model_picture(), if configured
+  std::string view;                          ///< model_view(), if configured
 };
 
-/// Called for each field of a plan once it is computed, with its index, the prepared shape, the samples and the values.
+/// Called for each field of a plan after its computation, with its index, the prepared shape, the samples and the
+/// values.
 using FieldObserver =
     std::function<void(std::size_t field, const PreparedShape&, const Samples&, const FieldValues& computed)>;
 
-/// A shape that is ready to be measured, and what is known of it so far.
+/// Prepared shape with its description so far.
 struct PreparedModel {
   PreparedShape prepared;
   ModelDescription description;  ///< without fields and histograms
 };
 
-/// Prepares a shape. Throws InputError where it is of no use.
+/// Prepares a shape. Throws InputError for an unusable one.
 PreparedModel prepare_model(PerturbedShape perturbed, const PreparationOptions& preparation);
 
-/// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. source: of
-/// the prepared shape. parallel: spread the samples over threads. Throws InputError where the shape is of no use, and
-/// what the observer throws.
+/// Computes the planned fields and their histograms on a prepared shape, and adds them to its description. `source` is
+/// that of the prepared shape; `parallel` distributes the samples over threads. Throws InputError for an unusable
+/// shape, and the errors of the observer.
 void describe_fields(PreparedModel& model, FieldSource& source, const std::vector<SignatureConfiguration>& signatures,
                      std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
-/// Prepares a shape and computes the planned fields and their histograms: the two functions above.
+/// Prepares a shape and computes the planned fields and their histograms.
 ModelDescription describe_shape(PerturbedShape perturbed, const PreparationOptions& preparation,
                                 const std::vector<SignatureConfiguration>& signatures,
                                 std::span<const PlannedField> plan, bool parallel, const FieldObserver& observe = {});
 
-/// Completes the description of a field: its range, the histograms that need no other shape, and its values where the
-/// plan keeps them. Throws InputError where no sample has a value.
+/// Completes the description of a field: its range, the histograms that do not depend on other shapes, and its values
+/// if the plan keeps them. Throws InputError if all values are missing.
 void describe_field(const ScalarField& field, const PlannedField& planned,
                     const std::vector<SignatureConfiguration>& signatures, FieldDescription& kept,
                     std::vector<Eigen::VectorXf>& histograms);
 
-/// The features of a descriptor.
+/// Computes the features of a descriptor.
 FeatureDescription describe_features(const DescriptorChoice& choice, const DescriptorInput& input,
                                      const LearntFeatures& learnt);
 
-/// The values that a description keeps.
+/// Returns the values kept by a description.
 ScalarField kept_field(const FieldDescription& field);
 
-/// The histogram, over a range, of the values that a description keeps.
+/// Computes the histogram, over a range, of the values kept by a description.
 Eigen::VectorXf kept_histogram(const FieldDescription& field, const Interval& range, const HistogramOptions& options);
 
 }  // namespace shapegauge

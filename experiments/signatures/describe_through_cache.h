@@ -10,10 +10,10 @@
 
 namespace shapegauge {
 
-/// Describes a model of the data set (describe_shape): it is read, perturbed, prepared and measured. What the cache
-/// holds is taken from it; the fields that are missing are computed, in one call, and kept as soon as they are. The
-/// description is the same, bit by bit but for the seconds, whatever the cache holds. parallel: spread the samples over
-/// threads. Throws InputError for an unusable model.
+/// Describes a model of the data set (describe_shape()): reads, perturbs, prepares and measures it, through the cache.
+/// Missing fields are computed in one call and stored immediately. Apart from run times, the description is the same,
+/// bit by bit, whatever the state of the cache. `parallel` distributes the samples over threads. Throws InputError for
+/// an unusable model.
 ModelDescription describe_through_cache(const Dataset& dataset, std::size_t model, const Configuration& configuration,
                                         std::span<const PlannedField> plan, bool parallel, Cache& cache);
 

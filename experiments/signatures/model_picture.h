@@ -9,13 +9,12 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of what pictures look like, or of what it rests on (render_shape, principal_view,
-/// colours): what a cache holds of earlier versions is then drawn anew.
+/// Cache version of pictures, including render_shape(), principal_view() and colours; see docs/manual/cache.md.
 inline constexpr int picture_version = 3;
 
-/// A small picture of a shape in its principal_view(), coloured by the values of a field at the samples on it, as the
-/// bytes of a PNG file with a transparent background. Depends on nothing else. Samples that are neither at all faces
-/// nor at all vertices are drawn as a cloud of points. Throws as render_shape().
+/// Renders a small picture of a shape in its principal_view(), coloured by the values of a field at its samples, as PNG
+/// bytes with a transparent background. Depends on nothing else. Samples other than all faces or all vertices are drawn
+/// as a point cloud. Throws as render_shape() does.
 std::string model_picture(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
                           const PictureOptions& options);
 

@@ -10,23 +10,24 @@
 
 namespace shapegauge {
 
-/// To be raised with every change of what views hold: what a cache holds of earlier versions is then made anew.
+/// Cache version of views; see docs/manual/cache.md.
 inline constexpr int model_view_version = 1;
 
-/// The most models of which a report has views.
+/// Maximum number of models with views in a report.
 inline constexpr std::size_t most_models_with_views = 2000;
 
-/// How many faces a view in a report has: fewer, the more models there are, so that all of them take a few megabytes.
+/// Returns the number of faces of a view in a report, which decreases with the number of models to limit their total
+/// size to a few megabytes.
 Eigen::Index faces_of_views(std::size_t models);
 
-/// The values of a field at samples of a shape.
+/// Values of a field at samples of a shape.
 struct SampledField {
   const Samples& samples;
   const Eigen::VectorXd& values;
 };
 
-/// A shape of at most so many faces, or points of a cloud, with the fields at its vertices, as JSON (shape_view_json())
-/// without names. Depends on nothing else. Throws as coarse_shape() and shape_view_json().
+/// Encodes a shape simplified to at most `faces` faces, or points of a cloud, with the fields at its vertices, as JSON
+/// (shape_view_json()) without names. Depends on nothing else. Throws as coarse_shape() and shape_view_json() do.
 std::string model_view(const Shape& shape, std::span<const SampledField> fields, Eigen::Index faces);
 
 }  // namespace shapegauge

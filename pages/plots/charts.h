@@ -9,50 +9,50 @@
 
 namespace shapegauge {
 
-/// Colour, dashes and sign of the i-th of several methods: those of the reports (pages/report/method_look.mjs).
+/// Colour, dashes and symbol of a method, as in the reports (pages/report/method_look.mjs).
 struct MethodLook {
   Colour colour;
   std::vector<double> dashes;
-  std::size_t sign = 0;  ///< circle, square, triangle, diamond, cross, star, wye
+  std::size_t sign = 0;  ///< symbol: circle, square, triangle, diamond, cross, star, wye
 };
 
 MethodLook method_look(std::size_t index);
 
-/// Draws the sign of a method about a place.
+/// Draws the symbol of a method at a point.
 void draw_sign(Drawing& drawing, DrawingPoint place, const MethodLook& look);
 
-/// An axis of a chart.
+/// Axis of a chart.
 struct ChartAxis {
   std::string label = {};
   double low = 0;
   double high = 1;
   bool logarithmic = false;  ///< both ends must be above 0
 
-  /// Where a value is along the axis, from 0 to 1.
+  /// Maps a value to its relative position along the axis, from 0 to 1.
   [[nodiscard]] double part(double value) const;
 };
 
-/// Round values on an axis, about as many as wanted: multiples of 1, 2 or 5 times a power of ten, or of a logarithmic
-/// axis of more than a decade the powers of ten, 2 and 5 times these where there is room.
+/// Computes about `wanted` round tick values: multiples of 1, 2 or 5 times a power of ten. On a logarithmic axis of
+/// more than a decade, the powers of ten, with 2 and 5 times these if there is room.
 std::vector<double> axis_ticks(const ChartAxis& axis, std::size_t wanted = 6);
 
-/// The number in the digits that tell the ticks of an axis apart.
+/// Formats a tick with the digits that distinguish it from the others of an axis.
 std::string tick_label(double value);
 
-/// Size of a chart in points; 3.5 inches are a column of most journals.
+/// Size of a chart in points; a column of most journals is 3.5 inches wide.
 struct ChartSize {
   double width = 396;
   double height = 288;
 };
 
-/// A line of a chart of curves.
+/// Line of a chart of curves.
 struct ChartCurve {
   std::string name;
   std::vector<double> x;
-  std::vector<double> y;  ///< as many
+  std::vector<double> y;  ///< as many as x
 };
 
-/// Curves over common axes, with the methods' signs, and a legend where there are several.
+/// Chart of curves over common axes, with the methods' symbols, and a legend if there are several.
 struct CurveChart {
   std::string title = {};  ///< may be empty
   ChartAxis x;
@@ -66,11 +66,11 @@ Drawing draw_chart(const CurveChart& chart);
 /// Bars of one method in a chart.
 struct ChartBars {
   std::string name;
-  std::vector<double> values;                                     ///< one a group; NaN: none
-  std::vector<std::optional<ConfidenceInterval>> intervals = {};  ///< one a group, or none at all
+  std::vector<double> values;                                     ///< one a group; NaN if missing
+  std::vector<std::optional<ConfidenceInterval>> intervals = {};  ///< one a group, or empty
 };
 
-/// Groups of bars that run to the right, a row a group, a bar a method.
+/// Chart of horizontal bars: one row a group, one bar a method.
 struct BarChart {
   std::string title = {};
   ChartAxis x;
@@ -81,30 +81,30 @@ struct BarChart {
 
 Drawing draw_chart(const BarChart& chart);
 
-/// A histogram of a chart: shares of the area by bins.
+/// Histogram of a chart: shares of the area by bin.
 struct ChartHistogram {
   std::string name;
-  std::vector<double> shares;  ///< one a bin; bins are of equal width along the axis
+  std::vector<double> shares;  ///< one a bin, of equal widths along the axis
 };
 
-/// Histograms over one axis: filled where there is one, else as steps in the methods' colours.
+/// Chart of histograms over one axis: filled if there is one, otherwise as steps in the methods' colours.
 struct HistogramChart {
   std::string title = {};
   ChartAxis x;
   std::string y_label = "share of the area (%)";
   std::vector<ChartHistogram> histograms;
-  std::optional<double> mark = {};  ///< a value to be marked by a vertical line
+  std::optional<double> mark = {};  ///< value marked by a vertical line
   std::string mark_label = {};
   ChartSize size = {};
 };
 
 Drawing draw_chart(const HistogramChart& chart);
 
-/// A colour map as a vertical bar with ticks and a heading, its upper left corner at the origin.
+/// Colour map as a vertical bar with ticks and a heading, with its upper left corner at the origin.
 struct ColourBar {
   ChartAxis axis;
   double height = 200;
-  std::optional<double> below = {};  ///< values below it have the colour `below_colour`
+  std::optional<double> below = {};  ///< smaller values have the colour `below_colour`
   Colour below_colour = {};
 };
 
