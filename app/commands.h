@@ -29,6 +29,10 @@ int interruption_status();
 /// Returns the subcommands of the app or of a command.
 std::vector<const CLI::App*> commands_of(const CLI::App& app);
 
+/// Adds the options and all commands of the program to an app. A command runs while the arguments are parsed and stores
+/// its exit status in `status`, which must outlive the app.
+void add_commands(CLI::App& app, int& status);
+
 /// Commands of the program, in the order of its help. Each function adds its subcommand to the app. The command runs
 /// while the arguments are parsed and stores its exit status in `status`, which must outlive the app.
 /// @{

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -25,15 +24,6 @@
 namespace shapegauge {
 
 namespace {
-
-// A signal handler may touch lock-free atomics only, and has no other way to say something.
-std::atomic<int> received_signal = 0;
-static_assert(std::atomic<int>::is_always_lock_free);
-
-void remember(int signal) {
-  received_signal = signal;
-  std::signal(signal, SIG_DFL);
-}
 
 /// Keeps freed memory for the next shape: structures of tens of megabytes come and go with every one.
 void keep_memory() {
@@ -113,18 +103,6 @@ std::optional<std::string> unknown_word(const CLI::App& program, std::span<const
   return std::nullopt;
 }
 
-/// What all commands have in common: options take one value each time they are given, so that none swallows the file
-/// behind it, and those of the program may stand behind the command.
-void settle(CLI::App& app) {
-  for (CLI::Option* option : app.get_options()) {
-    if (!option->get_positional() && option->get_items_expected_max() > 1) option->allow_extra_args(false);
-  }
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    command->fallthrough();
-    settle(*command);
-  }
-}
-
 /// "help run" is "run --help".
 std::vector<std::string> without_help_command(std::span<const std::string> arguments) {
   std::vector<std::string> words(arguments.begin(), arguments.end());
@@ -152,36 +130,11 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
   return exit_success;
 }
 
-void add_program_options(CLI::App& app) {
-  app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
-  const auto quiet = app.add_flag_callback(
-      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only: no notes, no progress");
-  app.add_flag_callback(
-         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Say how long the command took")
-      ->excludes(quiet);
-  app.require_subcommand(1);
-  app.footer(
-      "Example: shapegauge run configs/quickstart.json\n"
-      "'shapegauge help COMMAND' explains a command.\n"
-      "Exit status: 0 success; 1 finished, but with failures that the messages name; 2 unusable input or arguments, "
-      "or\n"
-      "results that could not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
-}
-
 /// Does what the arguments (without the program's name) say. Returns the exit status.
 int run_command(std::span<const std::string> arguments) {
   CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
-  add_program_options(app);
   int status = exit_success;
-  for (const auto add :
-       {add_run_command,      add_sdf_command,      add_normals_command,     add_info_command,
-        add_perturb_command,  add_convert_command,  add_segment_command,     add_view_command,
-        add_search_command,   add_describe_command, add_distances_command,   add_rerank_command,
-        add_evaluate_command, add_compare_command,  add_leaderboard_command, add_segmentation_evaluation_command,
-        add_measures_command, add_dataset_command,  add_cache_command,       add_completion_command}) {
-    add(app, status);
-  }
-  settle(app);
+  add_commands(app, status);
   const auto start = std::chrono::steady_clock::now();
   try {
     status = std::max(parse_and_run(app, arguments), status);
@@ -210,15 +163,6 @@ int run_program(std::span<const std::string> arguments) {
 }
 
 }  // namespace
-
-void catch_interruption() {
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, remember);
-  if (std::signal(SIGHUP, remember) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);  // nohup
-}
-
-bool interrupted() { return received_signal != 0; }
-
-int interruption_status() { return 128 + received_signal; }
 
 }  // namespace shapegauge
 

@@ -1,5 +1,5 @@
 // Distances and measures of many signatures that are made from nothing, on one process or, under mpirun, on several:
-// seconds, memory, traffic. docs/manual/scaling.md has what it measured, and scripts/simulate_scaling goes on from
+// seconds, memory, traffic. docs/notes/scaling.md has what it measured, and scripts/simulate_scaling goes on from
 // there.
 
 #include <algorithm>

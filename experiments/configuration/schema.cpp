@@ -1,10 +1,8 @@
 #include "shapegauge/experiments/configuration/schema.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "shapegauge/core/base/error.h"
@@ -137,32 +135,6 @@ void add_perturbations(OrderedJson& schema) {
   add_types(perturbation_groups(), schemas, schema);
 }
 
-/// - `key`: the setting that names the group.
-std::string reference_table(const ParameterGroup& group, std::string_view key) {
-  if (group.description.empty()) return markdown_table(group.parameters);
-  std::string text = fmt::format("`\"{}\": \"{}\"`. {}\n", key, group.name, group.description);
-  if (!group.parameters.empty()) text += "\n" + markdown_table(group.parameters);
-  if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_table(group.axis_parameters);
-  return text;
-}
-
-std::string reference_tables(std::string_view name) {
-  const std::map<std::string_view, std::vector<ParameterGroup>> lists{{"fields", field_groups()},
-                                                                      {"perturbations", perturbation_groups()},
-                                                                      {"descriptors", descriptor_groups()},
-                                                                      {"rerank", rerank_groups()}};
-  const auto list = lists.find(name);
-  if (list == lists.end()) {
-    const std::vector<ParameterGroup> sections = section_groups();
-    return reference_table(*std::ranges::find(sections, name, &ParameterGroup::name), "");
-  }
-  std::string tables;
-  for (const ParameterGroup& group : list->second) {
-    tables += (tables.empty() ? "" : "\n") + reference_table(group, name == "rerank" ? "method" : "type");
-  }
-  return tables;
-}
-
 }  // namespace
 
 std::vector<ParameterGroup> field_groups() { return groups_of(field_types()); }
@@ -214,21 +186,6 @@ std::string experiment_schema() {
       fmt::format("Measures, as NN or P@10; without it those of the protocols. There are {}.",
                   fmt::join(measure_definitions().names(), ", "));
   return schema.dump(2) + "\n";
-}
-
-std::string with_reference_tables(std::string_view page) {
-  constexpr std::string_view opening = "<!-- table: ";
-  constexpr std::string_view closing = " -->\n";
-  constexpr std::string_view ending = "<!-- end -->\n";
-  std::string filled;
-  for (auto begin = page.find(opening); begin != std::string_view::npos; begin = page.find(opening)) {
-    const std::size_t name = begin + opening.size();
-    const std::size_t table = page.find(closing, name) + closing.size();
-    filled += page.substr(0, table);
-    filled += "\n" + reference_tables(page.substr(name, table - closing.size() - name)) + "\n";
-    page.remove_prefix(page.find(ending, table));
-  }
-  return filled.append(page);
 }
 
 }  // namespace shapegauge

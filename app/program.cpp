@@ -1,0 +1,55 @@
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/terminal.h"
+#include "shapegauge/core/version.h"
+
+namespace shapegauge {
+
+namespace {
+
+/// What all commands have in common: options take one value each time they are given, so that none swallows the file
+/// behind it, and those of the program may stand behind the command.
+void settle(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() && option->get_items_expected_max() > 1) option->allow_extra_args(false);
+  }
+  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    command->fallthrough();
+    settle(*command);
+  }
+}
+
+void add_program_options(CLI::App& app) {
+  app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
+  const auto quiet = app.add_flag_callback(
+      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only: no notes, no progress");
+  app.add_flag_callback(
+         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Say how long the command took")
+      ->excludes(quiet);
+  app.require_subcommand(1);
+  app.footer(
+      "Example: shapegauge run configs/quickstart.json\n"
+      "'shapegauge help COMMAND' explains a command.\n"
+      "Exit status: 0 success; 1 finished, but with failures that the messages name; 2 unusable input or arguments, "
+      "or\n"
+      "results that could not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, int& status) {
+  add_program_options(app);
+  for (const auto add :
+       {add_run_command,      add_sdf_command,      add_normals_command,     add_info_command,
+        add_perturb_command,  add_convert_command,  add_segment_command,     add_view_command,
+        add_search_command,   add_describe_command, add_distances_command,   add_rerank_command,
+        add_evaluate_command, add_compare_command,  add_leaderboard_command, add_segmentation_evaluation_command,
+        add_measures_command, add_dataset_command,  add_cache_command,       add_completion_command}) {
+    add(app, status);
+  }
+  settle(app);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/experiments/configuration/parameter_json.h"
+#include "shapegauge/experiments/configuration/schema.h"
+
+// The tables of docs/reference/configuration.md.
+
+namespace shapegauge {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The text at a key, or nothing.
+std::string text_at(const OrderedJson& object, const char* key) {
+  return object.contains(key) ? object.at(key).get<std::string>() : std::string();
+}
+
+/// Name of the definition that a property refers to by "$ref", or nothing.
+std::string referenced_definition(const OrderedJson& property) {
+  const std::string reference = text_at(property, "$ref");
+  return reference.substr(reference.find_last_of('/') + 1);
+}
+
+/// Legal values of a property, for a table; empty where the description says all.
+std::string legal_values(const OrderedJson& property) {
+  if (const auto words = property.find("enum"); words != property.end()) {
+    return fmt::format(" (`{}`)", fmt::join(words->get<std::vector<std::string>>(), "`, `"));
+  }
+  const std::string type = text_at(property, "type");
+  if (type == "array") return " (list)";
+  return type == "boolean" ? " (true or false)" : "";
+}
+
+/// A row for each property of an object's schema but its parameters and what has no description.
+/// - `prefix`: precedes the keys.
+std::string property_rows(const OrderedJson& definitions, const OrderedJson& schema,
+                          std::span<const Parameter> parameters, const std::string& prefix = {}) {
+  const OrderedJson required = schema.value("required", OrderedJson::array());
+  std::string rows;
+  for (const auto& [key, property] : schema.at("properties").items()) {
+    const auto has_this_name = [&key = key](const Parameter& parameter) { return parameter.name == key; };
+    if (std::ranges::any_of(parameters, has_this_name)) continue;
+    const std::string reference = referenced_definition(property);
+    OrderedJson full = reference.empty() ? property : definitions.at(reference);
+    full.update(property);
+    if (!full.contains("description")) continue;
+    const bool is_required = std::ranges::find(required, OrderedJson(key)) != required.end();
+    const std::string default_value = full.contains("default") ? fmt::format("`{}`", full["default"].dump()) : "";
+    rows += fmt::format("| `{}{}` | {}{} | {} |\n", prefix, key, text_at(full, "description"), legal_values(full),
+                        is_required ? "required" : default_value);
+    if (reference.empty() && full.contains("then") && full["then"].contains("properties")) {
+      rows += property_rows(definitions, full["then"], {}, prefix + key + ".");
+    }
+  }
+  return rows;
+}
+
+/// The table of a section of the schema: its properties, then its parameters.
+std::string section_table(std::string_view section) {
+  const std::string_view group =
+      section == "segmentation_experiment" || !section.ends_with("_experiment") ? section : "experiment";
+  const std::vector<ParameterGroup> groups = section_groups();
+  const auto found = std::ranges::find(groups, group, &ParameterGroup::name);
+  const std::span<const Parameter> parameters =
+      found == groups.end() ? std::span<const Parameter>{} : found->parameters;
+  const OrderedJson definitions = OrderedJson::parse(experiment_schema()).at("definitions");
+  const OrderedJson& schema = definitions.at(std::string(section));
+  const std::string head = markdown_table({});
+  return head + property_rows(definitions, schema.contains("properties") ? schema : schema.at("then"), parameters) +
+         markdown_table(parameters).substr(head.size());
+}
+
+/// - `key`: the setting that names the group.
+std::string reference_table(const ParameterGroup& group, std::string_view key) {
+  if (group.description.empty()) return markdown_table(group.parameters);
+  std::string text = fmt::format("`\"{}\": \"{}\"`. {}\n", key, group.name, group.description);
+  if (!group.parameters.empty()) text += "\n" + markdown_table(group.parameters);
+  if (!group.axis_parameters.empty()) text += "\nEach of its `axes`:\n\n" + markdown_table(group.axis_parameters);
+  return text;
+}
+
+std::string reference_tables(std::string_view name) {
+  const std::map<std::string_view, std::vector<ParameterGroup>> lists{{"fields", field_groups()},
+                                                                      {"perturbations", perturbation_groups()},
+                                                                      {"descriptors", descriptor_groups()},
+                                                                      {"rerank", rerank_groups()}};
+  const auto list = lists.find(name);
+  if (list == lists.end()) return section_table(name);
+  std::string tables;
+  for (const ParameterGroup& group : list->second) {
+    tables += (tables.empty() ? "" : "\n") + reference_table(group, name == "rerank" ? "method" : "type");
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string with_reference_tables(std::string_view page) {
+  constexpr std::string_view opening = "<!-- table: ";
+  constexpr std::string_view closing = " -->\n";
+  constexpr std::string_view ending = "<!-- end -->\n";
+  std::string filled;
+  for (auto begin = page.find(opening); begin != std::string_view::npos; begin = page.find(opening)) {
+    const std::size_t name = begin + opening.size();
+    const std::size_t table = page.find(closing, name) + closing.size();
+    filled += page.substr(0, table);
+    filled += "\n" + reference_tables(page.substr(name, table - closing.size() - name)) + "\n";
+    page.remove_prefix(page.find(ending, table));
+  }
+  return filled.append(page);
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace shapegauge {
+
+/// Returns docs/reference/commands.md: the commands of a program with their arguments, options and notes, in Markdown.
+std::string command_reference(const CLI::App& program);
+
+}  // namespace shapegauge
