@@ -6,8 +6,8 @@ install(EXPORT shapegauge NAMESPACE shapegauge:: FILE shapegaugeTargets.cmake DE
         COMPONENT development)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/shapegaugeConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/shapegaugeConfig.cmake INSTALL_DESTINATION ${package_dir})
-# Before 1.0 any minor version may change an interface.
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/shapegaugeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+# Interfaces change with major versions only (docs/reference/stability.md).
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/shapegaugeConfigVersion.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/shapegaugeConfig.cmake ${PROJECT_BINARY_DIR}/shapegaugeConfigVersion.cmake
         DESTINATION ${package_dir} COMPONENT development)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR}

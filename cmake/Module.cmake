@@ -53,6 +53,7 @@ function(shapegauge_add_library name folder)
       set_property(GLOBAL PROPERTY SHAPEGAUGE_HEADER_OF_${name} shapegauge/${header})
       cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${folder} OUTPUT_VARIABLE header_in_library)
       if(NOT arg_INTERNAL AND NOT header_in_library IN_LIST arg_PRIVATE_HEADERS)
+        set_property(GLOBAL APPEND PROPERTY SHAPEGAUGE_INSTALLED_HEADERS ${PROJECT_SOURCE_DIR}/${header})
         install(FILES ${PROJECT_SOURCE_DIR}/${header} COMPONENT development
                 DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/shapegauge/${header_folder})
       endif()

@@ -32,7 +32,7 @@ Colour page_colour(std::string_view name);
 /// light or dark system theme, or the attribute data-theme of the root element.
 std::string palette_style();
 
-/// Formats a colour for CSS and scripts: #rrggbb.
+/// Formats a colour for CSS and scripts, such as "\#12ab9f".
 std::string css_colour(const Colour& colour);
 
 }  // namespace shapegauge

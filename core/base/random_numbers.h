@@ -13,7 +13,7 @@ namespace shapegauge {
 /// Seeds that users may choose: the non-negative integers that JSON readers represent exactly.
 inline constexpr Bounds seed_bounds{.low = 0, .high = 9'007'199'254'740'991};
 
-/// SplitMix64 random number generator (Steele, Lea, Flood 2014). Unlike the distributions of <random>, it gives the
+/// SplitMix64 random number generator (Steele, Lea, Flood 2014). Unlike the distributions of `<random>`, it gives the
 /// same numbers with every standard library.
 class RandomNumbers {
  public:

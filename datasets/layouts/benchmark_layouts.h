@@ -36,7 +36,7 @@ bool looks_like_tree(const std::filesystem::path& root);
 /// @}
 
 /// Layout "shapenet" of ShapeNetCore as used in SHREC'16 and '17: a table id,synsetId,subSynsetId,modelId,split. A
-/// model of the split s is s/model_<id>.obj, possibly within a folder of its synset; its class is its synset.
+/// model of the split s is `s/model_ID.obj`, possibly within a folder of its synset; its class is its synset.
 /// @{
 Dataset find_shapenet_dataset(const DatasetLocation& location);
 bool looks_like_shapenet(const std::filesystem::path& root);

@@ -35,7 +35,7 @@ std::uintmax_t cache_limit();
 /// anything else; `name` is its name in the message.
 std::uintmax_t parse_size(std::string_view text, std::string_view name);
 
-/// Returns the file of an entry in a cache folder: <two digits of the key>/<the others>.<kind>.
+/// Returns the file of an entry in a cache folder: `AB/CDEF.kind` for the key ABCDEF.
 std::filesystem::path entry_path(const std::filesystem::path& cache, EntryKind kind, const std::string& key);
 
 /// File written by a cache.

@@ -9,8 +9,8 @@
 
 namespace shapegauge {
 
-/// Makes a safe file name: replaces every run of characters other than ASCII letters, digits, `.`, `-` and `_` by one
-/// `_`, with none at the ends. 1 to 100 characters, never hidden, `.` or `..`. "Our SDF (d = 1%)" becomes
+/// Makes a safe file name: replaces every run of characters other than ASCII letters, digits, ".", "-" and "_" by one
+/// "_", with none at the ends. 1 to 100 characters, never hidden, "." or "..". "Our SDF (d = 1%)" becomes
 /// "Our_SDF_d_1".
 std::string file_safe_name(std::string_view name);
 
