@@ -426,24 +426,30 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
   }
   CellsAround result;
   bool touches = false;
-  int count = 0;
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    const std::size_t i = corner & 1U;
-    const std::size_t j = corner >> 1U & 1U;
-    const std::size_t k = corner >> 2U;
-    const std::int32_t state = exterior.block(blocks[0][i] + blocks[1][j] + blocks[2][k]);
-    if (state < 0) {
-      touches |= state == ExteriorGrid::all_exterior;
-      continue;
+  std::size_t count = 0;
+  // The two cells along x are mostly in one block, and then one after the other.
+  const std::size_t blocks_along_x = blocks[0][0] == blocks[0][1] ? 1 : 2;
+  const unsigned cells_at_once = blocks_along_x == 1 ? 3 : 1;  // as bits
+  for (std::size_t row = 0; row < 4; ++row) {
+    const std::size_t j = row & 1U;
+    const std::size_t k = row >> 1U;
+    for (std::size_t i = 0; i < blocks_along_x; ++i) {
+      const std::int32_t state = exterior.block(blocks[0][i] + blocks[1][j] + blocks[2][k]);
+      if (state < 0) {
+        touches |= state == ExteriorGrid::all_exterior;
+        continue;
+      }
+      const auto place = static_cast<std::size_t>(state);
+      const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
+      const auto& nearest = exterior.boundary()[place].nearest;
+      touches |= (exterior.boundary_cells(place) >> bit & cells_at_once) != 0;
+      result.triangles[count++] = nearest[bit];
+      if (blocks_along_x == 1) result.triangles[count++] = nearest[bit + 1];
     }
-    const auto place = static_cast<std::size_t>(state);
-    const unsigned bit = bits[0][i] | bits[1][j] | bits[2][k];
-    touches |= (exterior.boundary_cells(place) >> bit & 1U) != 0;
-    result.triangles[static_cast<std::size_t>(count++)] = exterior.boundary()[place].nearest[bit];
   }
-  result.count = count;
+  result.count = static_cast<int>(count);
   result.touches_exterior = touches;
-  if (count < 8) std::fill(result.triangles.begin() + count, result.triangles.end(), result.triangles[0]);
+  if (count < 8) std::fill(result.triangles.begin() + static_cast<std::ptrdiff_t>(count), result.triangles.end(), result.triangles[0]);
   return result;
 }
 

@@ -164,10 +164,12 @@ struct Surroundings {
   std::size_t count = 0;
   std::array<TriangleTable::Vectors, 2> vectors;
 
+  /// No branch depends on whether it is known: that is hard to foresee.
   void add(std::int32_t triangle) {
-    if (std::find(triangles.begin(), triangles.begin() + count, triangle) == triangles.begin() + count) {
-      triangles[count++] = triangle;
-    }
+    bool is_known = false;
+    for (std::size_t i = 0; i < count; ++i) is_known |= triangles[i] == triangle;
+    triangles[count] = triangle;
+    count += is_known ? 0 : 1;
   }
   void look_from(const Eigen::Vector3d& x, const TriangleTable& table) {
     constexpr std::size_t eight = TriangleTable::at_once;

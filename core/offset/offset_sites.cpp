@@ -17,11 +17,15 @@ Eigen::Vector3d centre_of(const Eigen::Vector3i& block, int bit) {
   return (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
 }
 
-/// The sites of so many blocks in a row.
-struct Chunk {
+/// Sites as they are found, block by block.
+struct FoundSites {
   std::vector<float> x, y, z;
   std::vector<std::int32_t> triangle;
-  std::vector<std::uint32_t> counts;  ///< of each block
+
+  void clear() {
+    for (std::vector<float>* values : {&x, &y, &z}) values->clear();
+    triangle.clear();
+  }
 
   void add(const ExteriorGrid& exterior, std::size_t number, double band) {
     const BoundaryBlock& block = exterior.boundary()[number];
@@ -29,7 +33,6 @@ struct Chunk {
     // Most cells are farther: single precision says so.
     const auto farthest2 = static_cast<float>(1.0001 * (r + band) * (r + band));
     const Eigen::Vector3i place = exterior.grid().block_at(block.index);
-    const std::size_t before = x.size();
     constexpr std::size_t most = TriangleTable::at_once;
     std::array<std::int32_t, most> triangles{};
     std::array<Eigen::Vector3d, most> centres;
@@ -55,7 +58,6 @@ struct Chunk {
         triangle.push_back(triangles[i]);
       }
     }
-    counts.push_back(static_cast<std::uint32_t>(x.size() - before));
   }
 };
 
@@ -71,38 +73,42 @@ Eigen::AlignedBox3d box_of(const Eigen::Vector3i& low, const Eigen::Vector3i& hi
   return {(block_edge * low).cast<double>(), (block_edge * high).cast<double>()};
 }
 
-template <typename T>
-void append(std::vector<T>& all, const std::vector<T>& part) {
-  all.insert(all.end(), part.begin(), part.end());
+/// As many numbers as there are, without room for more but the padding.
+std::vector<float> padded(const std::vector<float>& values) {
+  std::vector<float> result;
+  result.reserve(values.size() + grid_padding);
+  result = values;
+  result.resize(values.size() + grid_padding);
+  return result;
 }
 
 }  // namespace
 
 OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool parallel) {
-  constexpr std::size_t chunk_size = 64;
   const std::vector<BoundaryBlock>& blocks = exterior.boundary();
-  std::vector<Chunk> chunks((blocks.size() + chunk_size - 1) / chunk_size);
+  chunks.resize((blocks.size() + Chunk::blocks - 1) / Chunk::blocks);
   const auto fill = [&](std::size_t c) {
-    for (std::size_t i = c * chunk_size; i < std::min(blocks.size(), (c + 1) * chunk_size); ++i) {
-      chunks[c].add(exterior, i, band);
+    thread_local FoundSites found;
+    found.clear();
+    Chunk& chunk = chunks[c];
+    for (std::size_t i = 0; i < Chunk::blocks; ++i) {
+      const std::size_t block = c * Chunk::blocks + i;
+      if (block < blocks.size()) found.add(exterior, block, band);
+      chunk.first[i + 1] = static_cast<std::uint16_t>(found.triangle.size());
     }
+    chunk.x = padded(found.x);
+    chunk.y = padded(found.y);
+    chunk.z = padded(found.z);
+    chunk.triangle = found.triangle;
   };
   for_each_index(parallel, std::size_t{0}, chunks.size(), fill);
-  first.push_back(0);
-  for (const Chunk& chunk : chunks) {
-    append(x, chunk.x);
-    append(y, chunk.y);
-    append(z, chunk.z);
-    append(triangle, chunk.triangle);
-    for (const std::uint32_t count : chunk.counts) first.push_back(first.back() + count);
-  }
-  for (std::vector<float>* values : {&x, &y, &z}) values->resize(triangle.size() + grid_padding);
   cubes = (exterior.grid().blocks.array() + cube_edge - 1) / cube_edge;
   occupied.resize(static_cast<std::size_t>(cubes.cast<long>().prod()));
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Eigen::Vector3i cube = exterior.grid().block_at(blocks[i].index) / cube_edge;
     std::uint8_t& is_occupied = occupied[cube_index(*this, cube)];
-    if (first[i] == first[i + 1] || is_occupied != 0) continue;
+    const OfBlock sites = of_block(i);
+    if (sites.begin == sites.end || is_occupied != 0) continue;
     is_occupied = 1;
     occupied_cubes.push_back(cube);
   }
@@ -143,13 +149,11 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
       for (int i = begin.x(); i < end.x(); ++i) {
         const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
         if (state < 0) continue;
-        const std::size_t first = sites_.first[static_cast<std::size_t>(state)];
-        const std::size_t count = sites_.first[static_cast<std::size_t>(state) + 1] - first;
-        if (count == 0) continue;
-        if (of_block_.size() < count + grid_padding) of_block_.resize(count + grid_padding);
-        limit =
-            std::min(limit, static_cast<double>(squared_distances(&sites_.x[first], &sites_.y[first], &sites_.z[first],
-                                                                  count, from, of_block_.data())));
+        const auto& [chunk, first, last, number_before] = sites_.of_block(static_cast<std::size_t>(state));
+        if (first == last) continue;
+        if (of_block_.size() < last - first + grid_padding) of_block_.resize(last - first + grid_padding);
+        limit = std::min(limit, static_cast<double>(squared_distances(&chunk.x[first], &chunk.y[first], &chunk.z[first],
+                                                                      last - first, from, of_block_.data())));
       }
     }
   }
@@ -190,18 +194,16 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
 }
 
 /// The sites of the blocks from the first on along x.
-void NearbySites::collect_row(const Eigen::Vector3i& first, int end) {
-  const std::size_t index = exterior_.grid().block_index(first);
-  for (int i = 0; i < end - first.x(); ++i) {
+void NearbySites::collect_row(const Eigen::Vector3i& begin, int end) {
+  const std::size_t index = exterior_.grid().block_index(begin);
+  for (int i = 0; i < end - begin.x(); ++i) {
     const std::int32_t state = exterior_.block(index + static_cast<std::size_t>(i));
     if (state < 0) continue;
-    const auto block = static_cast<std::size_t>(state);
-    const auto from = static_cast<std::ptrdiff_t>(sites_.first[block]);
-    const auto to = static_cast<std::ptrdiff_t>(sites_.first[block + 1]);
-    x_.insert(x_.end(), sites_.x.begin() + from, sites_.x.begin() + to);
-    y_.insert(y_.end(), sites_.y.begin() + from, sites_.y.begin() + to);
-    z_.insert(z_.end(), sites_.z.begin() + from, sites_.z.begin() + to);
-    for (std::ptrdiff_t site = from; site < to; ++site) site_.push_back(static_cast<std::uint32_t>(site));
+    const auto& [chunk, first, last, number_before] = sites_.of_block(static_cast<std::size_t>(state));
+    x_.insert(x_.end(), &chunk.x[first], &chunk.x[last]);
+    y_.insert(y_.end(), &chunk.y[first], &chunk.y[last]);
+    z_.insert(z_.end(), &chunk.z[first], &chunk.z[last]);
+    for (std::size_t i = first; i < last; ++i) site_.push_back(number_before + static_cast<std::uint32_t>(i));
   }
 }
 

@@ -15,9 +15,15 @@ namespace shapegauge {
 /// Points of the outer offset surface, about one for each square of a cell's edge: the centre of every exterior cell
 /// within the band of the offset solid, moved along the line to its closest triangle until that is r away.
 struct OffsetSites {
-  std::vector<float> x, y, z;          ///< padded
-  std::vector<std::int32_t> triangle;  ///< that is r away from each
-  std::vector<std::uint32_t> first;    ///< of each of the exterior's boundary blocks, and one past the last's
+  /// Of so many of the exterior's boundary blocks in a row. Nothing is copied to where all are: with offsets of a few
+  /// thousandths there are millions.
+  struct Chunk {
+    static constexpr std::size_t blocks = 64;
+    std::vector<float> x, y, z;                     ///< padded
+    std::vector<std::int32_t> triangle;             ///< that is r away from each
+    std::array<std::uint16_t, blocks + 1> first{};  ///< of each block's, and one past the last's
+  };
+  std::vector<Chunk> chunks;
   /// Cubes of `cube_edge` blocks along each axis: whether any are in each, and all in which there are.
   std::vector<std::uint8_t> occupied;
   std::vector<Eigen::Vector3i> occupied_cubes;
@@ -25,6 +31,30 @@ struct OffsetSites {
   static constexpr int cube_edge = 8;
 
   OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
+
+  /// A site's number is its chunk's times this, and its place in the chunk.
+  static constexpr std::uint32_t most_in_chunk = Chunk::blocks * cells_per_block;
+  [[nodiscard]] Eigen::Vector3d place(std::uint32_t site) const {
+    const Chunk& chunk = chunks[site / most_in_chunk];
+    const std::uint32_t i = site % most_in_chunk;
+    return {static_cast<double>(chunk.x[i]), static_cast<double>(chunk.y[i]), static_cast<double>(chunk.z[i])};
+  }
+  [[nodiscard]] std::int32_t triangle(std::uint32_t site) const {
+    return chunks[site / most_in_chunk].triangle[site % most_in_chunk];
+  }
+
+  /// The sites of one of the exterior's boundary blocks.
+  struct OfBlock {
+    const Chunk& chunk;
+    std::size_t begin, end;       ///< in the chunk
+    std::uint32_t number_before;  ///< of the chunk's first site
+  };
+  [[nodiscard]] OfBlock of_block(std::size_t block) const {
+    const std::size_t c = block / Chunk::blocks;
+    const Chunk& chunk = chunks[c];
+    const std::size_t i = block % Chunk::blocks;
+    return {chunk, chunk.first[i], chunk.first[i + 1], static_cast<std::uint32_t>(c) * most_in_chunk};
+  }
 };
 
 /// The sites near a group of samples, each group's in a row.
@@ -39,7 +69,7 @@ class NearbySites {
   void collect(const Eigen::AlignedBox3d& box, double reach);
 
   struct Site {
-    std::uint32_t site;  ///< index into the sites
+    std::uint32_t site;  ///< its number
     float distance;
   };
   /// The distances from two places to the nearest of the collected sites, infinite where there is none.
@@ -49,7 +79,7 @@ class NearbySites {
   void starts(std::size_t place, double margin, double apart, std::size_t most, std::vector<Site>& found);
 
  private:
-  void collect_row(const Eigen::Vector3i& first, int end);
+  void collect_row(const Eigen::Vector3i& begin, int end);
   [[nodiscard]] double nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit);
 
   const ExteriorGrid& exterior_;

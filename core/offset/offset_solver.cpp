@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -107,11 +108,20 @@ class Solver {
     std::int32_t triangle;  ///< that it is likely to lie on
   };
 
+  /// A sample whose q must be searched: near either of two places, p raised on either side.
+  struct Search {
+    Eigen::Index index;
+    Sample sample;
+    std::array<Eigen::Vector3d, 2> places;
+  };
+
   /// What a group keeps from sample to sample, and its memory from group to group, without an influence on the answers.
   struct Room {
     explicit Room(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
     NearbySites sites;
-    double reach = 0;  ///< all sites within this of the group's samples have been collected
+    std::vector<Search> searches;
+    Eigen::AlignedBox3d places;  ///< of the searches
+    double reach = 0;            ///< all sites within this of the places have been collected
     std::vector<NearbySites::Site> starts;
     NearbyPoints surface;
   };
@@ -121,28 +131,22 @@ class Solver {
   [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
   [[nodiscard]] bool is_on_own_triangle(const Sample& sample, double near_enough) const;
   bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
-  Eigen::Vector3d nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
-                                   OffsetOutcome& outcome) const;
+  void finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Sample& sample,
+                                                      std::array<Eigen::Vector3d, 2>& places) const;
   [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
   [[nodiscard]] std::int32_t covering(const Sample& sample, const Eigen::Vector3d& x) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> refine(const Sample& sample, const Eigen::Vector3d& place,
                                                       std::uint32_t site,
                                                       const std::optional<Eigen::Vector3d>& known) const;
-  Eigen::Vector3d search(const Sample& sample, const std::array<Eigen::Vector3d, 2>& places,
-                         const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const;
-  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, const Eigen::AlignedBox3d& box,
-                                Room& room) const;
+  Eigen::Vector3d search(const Search& task, Room& room, OffsetOutcome& outcome) const;
+  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, Room& room) const;
 
   /// A refined point is nearer than its site, by no more than this as a rule, in cells: however fine they are, it may
   /// be 0.133 r.
   [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * grid_.r); }
   /// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
   [[nodiscard]] double farther() const { return 3 * gain(); }
-
-  [[nodiscard]] Eigen::Vector3d place_of(std::uint32_t site) const {
-    return {static_cast<double>(sites_.x[site]), static_cast<double>(sites_.y[site]),
-            static_cast<double>(sites_.z[site])};
-  }
 
   const Shape& shape_;
   const ExteriorGrid& exterior_;
@@ -174,20 +178,23 @@ std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samp
 
 /// Sorts the samples by blocks; those that are in none are missing.
 void Solver::sort() {
-  std::vector<std::pair<std::size_t, Eigen::Index>> places;
+  constexpr unsigned index_bits = 40;
+  static_assert(most_blocks <= std::size_t{1} << (64 - index_bits));
+  std::vector<std::uint64_t> places;  // a block and, below it, a sample
   places.reserve(static_cast<std::size_t>(points_.rows()));
   for (Eigen::Index i = 0; i < points_.rows(); ++i) {
     const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
     const Eigen::Vector3d end = (block_edge * grid_.blocks).cast<double>();
     const bool is_in_grid = p.allFinite() && (p.array() >= 0).all() && (p.array() < end.array()).all();
-    if (is_in_grid && normals_.row(i).allFinite()) places.emplace_back(grid_.block_index(grid_.block_of(p)), i);
+    if (!is_in_grid || !normals_.row(i).allFinite()) continue;
+    places.push_back(std::uint64_t{grid_.block_index(grid_.block_of(p))} << index_bits | static_cast<std::uint64_t>(i));
   }
   std::sort(places.begin(), places.end());
   order_.reserve(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
-    if (k == 0 || places[k].first != places[k - 1].first) groups_.push_back({k, k});
+    if (k == 0 || places[k] >> index_bits != places[k - 1] >> index_bits) groups_.push_back({k, k});
     groups_.back().end = k + 1;
-    order_.push_back(places[k].second);
+    order_.push_back(static_cast<Eigen::Index>(places[k] & ((std::uint64_t{1} << index_bits) - 1)));
   }
 }
 
@@ -263,22 +270,22 @@ std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
   return std::max(1 - std::sqrt(squared) / grid_.r, 0.0);
 }
 
-/// The distances from a sample raised on either side to the nearest site, once all that are farther than the smaller
-/// by no more than farther() have been collected. The larger is at least as large as given where it exceeds the smaller
-/// by as much.
-std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, const Eigen::AlignedBox3d& box,
-                                      Room& room) const {
-  const double lift = grid_.r;
+/// The distances from a sample raised on either side to the nearest site, once all that may be asked for have been
+/// collected: those farther by no more than farther() than a distance that exceeds the smaller by no more than gain().
+/// The larger is at least as large as given where it exceeds the smaller by more.
+std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, Room& room) const {
+  constexpr double first_reach = 1.1;  // in parts of r
   if (room.reach == 0) {
-    room.reach = 1.3 * grid_.r;
-    room.sites.collect(box, room.reach + lift);
+    room.reach = first_reach * grid_.r;
+    room.sites.collect(room.places, room.reach);
   }
   std::array<double, 2> distances = room.sites.measure(places);
-  if (std::min(distances[0], distances[1]) + farther() < room.reach) return distances;
-  // From the middle of the box none is farther than this; from a sample of it by half of its diagonal at most.
-  const double from_middle = room.sites.distance_to_nearest(box.center());
-  room.reach = from_middle + box.diagonal().norm() / 2 + lift + 1.01 * farther();
-  room.sites.collect(box, room.reach + lift);
+  const double beyond = 1.01 * (gain() + farther());
+  if (std::min(distances[0], distances[1]) + beyond < room.reach) return distances;
+  // From the middle of the box none is farther than this; from a place in it by half of its diagonal at most.
+  const double from_middle = room.sites.distance_to_nearest(room.places.center());
+  room.reach = from_middle + room.places.diagonal().norm() / 2 + beyond;
+  room.sites.collect(room.places, room.reach);
   return room.sites.measure(places);
 }
 
@@ -299,7 +306,7 @@ std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen:
                                               const std::optional<Eigen::Vector3d>& known) const {
   constexpr int most_times = 3;
   constexpr double nearly_free = 0.8;  // of r
-  auto x = nearest_offset_point(exterior_, place, place_of(site), sites_.triangle[site], known);
+  auto x = nearest_offset_point(exterior_, place, sites_.place(site), sites_.triangle(site), known);
   for (int i = 0; x && i < most_times; ++i) {
     const std::int32_t triangle = covering(sample, *x);
     if (triangle < 0) break;
@@ -313,8 +320,8 @@ std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen:
 }
 
 /// Of the points of E(r) nearest to p raised on either side, the one for which that is nearer.
-Eigen::Vector3d Solver::search(const Sample& sample, const std::array<Eigen::Vector3d, 2>& places,
-                               const Eigen::AlignedBox3d& box, Room& room, OffsetOutcome& outcome) const {
+Eigen::Vector3d Solver::search(const Search& task, Room& room, OffsetOutcome& outcome) const {
+  const auto& [index, sample, places] = task;
   constexpr double apart = 2;
   constexpr std::size_t most_starts = 3;
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -323,7 +330,7 @@ Eigen::Vector3d Solver::search(const Sample& sample, const std::array<Eigen::Vec
   double nearest_site = infinite;
   Eigen::Vector3d nearest_place = q;
   // The nearer side first, whichever way the normal points.
-  const std::array<double, 2> distances = measure(places, box, room);
+  const std::array<double, 2> distances = measure(places, room);
   const std::size_t first = distances[0] <= distances[1] ? 0 : 1;
   for (const std::size_t side : {first, 1 - first}) {
     const double distance = distances[side];
@@ -331,12 +338,12 @@ Eigen::Vector3d Solver::search(const Sample& sample, const std::array<Eigen::Vec
     room.sites.starts(side, gain(), apart, most_starts, room.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
-      nearest_place = place_of(room.starts.front().site);
+      nearest_place = sites_.place(room.starts.front().site);
     }
     std::optional<Eigen::Vector3d> known;  // from this side
     const auto refine_all = [&] {
       for (const NearbySites::Site& start : room.starts) {
-        const bool is_known = best < infinite && (place_of(start.site) - q).norm() < apart;
+        const bool is_known = best < infinite && (sites_.place(start.site) - q).norm() < apart;
         if (is_known || static_cast<double>(start.distance) - gain() > best) continue;
         const auto x = refine(sample, places[side], start.site, known);
         if (!x || !((*x - places[side]).norm() < best)) continue;
@@ -357,52 +364,61 @@ Eigen::Vector3d Solver::search(const Sample& sample, const std::array<Eigen::Vec
   return nearest_place;
 }
 
-/// q.
-Eigen::Vector3d Solver::nearest_exterior(const Sample& sample, const Eigen::AlignedBox3d& box, Room& room,
-                                         OffsetOutcome& outcome) const {
+/// q, where it is p + r n or p - r n; else nothing, and p raised on either side.
+std::optional<Eigen::Vector3d> Solver::direct(const Sample& sample, std::array<Eigen::Vector3d, 2>& places) const {
   const auto& [p, normal, triangle] = sample;
-  if (normal.isZero()) return search(sample, {p, p}, box, room, outcome);
+  places = {p, p};
+  if (normal.isZero()) return std::nullopt;
   std::array<double, 2> depths;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const Eigen::Vector3d end = p + sides[i] * grid_.r * normal;
     const std::optional<double> depth = depth_of(end);
-    if (!depth) {
-      outcome = OffsetOutcome::direct;
-      return end;
-    }
+    if (!depth) return end;
     depths[i] = *depth;
   }
   const Eigen::Vector3d mean = means_.at(p, normal);
-  std::array<Eigen::Vector3d, 2> places;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     places[i] = raised(p, sides[i] * normal, sides[i] * mean, depths[i], grid_.r);
   }
-  return search(sample, places, box, room, outcome);
+  return std::nullopt;
 }
 
-void Solver::answer(const Group& group, Room& room) const {
-  room.reach = 0;
-  Eigen::AlignedBox3d box;
-  for (std::size_t k = group.begin; k < group.end; ++k) {
-    box.extend(grid_.to_cells(points_.row(order_[k]).transpose()));
-  }
+/// The answer that follows from q.
+void Solver::finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
   const double r = grid_.r;
+  const double height = (q - p).norm();
+  const Eigen::Vector3d outward = (q - p) / height;
+  answers_.directions.row(index) = outward.transpose();
+  answers_.heights[index] = height * grid_.cell;
+  // Both ends are at least r away from p, up to what single precision loses.
+  const double exit = offset_exit(exterior_, p, -outward);
+  answers_.values[index] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
+}
+
+/// First all whose q need not be searched: the sites are collected about the others only.
+void Solver::answer(const Group& group, Room& room) const {
+  room.searches.clear();
+  room.places.setEmpty();
+  room.reach = 0;
   for (std::size_t k = group.begin; k < group.end; ++k) {
     const Eigen::Index i = order_[k];
-    OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(i)];
-    const Sample sample{grid_.to_cells(points_.row(i).transpose()), normals_.row(i).transpose(),
-                        likely_[static_cast<std::size_t>(i)]};
-    if (!is_on_surface(sample, room.surface)) continue;
-    const Eigen::Vector3d& p = sample.p;
+    Search task{.index = i,
+                .sample = {grid_.to_cells(points_.row(i).transpose()), normals_.row(i).transpose(),
+                           likely_[static_cast<std::size_t>(i)]},
+                .places = {}};
+    if (!is_on_surface(task.sample, room.surface)) continue;
+    if (const auto q = direct(task.sample, task.places)) {
+      answers_.outcomes[static_cast<std::size_t>(i)] = OffsetOutcome::direct;
+      finish(i, task.sample.p, *q);
+      continue;
+    }
+    for (const Eigen::Vector3d& place : task.places) room.places.extend(place);
+    room.searches.push_back(task);
+  }
+  for (const Search& task : room.searches) {
+    OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(task.index)];
     outcome = OffsetOutcome::searched;
-    const Eigen::Vector3d q = nearest_exterior(sample, box, room, outcome);
-    const double height = (q - p).norm();
-    const Eigen::Vector3d outward = (q - p) / height;
-    answers_.directions.row(i) = outward.transpose();
-    answers_.heights[i] = height * grid_.cell;
-    // Both ends are at least r away from p, up to what single precision loses.
-    const double exit = offset_exit(exterior_, p, -outward);
-    answers_.values[i] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
+    finish(task.index, task.sample.p, search(task, room, outcome));
   }
 }
 

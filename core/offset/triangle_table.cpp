@@ -104,8 +104,10 @@ class ShortestVector {
   hn::Vec<D> squared_;
 };
 
-/// From the closest point of each of the triangles to the points.
-void vectors(const float* records, const std::int32_t* triangles, TriangleTable::Vectors& points) {
+/// From the closest point of each of the triangles to a point for each: at(d, lane) has those for a vector of them.
+template <typename PlacesAt>
+HWY_INLINE void vectors_to_places(const float* records, const std::int32_t* triangles, const PlacesAt& places_at,
+                                  TriangleTable::Vectors& vectors) {
   const hn::CappedTag<float, TriangleTable::at_once> d;
   using D = decltype(d);
   using Lanes = hn::Vec<D>;
@@ -116,9 +118,8 @@ void vectors(const float* records, const std::int32_t* triangles, TriangleTable:
   for (std::size_t lane = 0; lane < TriangleTable::at_once; lane += hn::Lanes(d)) {
     Lanes field[16];
     load_transposed(d, records, triangles + lane, field);
-    const LaneVectors<D> a{hn::Sub(hn::Load(d, points.x.data() + lane), field[0]),
-                           hn::Sub(hn::Load(d, points.y.data() + lane), field[1]),
-                           hn::Sub(hn::Load(d, points.z.data() + lane), field[2])};
+    const auto place = places_at(d, lane);
+    const LaneVectors<D> a{hn::Sub(place.x, field[0]), hn::Sub(place.y, field[1]), hn::Sub(place.z, field[2])};
     const LaneVectors<D> ab{field[3], field[4], field[5]};
     const LaneVectors<D> ac{field[6], field[7], field[8]};
     const Lanes along_ab = dot<D>(a, ab);
@@ -135,8 +136,25 @@ void vectors(const float* records, const std::int32_t* triangles, TriangleTable:
     const Lanes v = dot<D>(a, {field[9], field[10], field[11]});
     const Lanes w = dot<D>(a, {field[12], field[13], field[14]});
     shortest.show(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
-    shortest.store(d, points, lane);
+    shortest.store(d, vectors, lane);
   }
+}
+
+void vectors_to_one(const float* records, const std::int32_t* triangles, const Eigen::Vector3f& x,
+                    TriangleTable::Vectors& vectors) {
+  const auto everywhere = [&](auto d, std::size_t /*lane*/) HWY_ATTR {
+    return LaneVectors<decltype(d)>{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
+  };
+  vectors_to_places(records, triangles, everywhere, vectors);
+}
+
+/// The points are replaced.
+void vectors_to_each_of(const float* records, const std::int32_t* triangles, TriangleTable::Vectors& points) {
+  const auto at = [&](auto d, std::size_t lane) HWY_ATTR {
+    return LaneVectors<decltype(d)>{hn::Load(d, points.x.data() + lane), hn::Load(d, points.y.data() + lane),
+                                    hn::Load(d, points.z.data() + lane)};
+  };
+  vectors_to_places(records, triangles, at, points);
 }
 
 }  // namespace
@@ -146,7 +164,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace shapegauge {
 
-HWY_EXPORT(vectors);
+HWY_EXPORT(vectors_to_one);
+HWY_EXPORT(vectors_to_each_of);
 
 void TriangleTable::resize(std::size_t count) { records_.resize(count); }
 
@@ -170,10 +189,7 @@ void TriangleTable::set(std::size_t index, const Eigen::Vector3f& a, const Eigen
 }
 
 void TriangleTable::vectors_to(const Eigen::Vector3d& x, const std::int32_t* triangles, Vectors& result) const {
-  result.x.fill(static_cast<float>(x.x()));
-  result.y.fill(static_cast<float>(x.y()));
-  result.z.fill(static_cast<float>(x.z()));
-  HWY_DYNAMIC_DISPATCH(vectors)(records_.front().data(), triangles, result);
+  HWY_DYNAMIC_DISPATCH(vectors_to_one)(records_.front().data(), triangles, x.cast<float>(), result);
 }
 
 double TriangleTable::squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const {
@@ -215,7 +231,7 @@ TriangleTable::Place TriangleTable::place_of(const Eigen::Vector3d& point, std::
 }
 
 void TriangleTable::vectors_to_each(Vectors& points, const std::int32_t* triangles) const {
-  HWY_DYNAMIC_DISPATCH(vectors)(records_.front().data(), triangles, points);
+  HWY_DYNAMIC_DISPATCH(vectors_to_each_of)(records_.front().data(), triangles, points);
 }
 
 }  // namespace shapegauge

@@ -1,7 +1,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "shapegauge/core/offset/offset_solver.h"
 #include "shapegauge/core/shape/samples.h"
@@ -19,6 +21,24 @@ TEST(OffsetSolver, GivesTheSameBytesInAnyOrderAndOnAnyThreads) {
                                             samples.normals.colwise().reverse(), {.parallel = true});
   EXPECT_EQ(forth.values, back.values.reverse());
   EXPECT_EQ(forth.directions, back.directions.colwise().reverse());
+}
+
+TEST(OffsetSolver, AnswersOfASampleDoNotDependOnTheOthers) {
+  // Arms between which samples of a block have both sides covered, and sites far and near.
+  for (const test::OffsetCase& one : test::offset_cases()) {
+    const Samples samples = sample_shape(one.shape, SampleSite::faces);
+    const OffsetGridOptions options{.offset = one.offset, .parallel = false};
+    const OffsetAnswers all = answer_by_grid(one.shape, samples.points, samples.normals, options);
+    std::vector<std::int32_t> few;
+    for (Eigen::Index f = 0; f < samples.points.rows(); f += 7) few.push_back(static_cast<std::int32_t>(f));
+    const OffsetAnswers alone =
+        answer_by_grid(one.shape, samples.points(few, Eigen::all), samples.normals(few, Eigen::all), options, few);
+    EXPECT_EQ(alone.values, all.values(few)) << one.name;
+    EXPECT_EQ(alone.directions, all.directions(few, Eigen::all)) << one.name;
+    for (std::size_t i = 0; i < few.size(); ++i) {
+      ASSERT_EQ(alone.outcomes[i], all.outcomes[static_cast<std::size_t>(few[i])]) << one.name << ' ' << few[i];
+    }
+  }
 }
 
 TEST(OffsetSolver, DecidesTiesByTheNormal) {
