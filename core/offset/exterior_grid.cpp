@@ -449,7 +449,9 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
   }
   result.count = static_cast<int>(count);
   result.touches_exterior = touches;
-  if (count < 8) std::fill(result.triangles.begin() + static_cast<std::ptrdiff_t>(count), result.triangles.end(), result.triangles[0]);
+  if (count < 8)
+    std::fill(result.triangles.begin() + static_cast<std::ptrdiff_t>(count), result.triangles.end(),
+              result.triangles[0]);
   return result;
 }
 
