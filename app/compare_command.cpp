@@ -75,7 +75,7 @@ bool wants_curves(const CompareArguments& arguments) { return !arguments.plot.em
 void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments, const std::string& protocol,
                        ComparedInputs& compared) {
   if (!wants_curves(arguments)) return;
-  for (NamedCurve& curve : read_curves(folder / "precision_recall.csv", average_of(arguments.average).value())) {
+  for (NamedCurve& curve : read_curves(folder / curves_name, average_of(arguments.average).value())) {
     if (curve.protocol == protocol) compared.curves.push_back(std::move(curve));
   }
 }

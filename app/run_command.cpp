@@ -97,6 +97,15 @@ void check_results_folder(const fs::path& folder, const RunSource& source,
   check_output_files(inputs, outputs, true);
 }
 
+/// Throws InputError for a chart that cannot be written.
+void check_plot(const RunArguments& arguments) {
+  if (arguments.plot.empty()) return;
+  check_drawing_file(arguments.plot);
+  const std::vector<fs::path> inputs{arguments.source.configuration, arguments.source.replay};
+  const std::vector<OutputFile> outputs{{.path = arguments.plot, .what = "--plot"}};
+  check_output_files(inputs, outputs, arguments.replace || arguments.force);
+}
+
 /// Warns, before a repeated run begins, of inputs that are not the recorded ones.
 void warn_of_inputs(const RequestedRun& request, const Experiment& experiment, int threads) {
   if (request.recorded.is_null() || !experiment.inputs) return;
@@ -170,18 +179,17 @@ int report_run(const RunOutcome& outcome, const RunArguments& arguments, const R
     print_output("Report: {}\n", printable((folder / report_name).string()));
   }
   if (!arguments.plot.empty()) {
-    constexpr const char* curves = "precision_recall.csv";
-    if (std::ranges::find(outcome.files, curves) == outcome.files.end()) {
+    if (std::ranges::find(outcome.files, curves_name) == outcome.files.end()) {
       throw InputError("--plot: the results of this run have no precision-recall curves; the run itself is done");
     }
-    write_drawing(arguments.plot, curves_plot(read_curves(folder / curves)));
+    write_drawing(arguments.plot, curves_plot(read_curves(folder / curves_name)));
   }
   const int replayed = request.recorded.is_null() ? exit_success : report_replay(request.recorded, folder);
   return std::max(replayed, report_flaws(outcome));
 }
 
 int run_request(const RunArguments& arguments, Communicator& ranks) {
-  if (!arguments.plot.empty()) check_drawing_file(arguments.plot);
+  check_plot(arguments);
   RequestedRun request;
   Experiment experiment;
   fs::path folder;

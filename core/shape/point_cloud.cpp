@@ -54,25 +54,23 @@ struct PointTree {
   Tree tree;
 };
 
-/// Room for the answer to one query, the point itself included.
+/// Scratch buffers for the answer to one query, the point itself included.
 struct Query {
   explicit Query(std::size_t count) : indices(count), squared_distances(count) {}
   std::vector<std::int32_t> indices;
   std::vector<double> squared_distances;
 };
 
-void find(const Tree& tree, const Points& points, Eigen::Index i, PointNeighbours& result) {
-  const auto count = static_cast<std::size_t>(result.indices.cols() + 1);
-  Query query(count);
-  tree.knnSearch(points.row(i).data(), count, query.indices.data(), query.squared_distances.data());
+void find(const Tree& tree, const Points& points, Eigen::Index i, Query& query, PointNeighbours& result) {
+  tree.knnSearch(points.row(i).data(), query.indices.size(), query.indices.data(), query.squared_distances.data());
   // Where so many points are at its place that the point itself is not among those found, the last one goes.
   const auto self = std::find(query.indices.begin(), query.indices.end() - 1, static_cast<std::int32_t>(i));
-  const std::ptrdiff_t place = self - query.indices.begin();
-  query.indices.erase(self);
-  query.squared_distances.erase(query.squared_distances.begin() + place);
-  std::ranges::copy(query.indices, result.indices.row(i).data());
-  std::ranges::transform(query.squared_distances, result.distances.row(i).data(),
-                         [](double d) { return std::sqrt(d); });
+  std::int32_t* const indices = std::copy(query.indices.begin(), self, result.indices.row(i).data());
+  std::copy(self + 1, query.indices.end(), indices);
+  for (Eigen::Index k = 0; k < result.distances.cols(); ++k) {
+    const Eigen::Index skipped = k < self - query.indices.begin() ? 0 : 1;
+    result.distances(i, k) = std::sqrt(query.squared_distances[static_cast<std::size_t>(k + skipped)]);
+  }
 }
 
 // More neighbours see around corners and through thin parts. Of a regular grid whole shells lie at one distance, which
@@ -156,8 +154,9 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   // What a point needs of the tree, its neighbour has just read.
   const std::vector<std::int32_t> order = points.allFinite() ? morton_order(points) : std::vector<std::int32_t>();
   parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
+    Query query(static_cast<std::size_t>(k + 1));
     for (Eigen::Index place = block.begin(); place != block.end(); ++place) {
-      find(built.tree, points, order.empty() ? place : order[static_cast<std::size_t>(place)], result);
+      find(built.tree, points, order.empty() ? place : order[static_cast<std::size_t>(place)], query, result);
     }
   });
   return result;

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "shapegauge/experiments/results/evaluation_tables.h"
@@ -21,8 +22,11 @@ struct NamedCurve {
 /// Returns the curve of an evaluation, averaged over queries or classes.
 NamedCurve named_curve(const NamedEvaluation& named, Average average = Average::micro);
 
-/// Reads the curves of a table made by precision_recall_table(), such as precision_recall.csv of a run. Throws
-/// InputError for another table.
+/// File of a run's results that has its curves.
+inline constexpr std::string_view curves_name = "pr_curves.csv";
+
+/// Reads the curves of a table made by precision_recall_table(), such as curves_name of a run. Throws InputError for
+/// another table.
 std::vector<NamedCurve> read_curves(const std::filesystem::path& path, Average average = Average::micro);
 
 /// Draws a chart of the curves. The legend names protocols if there are several.

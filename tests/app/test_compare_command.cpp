@@ -129,7 +129,7 @@ TEST_F(CompareCommand, DrawsCurvesAndScoresAndMakesAReportOfAll) {
 TEST_F(CompareCommand, CurvesOfAFolderAreThoseOfItsRun) {
   write_text(at("results/per_query.csv"),
              "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\nn,psb,1,x,0\nn,psb,2,y,100\n");
-  write_text(at("results/precision_recall.csv"),
+  write_text(at("results/pr_curves.csv"),
              "method,protocol,recall,precision,macro_precision\nm,psb,0.5,0.75,0.7\nn,psb,0.5,0.25,0.2\n"
              "m,paper,0.5,1,1\n");
   ASSERT_EQ(compare("results", "--pr '" + at("pr.csv") + "'").status, 0);

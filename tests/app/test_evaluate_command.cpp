@@ -311,6 +311,20 @@ int warnings_in(const std::string& text) {
   return count;
 }
 
+TEST_F(EvaluateCommand, DrawsTheCurveAndTheClasses) {
+  const Outcome outcome =
+      evaluate_toy("--measures FT --plot '" + at("pr.svg") + "' --plot-classes '" + at("classes.svg") + "'");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(text_of(at("pr.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">Precision<"), HasSubstr("<path")));
+  EXPECT_THAT(text_of(at("classes.svg")), AllOf(HasSubstr(">A<"), HasSubstr(">B<"), HasSubstr("FT")));
+  // Other distances have another curve, and the same ones the same.
+  ASSERT_EQ(evaluate_toy("--plot '" + at("same.svg") + "'").status, 0);
+  EXPECT_EQ(text_of(at("same.svg")), text_of(at("pr.svg")));
+  EXPECT_EQ(evaluate_toy("--plot '" + at("pr.svg") + "'").status, 2);
+  EXPECT_EQ(evaluate_toy("--plot '" + at("pr.svg") + "' --replace --similarity").status, 0);
+  EXPECT_NE(text_of(at("same.svg")), text_of(at("pr.svg")));
+}
+
 TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
   write_npy(at("zero.npy"), DistanceMatrix::Zero(7, 7));
   const Outcome outcome = evaluate_toy("", "zero.npy");

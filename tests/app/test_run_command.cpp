@@ -54,6 +54,20 @@ TEST_F(SmallRun, TiesAreAWarning) {
   EXPECT_THAT(outcome.errors, HasSubstr("shapegauge: warning: method \"fixed\": 9 of 9 queries"));
 }
 
+TEST_F(SmallRun, PlotsItsCurvesAndCompareDrawsThemToo) {
+  const std::string run = "run " + quoted("small.json") + " --output " + quoted("out");
+  const Outcome outcome = run_executable(run + " --plot " + quoted("run.svg"));
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const std::string drawn = text_of(at("run.svg"));
+  EXPECT_THAT(drawn, AllOf(HasSubstr(">Recall<"), HasSubstr(">fixed (psb)<"), HasSubstr(">both (paper)<")));
+  const Outcome compared =
+      run_executable("compare " + quoted("out") + " --plot " + quoted("compare.svg") + " --measures FT");
+  ASSERT_EQ(compared.status, 0) << compared.errors;
+  EXPECT_THAT(text_of(at("compare.svg")), AllOf(HasSubstr(">Recall<"), HasSubstr(">fixed<"), HasSubstr(">both<")));
+  EXPECT_THAT(run_executable(run + " --plot " + quoted("run.svg")).errors, HasSubstr("--replace"));
+  EXPECT_EQ(run_executable(run + " --plot " + quoted("run.eps")).status, 2);
+}
+
 TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   fs::rename(at("data"), at("moved"));
   EXPECT_EQ(replay().status, 2);

@@ -27,7 +27,7 @@ TEST(EvaluationPlots, CurvesAreThoseOfTheTable) {
   const std::vector<NamedEvaluation> named{{.method = "a, \"b\"", .evaluation = &evaluation},
                                            {.method = "other", .evaluation = &evaluation}};
   const test::TemporaryFolder folder;
-  const auto path = folder.path() / "precision_recall.csv";
+  const auto path = folder.path() / "pr_curves.csv";
   test::write_text(path, to_csv(precision_recall_table(named)));
   const std::vector<NamedCurve> curves = read_curves(path);
   ASSERT_EQ(curves.size(), 2U);
