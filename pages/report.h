@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "shapegauge/metrics/bootstrap.h"
 #include "shapegauge/metrics/distance_overview.h"
 #include "shapegauge/metrics/evaluation.h"
 #include "shapegauge/retrieval/histogram.h"
@@ -20,12 +21,24 @@ struct ReportHistograms {
   std::vector<std::size_t> parts;     ///< in place of a table: methods whose histograms are concatenated
 };
 
+/// Confidence intervals of an evaluation's averages, by measure; empty without intervals.
+struct ReportIntervals {
+  double confidence = 0.95;
+  std::vector<ConfidenceInterval> micro;
+  std::vector<ConfidenceInterval> macro;
+};
+
+/// Settings by name.
+using ReportSettings = std::vector<std::pair<std::string, std::string>>;
+
 /// Method in a report.
 struct ReportMethod {
   std::string name;
-  std::string description;  ///< settings in a few words; may be empty
+  std::string distance;     ///< name of the distance; may be empty
+  ReportSettings settings;  ///< may be empty
   const DistanceOverview* distances = nullptr;
   std::span<const Evaluation> evaluations;  ///< at least one, one a protocol; the same protocols for all methods
+  std::vector<ReportIntervals> intervals;   ///< by evaluation; may be empty
   ReportHistograms histograms;
 };
 
@@ -49,6 +62,14 @@ struct ReportViews {
       shapes;  ///< one a model, as shape_view_json() returns them, without names; empty without views
 };
 
+/// Shape with gaps that are wider than the offset of a field. Sizes are fractions of the bounding box diagonal.
+struct ReportLeak {
+  std::string id;
+  std::string field;
+  double offset = 0;
+  double gap = 0;  ///< offset that closes the gaps
+};
+
 /// Contents of a report. Everything it points to must outlive it.
 struct Report {
   std::string title;
@@ -60,7 +81,9 @@ struct Report {
   std::vector<ReportMethod> methods;                       ///< at least one
   ReportPictures pictures;
   ReportViews views;
+  std::vector<std::pair<std::string, ReportSettings>> perturbations;  ///< type and settings, in order
   std::vector<std::string> warnings;
+  std::vector<ReportLeak> leaks;
   std::vector<std::pair<std::string, std::string>> failures;  ///< omitted models and the reasons
 };
 

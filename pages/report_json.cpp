@@ -41,6 +41,21 @@ std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
   return worst_queries(evaluation, has_map ? "mAP" : evaluation.measures.front(), worst_count);
 }
 
+Json intervals_json(const std::vector<ConfidenceInterval>& intervals) {
+  Json json = Json::array();
+  for (const ConfidenceInterval& one : intervals) {
+    json.push_back({rounded(one.low, fraction_digits), rounded(one.high, fraction_digits)});
+  }
+  return json;
+}
+
+Json intervals_json(const ReportIntervals& intervals) {
+  if (intervals.micro.empty()) return nullptr;
+  return {{"confidence", intervals.confidence},
+          {"micro", intervals_json(intervals.micro)},
+          {"macro", intervals_json(intervals.macro)}};
+}
+
 Json evaluation_json(const Evaluation& evaluation) {
   return {{"protocol", name_of(evaluation.protocol)},
           {"left_out", evaluation.models_left_out},
@@ -116,8 +131,12 @@ Json histograms_json(const ReportHistograms& histograms) {
 Json method_json(const Report& report, const ReportMethod& method) {
   Json evaluations = Json::array();
   for (const Evaluation& evaluation : method.evaluations) evaluations.push_back(evaluation_json(evaluation));
+  for (std::size_t i = 0; i < method.intervals.size(); ++i) {
+    evaluations[i]["intervals"] = intervals_json(method.intervals[i]);
+  }
   return {{"name", method.name},
-          {"description", method.description},
+          {"distance", method.distance},
+          {"settings", method.settings},
           {"evaluations", std::move(evaluations)},
           {"heat_map", heat_map(*method.distances)},
           {"confusion", confusion_json(report, method)},
@@ -176,6 +195,10 @@ Json heat_map(const DistanceOverview& distances) {
 Json report_json(const Report& report) {
   Json methods = Json::array();
   for (const ReportMethod& method : report.methods) methods.push_back(method_json(report, method));
+  Json leaks = Json::array();
+  for (const ReportLeak& leak : report.leaks) {
+    leaks.push_back({leak.id, leak.field, rounded(leak.offset, fraction_digits), rounded(leak.gap, fraction_digits)});
+  }
   return {{"version", version()},
           {"title", report.title},
           {"description", report.description},
@@ -186,7 +209,9 @@ Json report_json(const Report& report) {
           {"methods", std::move(methods)},
           {"pictures", pictures_json(report.pictures)},
           {"views", views_json(report.views)},
+          {"perturbations", report.perturbations},
           {"warnings", report.warnings},
+          {"leaks", std::move(leaks)},
           {"failures", report.failures}};
 }
 

@@ -27,9 +27,13 @@ std::string evaluation_report_page(const std::vector<ReportedEvaluation>& method
     }
     overviews.push_back(overview_of(whole_matrix(data->distances), data->task.retrieval.query_classes));
     report.methods.push_back({.name = named.method,
-                              .description = {},
+                              .distance = {},
+                              .settings = {},
                               .distances = &overviews.back(),
                               .evaluations = {named.evaluation, 1},
+                              .intervals = {{.confidence = named.intervals.confidence,
+                                             .micro = named.intervals.micro,
+                                             .macro = named.intervals.macro}},
                               .histograms = {}});
     names.push_back(named.method);
   }

@@ -76,7 +76,7 @@ EvaluationIntervals intervals_of(const Evaluation& evaluation, const IntervalOpt
     return bootstrap_intervals(units_of(evaluation.per_query, evaluation.query_classes, options.blocks, average),
                                options.confidence, options.resampling);
   };
-  return {.micro = of(Average::micro), .macro = of(Average::macro)};
+  return {.confidence = options.confidence, .micro = of(Average::micro), .macro = of(Average::macro)};
 }
 
 Table summary_table(std::span<const NamedEvaluation> evaluations, const ScoreStyle& style, IntervalCells intervals) {

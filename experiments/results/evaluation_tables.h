@@ -37,6 +37,7 @@ struct IntervalOptions {
 
 /// Confidence intervals of an evaluation's averages, by measure; may be empty.
 struct EvaluationIntervals {
+  double confidence = 0.95;
   std::vector<ConfidenceInterval> micro;
   std::vector<ConfidenceInterval> macro;
 };

@@ -1,6 +1,7 @@
 #include "shapegauge/experiments/retrieval/experiment_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "shapegauge/experiments/configuration/field_settings.h"
 #include "shapegauge/experiments/configuration/perturbation_steps.h"
@@ -24,30 +25,79 @@ std::string describe(const HistogramConfiguration& histogram) {
   return text + fmt::format(", range {} to {}", histogram.fixed.low, histogram.fixed.high);
 }
 
-/// The settings as "key value", each followed by ", ".
-std::string describe(const nlohmann::json& settings) {
-  std::string text;
-  for (const auto& [key, value] : settings.items()) {
-    text += fmt::format("{} {}, ", key, value.is_string() ? value.get<std::string>() : value.dump());
+/// A setting without braces and quotation marks: "a 1, b 2" of an object, "4, 5, 7" of a list, and objects in a list
+/// after each other with semicolons.
+std::string setting_text(const nlohmann::json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return fmt::format("{}", value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  std::vector<std::string> parts;
+  for (const auto& [key, part] : value.items()) {
+    parts.push_back(value.is_object() ? fmt::format("{} {}", key, setting_text(part)) : setting_text(part));
   }
-  return text;
+  const bool of_objects = value.is_array() && !value.empty() && value.front().is_structured();
+  return fmt::format("{}", fmt::join(parts, of_objects ? "; " : ", "));
 }
 
-std::string describe(const SignatureConfiguration& signature, const std::vector<SignatureConfiguration>& all) {
-  if (signature.field) return describe(to_json(signature.field->settings)) + describe(signature.histogram);
-  if (signature.descriptor || signature.derived) {
-    std::string text = describe(signature.descriptor ? signature.descriptor->settings : signature.derived->settings);
-    text.resize(text.size() - 2);
-    return text;
+ReportSettings settings_table(const nlohmann::json& settings) {
+  ReportSettings table;
+  for (const auto& [key, value] : settings.items()) table.emplace_back(key, setting_text(value));
+  return table;
+}
+
+ReportSettings settings_of(const SignatureConfiguration& signature, const std::vector<SignatureConfiguration>& all) {
+  if (signature.field) {
+    ReportSettings settings = settings_table(to_json(signature.field->settings));
+    settings.emplace_back("histogram", describe(signature.histogram));
+    return settings;
   }
-  std::string text = "concatenation of";
-  for (const std::size_t part : signature.parts)
-    text += fmt::format("{} {}", text.ends_with("of") ? "" : " +", all[part].name);
-  return text;
+  if (signature.descriptor) return settings_table(signature.descriptor->settings);
+  if (signature.derived) return settings_table(signature.derived->settings);
+  std::vector<std::string> parts;
+  for (const std::size_t part : signature.parts) parts.push_back(all[part].name);
+  return {{"concatenate", fmt::format("{}", fmt::join(parts, " + "))}};
+}
+
+/// The name of a distance that is known by one, else that of the descriptor that it belongs to.
+std::string distance_name(const SignatureConfiguration& signature, const Configuration& configuration) {
+  if (signature.derived) return signature.derived->key;
+  if (!signature.descriptor) return configuration.distance;
+  const Descriptor& descriptor = signature.descriptor->descriptor;
+  for (const NamedDistance& known : distances().entries()) {
+    if (known.function == descriptor.distance) return known.name;
+  }
+  return std::string(descriptor.name);
+}
+
+std::vector<std::pair<std::string, ReportSettings>> perturbations_of(const Configuration& configuration) {
+  std::vector<std::pair<std::string, ReportSettings>> steps;
+  for (nlohmann::json step : to_json(configuration.perturbations)) {
+    const auto type = step.at("type").get<std::string>();
+    step.erase("type");
+    steps.emplace_back(type, settings_table(step));
+  }
+  return steps;
+}
+
+std::vector<ReportLeak> leaks_of(const ExperimentResults& results) {
+  std::vector<ReportLeak> found;
+  for (std::size_t i = 0; i < results.shapes.size(); ++i) {
+    const ShapeReport& shape = results.shapes[i];
+    for (std::size_t field = 0; field < results.fields.size(); ++field) {
+      const nlohmann::json& settings = results.fields[field].settings;
+      const std::optional<double> offset = shape.offsets[field];
+      if (!leaks(shape.diagnostics, offset, settings)) continue;
+      found.push_back({.id = results.models[i].id,
+                       .field = setting_text(settings),
+                       .offset = offset ? *offset : settings.at("offset").get<double>(),
+                       .gap = shape.diagnostics.gap_size / shape.diagnostics.diagonal});
+    }
+  }
+  return found;
 }
 
 std::vector<std::pair<std::string, std::string>> facts_of(const Configuration& configuration) {
-  std::vector<std::pair<std::string, std::string>> facts{{"Distance", configuration.distance}};
+  std::vector<std::pair<std::string, std::string>> facts;
   if (configuration.generator) {
     const GeneratorOptions& made = *configuration.generator;
     facts.emplace_back("Data set", fmt::format("generated, {} classes of {} models, {} faces, seed {}", made.classes,
@@ -55,27 +105,31 @@ std::vector<std::pair<std::string, std::string>> facts_of(const Configuration& c
   } else {
     facts.emplace_back("Data set", configuration.location.value().layout + " layout");
   }
-  if (!configuration.perturbations.empty()) {
-    facts.emplace_back("Perturbations", to_json(configuration.perturbations).dump());
-    facts.emplace_back("Seed", fmt::format("{}", configuration.seed));
-  }
+  if (!configuration.perturbations.empty()) facts.emplace_back("Seed", fmt::format("{}", configuration.seed));
   return facts;
 }
 
 ReportMethod method_of(const MethodResults& method, const SignatureConfiguration& signature,
-                       const std::vector<SignatureConfiguration>& all) {
-  return {.name = method.name,
-          .description = describe(signature, all),
-          .distances = &method.overview,
-          .evaluations = method.evaluations,
-          .histograms = {.table = signature.field ? &method.signatures : nullptr,
-                         .ranges = method.histogram_ranges,
-                         .parts = signature.derived ? std::vector<std::size_t>() : signature.parts}};
+                       const Configuration& configuration, std::span<const NamedEvaluation> evaluations) {
+  ReportMethod shown{.name = method.name,
+                     .distance = distance_name(signature, configuration),
+                     .settings = settings_of(signature, configuration.signatures),
+                     .distances = &method.overview,
+                     .evaluations = method.evaluations,
+                     .intervals = {},
+                     .histograms = {.table = signature.field ? &method.signatures : nullptr,
+                                    .ranges = method.histogram_ranges,
+                                    .parts = signature.derived ? std::vector<std::size_t>() : signature.parts}};
+  for (const NamedEvaluation& named : evaluations) {
+    shown.intervals.push_back(
+        {.confidence = named.intervals.confidence, .micro = named.intervals.micro, .macro = named.intervals.macro});
+  }
+  return shown;
 }
 
 }  // namespace
 
-Report report_of(const ExperimentResults& results) {
+Report report_of(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations) {
   const Configuration& configuration = results.configuration;
   Report report;
   report.title = configuration.name;
@@ -87,7 +141,9 @@ Report report_of(const ExperimentResults& results) {
     report.labels.push_back(model.label);
   }
   for (std::size_t i = 0; i < results.methods.size(); ++i) {
-    report.methods.push_back(method_of(results.methods[i], configuration.signatures[i], configuration.signatures));
+    const std::size_t count = results.methods[i].evaluations.size();
+    report.methods.push_back(method_of(results.methods[i], configuration.signatures[i], configuration,
+                                       evaluations.subspan(i * count, count)));
   }
   if (configuration.report.pictures) {
     report.pictures = {.png = results.pictures,
@@ -95,7 +151,9 @@ Report report_of(const ExperimentResults& results) {
                        .field = configuration.signatures[configuration.report.pictured_signature].name};
   }
   report.views = {.fields = results.viewed, .shapes = results.views};
+  report.perturbations = perturbations_of(configuration);
   report.warnings = run_warnings(results);
+  report.leaks = leaks_of(results);
   for (const FailedModel& failure : results.failures) report.failures.emplace_back(failure.model.id, failure.message);
   return report;
 }

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <span>
+
+#include "shapegauge/experiments/results/evaluation_tables.h"
 #include "shapegauge/experiments/retrieval/run_experiment.h"
 #include "shapegauge/pages/report.h"
 
 namespace shapegauge {
 
-/// Makes the report of a run. It refers to the results.
-Report report_of(const ExperimentResults& results);
+/// Makes the report of a run from its results and their evaluations, by method and then by protocol, with or without
+/// intervals. It refers to the results.
+Report report_of(const ExperimentResults& results, std::span<const NamedEvaluation> evaluations);
 
 }  // namespace shapegauge

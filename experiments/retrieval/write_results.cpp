@@ -74,9 +74,8 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
 }
 
 /// The text files of the results by name.
-std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results) {
-  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
-  for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
+std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
+                                                            std::span<const NamedEvaluation> evaluations) {
   std::vector<std::string> ids;
   for (const Model& model : results.models) ids.push_back(model.id);
   const Table rounded = summary_table(evaluations);
@@ -133,7 +132,9 @@ RunOutcome write_files(const fs::path& folder, const ExperimentResults& results)
   for (const FailedModel& failure : results.failures) {
     outcome.left_out.push_back({.id = failure.model.id, .message = failure.message});
   }
-  for (const auto& [name, text] : text_files(results)) {
+  std::vector<NamedEvaluation> evaluations = all_evaluations(results);
+  for (NamedEvaluation& named : evaluations) named.intervals = intervals_of(*named.evaluation);
+  for (const auto& [name, text] : text_files(results, evaluations)) {
     write_file_atomically(folder / name, text);
     outcome.files.push_back(name);
   }
@@ -142,7 +143,7 @@ RunOutcome write_files(const fs::path& folder, const ExperimentResults& results)
     outcome.files.insert(outcome.files.end(), more.begin(), more.end());
   }
   if (results.configuration.report.wanted) {
-    write_file_atomically(folder / report_name, report_page(report_of(results)));
+    write_file_atomically(folder / report_name, report_page(report_of(results, evaluations)));
     outcome.files.emplace_back(report_name);
   }
   return outcome;

@@ -171,16 +171,11 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
   return tables;
 }
 
-namespace {
-
-/// Whether the model's gaps are wider than the offset of a field on it. Fields without an offset do not leak.
-bool leaks(const ShapeDiagnostics& model, const FieldDescription& found, const nlohmann::json& settings) {
+bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings) {
   const auto given = settings.find("offset");
   if (given == settings.end()) return false;
-  return model.gap_size > (found.offset ? *found.offset : given->get<double>()) * model.diagonal;
+  return model.gap_size > (chosen_offset ? *chosen_offset : given->get<double>()) * model.diagonal;
 }
-
-}  // namespace
 
 std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*>& models,
                                        std::span<const PlannedField> plan) {
@@ -191,7 +186,7 @@ std::vector<FieldReport> report_fields(const std::vector<const ModelDescription*
     report.models = models.size();
     for (const ModelDescription* model : models) {
       report.seconds += model->fields[field].seconds;
-      if (leaks(model->diagnostics, model->fields[field], report.settings)) ++report.leaking;
+      if (leaks(model->diagnostics, model->fields[field].offset, report.settings)) ++report.leaking;
       for (const auto& [outcome, count] : model->fields[field].outcomes) report.outcomes[outcome] += count;
     }
   }

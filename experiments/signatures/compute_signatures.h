@@ -50,6 +50,10 @@ std::vector<Signatures> assemble_signatures(const std::vector<const ModelDescrip
                                             const std::vector<SignatureConfiguration>& signatures,
                                             std::span<const Interval> data_set_ranges);
 
+/// Checks whether the model's gaps are wider than the offset of a field: the one that the field chose or, without one,
+/// that of its settings. Fields without an offset do not leak.
+bool leaks(const ShapeDiagnostics& model, std::optional<double> chosen_offset, const nlohmann::json& settings);
+
 /// Report on a field over all models used.
 struct FieldReport {
   nlohmann::json settings;  ///< as in a configuration

@@ -1,7 +1,7 @@
 // The last section: warnings, models left out, settings of the methods.
 
 import { byId, make } from '../common/elements.mjs';
-import { counted } from '../common/words.mjs';
+import { counted, percent } from '../common/words.mjs';
 import { sortableTable } from './sortable_table.mjs';
 
 const list = (items) => make('ul', { class: 'notes' }, ...items);
@@ -14,10 +14,38 @@ export function drawNotes(report) {
   const notes = [...(leftOut > 0 ? [small] : []), ...report.warnings].map((note) => make('li', {}, note));
   place.append(notes.length ? list(notes) : make('p', {}, 'No warnings.'));
   if (report.failures.length) place.append(...failureTable(report.failures));
-  const described = report.methods.filter(({ description }) => description);
+  if (report.leaks.length) place.append(...leakTable(report.leaks));
+  if (report.perturbations.length) {
+    const title = (type, index) => `${index + 1}. ${type}`;
+    place.append(make('h3', {}, 'Perturbations'),
+      settingsTables(report.perturbations.map(([type, settings], index) => [title(type, index), settings])));
+  }
+  const described = report.methods.filter(({ settings }) => settings.length);
   if (described.length === 0) return;
-  const items = described.map(({ name, description }) => make('li', {}, make('b', {}, name), `: ${description}`));
-  place.append(make('h3', {}, 'Methods'), list(items));
+  place.append(make('h3', {}, 'Methods'), settingsTables(described.map(({ name, settings, distance }) =>
+    [name, distance ? [...settings, ['distance', distance]] : settings])));
+}
+
+// A table of settings for each title.
+function settingsTables(described) {
+  const table = ([title, settings]) => make('table', { class: 'settings' }, make('caption', {}, title),
+    make('tbody', {}, ...settings.map(([key, value]) =>
+      make('tr', {}, make('th', { scope: 'row' }, key), make('td', {}, value)))));
+  return make('div', { class: 'all-settings' }, ...described.map(table));
+}
+
+function leakTable(leaks) {
+  const table = make('div', { class: 'wide' });
+  const size = (title, position) => ({
+    title, numeric: true, value: (leak) => leak[position], text: (leak) => `${percent(leak[position])} %`,
+  });
+  const columns = [{ title: 'Shape', text: ([id]) => id }, { title: 'Field', text: ([, field]) => field },
+    size('Offset', 2), size('Offset that closes the gaps', 3)];
+  const shapes = new Set(leaks.map(([id]) => id)).size;
+  sortableTable(table, { caption: `${counted(shapes, 'shape')}; percent of the diagonal`, columns, rows: leaks });
+  return [make('h3', {}, 'Shapes that leak'),
+    make('p', {}, 'Their gaps are wider than the offset of a field: values near them are not those of a closed shape.'),
+    leaks.length > 20 ? make('details', {}, make('summary', {}, counted(shapes, 'shape')), table) : table];
 }
 
 function failureTable(failures) {

@@ -11,19 +11,40 @@ export function showSummary(state) {
   state.show(['protocol', 'average', 'method'], () => {
     const { report, evaluation, protocolWords, averageWords, methodIndices } = state;
     const methodCell = (index) => {
-      const { name, description } = report.methods[index];
-      return make('span', { title: description || null }, swatch(index), name);
+      const { name, settings } = report.methods[index];
+      const title = settings.map(([key, value]) => `${key}: ${value}`).join(', ');
+      return make('span', { title: title || null }, swatch(index), name);
     };
     const columns = [{ title: 'Method', text: (index) => report.methods[index].name, cell: methodCell }];
+    if (report.methods.some(({ distance }) => distance)) {
+      columns.push({ title: 'Distance', text: (index) => report.methods[index].distance });
+    }
     evaluation.measures.forEach((measure, position) => {
       const value = (index) => state.evaluationOf(index)[state.chosen.average][position];
-      columns.push({ title: measure, numeric: true, best: true, value, text: (index) => percent(value(index)) });
+      const text = (index) => percent(value(index));
+      const interval = (index) => intervalOf(state.evaluationOf(index), state.chosen.average, position);
+      const cell = (index) => valueCell(text(index), interval(index));
+      columns.push({ title: measure, numeric: true, best: true, value, text, cell });
     });
+    const { intervals } = evaluation;
+    const level = intervals && Math.round(1000 * intervals.confidence) / 10;
+    const meaning = intervals ? [`Below each value stands its confidence interval (${level} %)`] : [];
     stamp('summary', [counted(evaluation.queries.length, 'query'), protocolWords, averageWords, 'in percent'],
-      'The best of each column is bold');
+      'The best of each column is bold', ...meaning);
     sortableTable(byId('summary-table'), {
       caption: `Retrieval measures, ${protocolWords}, ${averageWords}, percent`, columns, rows: methodIndices,
       sort, sorted: (chosen) => { sort = chosen; },
     });
   });
+}
+
+// The ends of a measure's confidence interval; null where there is none.
+export function intervalOf({ intervals }, average, measure) {
+  return intervals ? intervals[average][measure] : null;
+}
+
+function valueCell(text, interval) {
+  if (!interval) return text;
+  const [low, high] = interval.map((end) => (100 * end).toFixed(1));
+  return make('span', {}, text, ' ', make('span', { class: 'interval' }, `${low}\u2013${high}`));
 }

@@ -9,6 +9,7 @@ import { filteredModels } from '../../pages/report/gallery.mjs';
 import { histogramMethods } from '../../pages/report/histograms.mjs';
 import { colourOf, dashesOf } from '../../pages/report/method_look.mjs';
 import { ReportState } from '../../pages/report/report_state.mjs';
+import { intervalOf } from '../../pages/report/summary.mjs';
 import { bestText, sortedRows } from '../../pages/report/sortable_table.mjs';
 
 function sampleReport() {
@@ -78,6 +79,13 @@ test('confusions are counted, most frequent first', () => {
     { label: 1, other: 0, count: 2, part: 0.5 }, { label: 1, other: 2, count: 2, part: 0.5 },
     { label: 0, other: 1, count: 1, part: 0.25 },
   ]);
+});
+
+test('an interval is that of the average and measure that are shown', () => {
+  const intervals = { confidence: 0.95, micro: [[0.1, 0.2], [0.3, 0.4]], macro: [[0.5, 0.6], [0.7, 0.8]] };
+  assert.deepEqual(intervalOf({ intervals }, 'macro', 1), [0.7, 0.8]);
+  assert.equal(intervalOf({}, 'micro', 0), null);
+  assert.equal(intervalOf({ intervals: null }, 'micro', 0), null);
 });
 
 test('the gallery is narrowed by words of ids and classes, and by class', () => {

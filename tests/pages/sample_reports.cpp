@@ -60,8 +60,24 @@ void add_hostile_words(Report& report) {
   report.ids[4] = "";
   report.ids[5] = "__proto__";
   report.labels = labels;
+  report.perturbations = {{"noise <i>", {{"amplitude", "0.01"}}}, {"one of", {{"choices", "type flip; type crack"}}}};
+  report.leaks = {{.id = "4 & <b>", .field = "type </th>offset_sdf, offset 0.03", .offset = 0.03, .gap = 0.05}};
   report.warnings = {"3 of 10 samples missing in the field {\"type\":\"<i>\"}"};
   report.failures = {{"T</td>", "line 3: \"<script>\" is no number"}};
+}
+
+/// Intervals of a hundredth to either side.
+std::vector<ReportIntervals> intervals_around(const std::vector<Evaluation>& evaluations) {
+  const auto around = [](const Eigen::VectorXd& values) {
+    std::vector<ConfidenceInterval> intervals;
+    for (const double value : values) intervals.push_back({.low = value - 0.01, .high = value + 0.01});
+    return intervals;
+  };
+  std::vector<ReportIntervals> all;
+  for (const Evaluation& evaluation : evaluations) {
+    all.push_back({.confidence = 0.9, .micro = around(evaluation.micro), .macro = around(evaluation.macro)});
+  }
+  return all;
 }
 
 SampleReport make_hostile_report() {
@@ -119,9 +135,11 @@ SampleReport make_crowded_report() {
 void add_methods(SampleReport& sample, const std::vector<std::string>& names) {
   for (std::size_t i = 0; i < names.size(); ++i) {
     sample.report.methods.push_back({.name = names[i],
-                                     .description = {},
+                                     .distance = {},
+                                     .settings = {},
                                      .distances = &sample.overviews[i],
                                      .evaluations = sample.evaluations[i],
+                                     .intervals = {},
                                      .histograms = {}});
   }
 }
@@ -135,9 +153,11 @@ const SampleReport& hostile_report() {
                                           "first + second"};
   for (std::size_t i = 0; i < names.size(); ++i) {
     ReportMethod method{.name = names[i],
-                        .description = "bins & <ranges>",
+                        .distance = "l1 <b>",
+                        .settings = {{"bins & <ranges>", "</td><script>alert(3)</script>"}, {"offset", "0.03"}},
                         .distances = &sample.overviews[i],
                         .evaluations = sample.evaluations[i],
+                        .intervals = intervals_around(sample.evaluations[i]),
                         .histograms = {}};
     if (i < 2)
       method.histograms = {.table = &sample.signatures[i], .ranges = std::vector<Interval>(models), .parts = {}};

@@ -104,8 +104,13 @@ TEST(ReportJson, OfALargeDataSetOnlyTheWorstQueriesHaveTheirNearest) {
   report.classes = std::vector<std::string>(7, "x");
   report.ids = std::vector<std::string>(static_cast<std::size_t>(models), "x");
   report.labels = labels;
-  report.methods.push_back(
-      {.name = "x", .description = {}, .distances = &overview, .evaluations = evaluations, .histograms = {}});
+  report.methods.push_back({.name = "x",
+                            .distance = {},
+                            .settings = {},
+                            .distances = &overview,
+                            .evaluations = evaluations,
+                            .intervals = {},
+                            .histograms = {}});
   const auto method = report_json(report)["methods"][0];
   EXPECT_EQ(method["nearest"]["models"].size(), 20U);
   EXPECT_EQ(method["evaluations"][0]["worst"].size(), 20U);
@@ -119,6 +124,24 @@ TEST(ReportJson, HistogramsAreOfTheMethodOrOfItsParts) {
   EXPECT_EQ(methods[0]["histograms"]["ranges"].size(), 12U);
   EXPECT_TRUE(methods[2]["histograms"].is_null());
   EXPECT_EQ(methods[2]["parts"], (std::vector{0, 1}));
+}
+
+TEST(ReportJson, IntervalsSettingsAndLeaksAreThoseOfTheReport) {
+  const Report& report = test_report::hostile_report().report;
+  const auto json = report_json(report);
+  const auto& method = json["methods"][1];
+  EXPECT_EQ(method["distance"], "l1 <b>");
+  EXPECT_EQ(method["settings"][1], (std::vector{"offset", "0.03"}));
+  const auto& evaluation = method["evaluations"][0];
+  EXPECT_EQ(evaluation["intervals"]["confidence"], 0.9);
+  ASSERT_EQ(evaluation["intervals"]["macro"].size(), evaluation["measures"].size());
+  const double first = evaluation["macro"][0];
+  EXPECT_NEAR(evaluation["intervals"]["macro"][0][0], first - 0.01, 1e-6);
+  EXPECT_NEAR(evaluation["intervals"]["macro"][0][1], first + 0.01, 1e-6);
+  EXPECT_EQ(json["leaks"][0][0], report.leaks[0].id);
+  EXPECT_EQ(json["leaks"][0][3], 0.05);
+  EXPECT_EQ(json["perturbations"][1][0], "one of");
+  EXPECT_FALSE(report_json(test_report::plain_report().report)["methods"][0]["evaluations"][0].contains("intervals"));
 }
 
 TEST(ReportJson, PicturesAreThereOrNot) {

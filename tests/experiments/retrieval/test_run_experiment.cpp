@@ -2,6 +2,7 @@
 #include <atomic>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <map>
 
 #include "shapegauge/core/io/off.h"
 #include "shapegauge/core/io/shape_file.h"
@@ -187,6 +188,41 @@ TEST_F(RunExperiment, TheSameBytesForAnyNumberOfThreads) {
   one.erase("execution");
   three.erase("execution");
   EXPECT_EQ(one, three);
+}
+
+TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
+  Json document = test::small_configuration(data());
+  document["signatures"].push_back({{"name", "d2"}, {"descriptor", {{"type", "d2"}}}});
+  document["signatures"].push_back({{"name", "Sum"}, {"sum", {{{"of", "d2"}, {"weight", 0.5}}, {{"of", "both"}}}}});
+  document["perturbations"] = {{{"type", "motion"}}};
+  write_results(folder("out"), run_experiment(configuration_from_json(document, "test.json", "."), folder("generated"),
+                                              {.threads = 1}));
+  const std::string page = text_of(folder("out") / "report.html");
+  const std::string opening = R"(id="report-data">)";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const Json report = Json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const Json row = Json::parse(text_of(folder("out") / "summary.json")).at("rows")[1];
+  ASSERT_EQ(row["average"], "macro");
+  const Json& evaluation = report["methods"][0]["evaluations"][0];
+  for (std::size_t k = 0; k < evaluation["measures"].size(); ++k) {
+    const std::string measure = evaluation["measures"][k];
+    EXPECT_NEAR(100 * evaluation["intervals"]["macro"][k][0].get<double>(), row["intervals"][measure][0], 1e-3);
+    EXPECT_NEAR(100 * evaluation["intervals"]["macro"][k][1].get<double>(), row["intervals"][measure][1], 1e-3);
+  }
+  std::map<std::string, std::map<std::string, std::string>> settings;
+  std::map<std::string, std::string> distance;
+  for (const Json& method : report["methods"]) {
+    distance[method["name"]] = method["distance"];
+    for (const Json& pair : method["settings"]) settings[method["name"]][pair[0]] = pair[1];
+  }
+  EXPECT_EQ(distance["fixed"], "l1");
+  EXPECT_EQ(distance["d2"], "l1");
+  EXPECT_EQ(distance["Sum"], "sum");
+  EXPECT_EQ(settings["fixed"]["type"], "cone_sdf");
+  EXPECT_EQ(settings["both"]["concatenate"], "fixed + per shape");
+  EXPECT_EQ(settings["Sum"]["sum"], "of d2, weight 0.5; of both, weight 1");
+  EXPECT_EQ(report["perturbations"].size(), 1U);
+  EXPECT_EQ(report["leaks"], Json::array());
 }
 
 TEST_F(RunExperiment, TiesAreCountedAndReported) {
