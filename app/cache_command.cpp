@@ -60,15 +60,13 @@ void add_action(CLI::App& cache, const char* name, const char* what, int (*actio
 }  // namespace
 
 void add_cache_command(CLI::App& app, int& status) {
-  CLI::App* cache = app.add_subcommand("cache", "Look at or remove what earlier runs have computed");
+  CLI::App* cache = app.add_subcommand("cache", "Inspect or clear the cache of runs");
   cache->require_subcommand(1);
   cache->footer(
-      "`shapegauge run` keeps in the cache what it computes of each shape, and takes it from there when it needs the "
-      "same\n"
-      "again. It can be removed at any time: later runs take longer, their results are the same.\n"
-      "Example: shapegauge cache info");
-  add_action(*cache, "info", "Say where the cache is and what it holds", show_cache, status);
-  add_action(*cache, "clear", "Remove all of it", clear, status);
+      "'shapegauge run' caches the results for each shape and reuses them. The cache can be cleared at any time: "
+      "later\nruns take longer and have the same results.\nExample: shapegauge cache info");
+  add_action(*cache, "info", "Print the folder and contents of the cache", show_cache, status);
+  add_action(*cache, "clear", "Remove all cached results", clear, status);
 }
 
 }  // namespace shapegauge

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/help_format.h"
 #include "app/output_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -243,28 +244,30 @@ int run(const CompareArguments& arguments) {
 }
 
 void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
-  command.add_option("--test", arguments.test, "Test of a pair")
+  begin_option_group(command, "Comparison");
+  command.add_option("--test", arguments.test, "Significance test of pairs")
       ->check(CLI::IsMember(pair_test_names()))
       ->capture_default_str();
-  command.add_option("--average", arguments.average, "Average that is compared: over queries, or over classes")
+  command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
       ->check(CLI::IsMember(average_names()))
       ->capture_default_str();
-  command.add_option("--reference", arguments.reference,
-                     "Compare this method with each other one (default: all pairs)");
-  command.add_option("--names", arguments.names, "Names of the methods, in their order, as in ours,theirs")
-      ->delimiter(',');
-  command.add_option("--plot", arguments.plot, "Chart of the precision-recall curves: .svg, .pdf or .png");
-  command.add_option("--plot-scores", arguments.score_plot, "Chart of the scores with intervals: .svg, .pdf or .png");
+  command.add_option("--reference", arguments.reference, "Method to compare with each other one (default: all pairs)");
+  command.add_option("--names", arguments.names, "Names of the methods in order, such as ours,theirs")->delimiter(',');
+  begin_option_group(command, output_options);
+  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  command.add_option("--plot-scores", arguments.score_plot,
+                     "File for a chart of the scores with intervals: .svg, .pdf or .png");
   command.add_option("--pr", arguments.curves, "CSV file for the precision-recall curves");
-  command.add_option("--report", arguments.report, "HTML file for a page that shows all methods, of distance matrices");
+  command.add_option("--report", arguments.report, "HTML file for a report on all methods; requires distance matrices");
   add_replace_option(command, arguments.replace);
-  command.add_option("--format", arguments.format, "Format of the result; csv has the pairs, latex the methods")
+  command
+      .add_option("--format", arguments.format, "Format of the printed result; csv has the pairs, latex the methods")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of the figures in tables; JSON is always in fractions")
+  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
       ->check(CLI::IsMember({"percent", "fraction"}))
       ->capture_default_str();
-  command.add_option("--digits", arguments.digits, "Digits behind the point in tables")
+  command.add_option("--digits", arguments.digits, "Number of decimal places in tables")
       ->check(CLI::Range(0, 15))
       ->capture_default_str();
 }
@@ -272,14 +275,14 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("compare", "Compare methods on the same queries: intervals, tests, wins");
+  CLI::App* command =
+      app.add_subcommand("compare", "Compare methods on the same queries with intervals and significance tests");
   command->footer(
-      "Example: shapegauge compare results/shrec11-table2 --measures FT,DCG\n"
-      "         shapegauge compare mine.npy theirs.npy --labels test.cla\n"
-      "An input is the folder of a run (all its methods), a table of 'evaluate --per-query', or, with --labels or\n"
-      "--qrels, whatever 'evaluate' takes.");
+      "Example: shapegauge compare results/shrec11-table2 --measures FT,DCG\n         shapegauge compare mine.npy "
+      "theirs.npy --labels test.cla\nAn input is the folder of a run (all its methods), a table of 'evaluate "
+      "--per-query' or, with --labels or\n--qrels, any input of 'evaluate'.");
   const auto arguments = std::make_shared<CompareArguments>();
-  command->add_option("inputs", arguments->inputs, "Results, or with --labels or --qrels distances")->required();
+  command->add_option("inputs", arguments->inputs, "Results or, with --labels or --qrels, distances")->required();
   add_evaluation_options(*command, arguments->evaluation);
   add_comparison_options(*command, *arguments);
   add_resampling_options(*command, arguments->resampling);

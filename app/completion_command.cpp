@@ -156,12 +156,12 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
 }
 
 void add_completion_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("completion", "Print the completion of commands and options for a shell");
+  CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
   command->footer(
       "Example: shapegauge completion bash > ~/.local/share/bash-completion/completions/shapegauge\n"
       "         shapegauge completion zsh > ~/.zfunc/_shapegauge");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("shell", *shell, "bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
+  command->add_option("shell", *shell, "Shell: bash or zsh")->required()->check(CLI::IsMember({"bash", "zsh"}));
   command->callback([&app, shell, &status] {
     print_output("{}", *shell == "bash" ? bash_completion(app) : zsh_completion(app));
     status = exit_success;

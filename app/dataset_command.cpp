@@ -124,23 +124,26 @@ std::vector<std::string> layout_names() {
 std::shared_ptr<LookArguments> add_look_arguments(CLI::App* command) {
   auto arguments = std::make_shared<LookArguments>();
   command->add_option("folder", arguments->folder, "Folder of the data set")->required();
-  command->add_option("--classification", arguments->classification, "The .cla file or the CSV table, if elsewhere");
-  command->add_option("--layout", arguments->layout, "Layout (default: told by what is there)")
+  command->add_option("--classification", arguments->classification,
+                      "Classification (.cla) or CSV table, if not in the folder");
+  command->add_option("--layout", arguments->layout, "Layout of the data set (default: detected)")
       ->check(CLI::IsMember(layout_names()));
   return arguments;
 }
 
 void add_generate(CLI::App* dataset, int& status) {
-  CLI::App* command = dataset->add_subcommand("generate", "Make a data set of articulated shapes in SHREC'11 layout");
+  CLI::App* command =
+      dataset->add_subcommand("generate", "Generate a data set of articulated shapes in the layout of SHREC'11");
   command->footer("Example: shapegauge dataset generate shapes --classes 12 --models-per-class 10 --seed 1");
   const auto arguments = std::make_shared<GenerateArguments>();
   GeneratorOptions& options = arguments->options;
-  command->add_option("folder", arguments->folder, "Folder, made where absent")->required();
+  command->add_option("folder", arguments->folder, "Folder, created if missing")->required();
   command->add_option("--classes", options.classes, "Number of classes")->capture_default_str();
-  command->add_option("--models-per-class", options.models_per_class, "Models of each class")->capture_default_str();
-  command->add_option("--faces", options.faces, "Approximate number of triangles of a model")->capture_default_str();
+  command->add_option("--models-per-class", options.models_per_class, "Number of models per class")
+      ->capture_default_str();
+  command->add_option("--faces", options.faces, "Approximate number of triangles per model")->capture_default_str();
   add_seed_option(*command, options.seed);
-  command->add_flag("--force", options.force, "Replace a data set in the folder");
+  command->add_flag("--force", options.force, "Overwrite a data set in the folder");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = generate(*arguments); });
 }
@@ -148,18 +151,17 @@ void add_generate(CLI::App* dataset, int& status) {
 }  // namespace
 
 void add_dataset_command(CLI::App& app, int& status) {
-  CLI::App* dataset = app.add_subcommand("dataset", "Look at, check or generate data sets");
+  CLI::App* dataset = app.add_subcommand("dataset", "Describe, validate or generate data sets");
   dataset->require_subcommand(1);
   dataset->footer("Example: shapegauge dataset info shrec11 --classification test.cla");
 
   CLI::App* info_command =
-      dataset->add_subcommand("info", "Classes and numbers of models; looks at the files' headers");
+      dataset->add_subcommand("info", "Print classes and numbers of models; check the files' headers");
   info_command->footer("Example: shapegauge dataset info shrec11 --classification test.cla");
   const auto info_arguments = add_look_arguments(info_command);
   info_command->callback([info_arguments, &status] { status = show_dataset(*info_arguments); });
 
-  CLI::App* validate_command =
-      dataset->add_subcommand("validate", "Read every model and name those that cannot be used");
+  CLI::App* validate_command = dataset->add_subcommand("validate", "Read every model and list the unusable ones");
   validate_command->footer("Example: shapegauge dataset validate shrec11");
   const auto validate_arguments = add_look_arguments(validate_command);
   add_threads_option(*validate_command, validate_arguments->threads);

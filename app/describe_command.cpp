@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "app/terminal.h"
@@ -174,23 +175,26 @@ int run(DescribeArguments& arguments) {
 }  // namespace
 
 void add_describe_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("describe", "Describe shapes by features: a row for each shape");
+  CLI::App* command = app.add_subcommand("describe", "Compute features of shapes, one row a shape");
   command->footer(
-      "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n"
-      "         shapegauge describe a.off b.off --descriptor joint_histogram -o features.csv \\\n"
-      "           --set 'fields=[{\"type\": \"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": "
-      "0.65}]'\n"
-      "Shapes are scaled to unit area first. What a descriptor learns it learns from all shapes given.\n"
-      "'shapegauge evaluate' takes features, but not every descriptor's own distance; 'shapegauge run' has it.");
+      "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n         shapegauge "
+      "describe a.off b.off --descriptor joint_histogram -o features.csv \\\n           --set 'fields=[{\"type\": "
+      "\"cone_sdf\"}, {\"type\": \"centricity\"}]' --set 'axes=[{\"high\": 0.65}]'\nShapes are scaled to unit area "
+      "first. Descriptors with a codebook learn it from all given shapes.\n'shapegauge distances' and 'shapegauge "
+      "evaluate --distance' read the features.");
   const auto arguments = std::make_shared<DescribeArguments>();
   add_shape_inputs(*command, arguments->files);
   command->get_option("input")->required(false);
-  command->add_option("--descriptor", arguments->descriptor, "Its name; --list tells which there are");
-  command->add_option("--set", arguments->settings, "A setting of the descriptor, key=value as of a configuration");
-  command->add_option("-o,--output", arguments->output, "File for the features: .npy (rows), or .csv (with ids)");
+  begin_option_group(*command, "Descriptor");
+  command->add_option("--descriptor", arguments->descriptor, "Descriptor; see --list");
+  command->add_option("--set", arguments->settings,
+                      "Setting of the descriptor, key=value as in a configuration; repeatable");
+  begin_option_group(*command, output_options);
+  command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)");
   add_replace_option(*command, arguments->files.replace);
   add_denoise_option(*command, arguments->denoise);
-  command->add_flag("--list", arguments->list, "Only list the descriptors and their settings");
+  begin_option_group(*command, "Descriptor");
+  command->add_flag("--list", arguments->list, "List the descriptors and their settings, and exit");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

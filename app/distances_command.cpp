@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "shapegauge/core/base/error.h"
@@ -42,20 +43,22 @@ int run(const DistancesArguments& arguments) {
 }  // namespace
 
 void add_distances_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("distances", "Compute the distances between features: a square matrix");
+  CLI::App* command = app.add_subcommand("distances", "Compute the distance matrix of features");
   command->footer(
-      "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n"
-      "         shapegauge distances features.csv -o distances.csv --distance light_field\n"
-      "A descriptor's name stands for that descriptor's own distance. CSV keeps the ids of the rows.\n"
-      "'shapegauge rerank' and 'shapegauge evaluate' take the matrix.");
+      "Example: shapegauge describe models/*.off --descriptor light_field -o features.csv\n         shapegauge "
+      "distances features.csv -o distances.csv --distance light_field\nThe name of a descriptor selects its own "
+      "distance. CSV keeps the ids of the rows.\n'shapegauge rerank' and 'shapegauge evaluate' read the matrix.");
   const auto arguments = std::make_shared<DistancesArguments>();
   command
-      ->add_option("features", arguments->features,
-                   "Features, a row a model: .npy, .npz, .mat, .csv, .txt or .dat; text and .npy also with .gz behind")
+      ->add_option(
+          "features", arguments->features,
+          "Features, one row a model: .npy, .npz, .mat, .csv, .txt or .dat; .npy and text also compressed (.gz)")
       ->required();
-  command->add_option("-o,--output", arguments->output, "File for the distances: .npy, or .csv (with ids)")->required();
+  begin_option_group(*command, output_options);
+  command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
   add_replace_option(*command, arguments->replace);
-  command->add_option("--distance", arguments->distance, "Distance, or descriptor whose distance it is")
+  begin_option_group(*command, "Method");
+  command->add_option("--distance", arguments->distance, "Distance, or descriptor that defines it")
       ->check(CLI::IsMember(feature_distance_names()))
       ->required();
   add_threads_option(*command, arguments->threads);

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/help_format.h"
 #include "app/output_files.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
@@ -215,21 +216,27 @@ int run(const EvaluateArguments& arguments) {
 }
 
 void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
-  command.add_option("--format", arguments.format, "Format of the result")
+  begin_option_group(command, output_options);
+  command.add_option("--format", arguments.format, "Format of the printed result")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of the figures in tables; JSON is always in fractions")
+  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
       ->check(CLI::IsMember({"percent", "fraction"}))
       ->capture_default_str();
-  command.add_option("--digits", arguments.digits, "Digits behind the point in tables")->check(CLI::Range(0, 15));
-  command.add_option("--pr", arguments.curve, "File for the precision-recall curve: .csv, or .plot as psbPlot has it");
-  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the curves of the classes");
-  command.add_option("--curve", arguments.evaluation.curve, "How curves are drawn (default: the protocol's own way)")
+  command
+      .add_option("--digits", arguments.digits,
+                  "Number of decimal places in tables (default: 2, or 4 for csv; 2 more for fractions)")
+      ->check(CLI::Range(0, 15));
+  command.add_option("--pr", arguments.curve,
+                     "File for the precision-recall curve: .csv, or .plot in the format of psbPlot");
+  command.add_option("--pr-per-class", arguments.class_curves, "CSV file for the curves of each class");
+  command
+      .add_option("--curve", arguments.evaluation.curve,
+                  "Interpolation of precision-recall curves (default: that of the protocol)")
       ->check(CLI::IsMember(curve_kind_names()));
-  command.add_option("--per-query", arguments.per_query,
-                     "CSV file for the figures of each query, as 'compare' reads it");
+  command.add_option("--per-query", arguments.per_query, "CSV file for the scores of each query, for 'compare'");
   command.add_flag("--each-query", arguments.each_query,
-                   "The scores of each query in front of the averages, as with trec_eval -q");
+                   "Print the scores of each query before the averages, as trec_eval -q");
   command
       .add_flag_callback("-q",
                          [] {
@@ -238,10 +245,11 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
                                "--quiet to print warnings and errors only");
                          })
       ->group("");  // not in the help
-  command.add_option("--per-class", arguments.per_class, "CSV file for the figures of each class");
-  command.add_option("--plot", arguments.plot, "Chart of the precision-recall curve: .svg, .pdf or .png");
-  command.add_option("--plot-classes", arguments.class_plot, "Chart of the first measure by class: .svg, .pdf or .png");
-  command.add_option("--report", arguments.report, "HTML file for a page that shows the result");
+  command.add_option("--per-class", arguments.per_class, "CSV file for the scores of each class");
+  command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curve: .svg, .pdf or .png");
+  command.add_option("--plot-classes", arguments.class_plot,
+                     "File for a chart of the first measure by class: .svg, .pdf or .png");
+  command.add_option("--report", arguments.report, "HTML file for a report");
   add_replace_option(command, arguments.replace);
 }
 
@@ -249,23 +257,22 @@ void add_output_options(CLI::App& command, EvaluateArguments& arguments) {
 
 void add_evaluate_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists, of any method, against classes");
+      app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists of any method against classes");
   command->footer(
-      "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\n"
-      "Row i of the matrix is the i-th model of a list of labels (a table, one class a line, .npy), or of a .cla file "
-      "or\n"
-      "folder the i-th in natural order (2 before 10), unless the matrix (CSV), --ids or --order says otherwise:\n"
-      "Princeton's own tools order the rows as the .cla file does.\n"
-      "Tables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
+      "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\nRows without ids "
+      "(CSV, --ids) are in the order of the labels' file if it is a list (a table, one class a line, .npy),\nand in "
+      "natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the order of the .cla\nfile: "
+      "--order file.\nTables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateArguments>();
   command
       ->add_option("distances", arguments->distances,
-                   "Distances or features: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat; or ranked lists: .run, "
-                   ".trec, .txt, .lists; text and .npy also with .gz behind; -: standard input")
+                   "Distances or features (.npy, .npz, .mat, .matrix, .csv, .txt or .dat) or ranked lists (.run, "
+                   ".trec, .txt, .lists); .npy and text also compressed (.gz); - for standard input")
       ->required();
+  begin_option_group(*command, input_options);
   command
       ->add_option("--input-format", arguments->input_format,
-                   "Format of standard input: an extension without the point (default: by the first bytes, else csv)")
+                   "Format of standard input, as an extension without the dot (default: by contents, otherwise csv)")
       ->check(CLI::IsMember({"npy", "npz", "mat", "matrix", "csv", "txt", "dat", "run", "trec", "lists"}));
   add_evaluation_options(*command, arguments->evaluation);
   add_output_options(*command, *arguments);

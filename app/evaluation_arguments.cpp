@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fmt/format.h>
 
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -15,25 +16,26 @@ namespace {
 
 void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   EvaluationFiles& files = arguments.files;
-  command.add_option(
-      "--labels", files.labels,
-      "Classes of the models: .cla, a table (id,class and if you like split), a list with a class a line, "
-      "a .npy of whole numbers, or a folder of class folders");
-  command.add_option("--targets", files.targets, "Classes of the models to be found, where --labels is of the queries");
-  command.add_option("--qrels", files.qrels, "TREC judgements in place of --labels");
+  begin_option_group(command, input_options);
+  command.add_option("--labels", files.labels,
+                     "Classes of the models: .cla, a table (id, class and optionally split), a list of classes, one a "
+                     "line, an integer .npy, or a folder of class folders");
+  command.add_option("--targets", files.targets, "Classes of the targets, if --labels are those of the queries");
+  command.add_option("--qrels", files.qrels, "TREC relevance judgements in place of --labels");
   command
-      .add_option("--level", files.level, "Level of the .cla hierarchy: 1 the roots, 2 their children; 0 the classes")
+      .add_option("--level", files.level,
+                  "Level of the .cla hierarchy: 1 for the roots, 2 for their children, 0 for the classes themselves")
       ->capture_default_str();
-  command.add_option("--ids", files.ids, "Ids of the rows, one a line");
+  command.add_option("--ids", files.ids, "File with the ids of the rows, one a line");
   command
       .add_option("--order", arguments.order,
-                  "Which model a row is where no ids say so: the i-th in natural order, or of the labels' file "
-                  "(default: of the file where it is a list, else natural)")
+                  "Order of rows without ids: natural order of the labels' ids, or order of the labels' file (default: "
+                  "file for lists, otherwise natural)")
       ->check(CLI::IsMember({"natural", "file", "classification"}));
-  CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "The matrix is of similarities");
+  CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
       .add_option("--distance", files.distance,
-                  "The file holds features, a row a model: the distance between them, or the descriptor whose they are")
+                  "Read the file as features, one row a model, and compute this distance, or that of this descriptor")
       ->check(CLI::IsMember(feature_distance_names()))
       ->excludes(similarity);
 }
@@ -42,35 +44,36 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
 
 void add_evaluation_options(CLI::App& command, EvaluationArguments& arguments) {
   add_input_options(command, arguments);
-  command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, with --qrels trec)")
+  begin_option_group(command, "Evaluation");
+  command.add_option("--protocol", arguments.protocol, "Evaluation protocol (default: psb, or trec with --qrels)")
       ->check(CLI::IsMember(protocol_names()));
-  CLI::Option* missing =
-      command
-          .add_option("--missing-queries", arguments.missing_queries,
-                      "Queries without a ranked list: skip leaves them out, zero counts them with scores of 0")
-          ->check(CLI::IsMember({"skip", "zero"}))
-          ->capture_default_str();
+  CLI::Option* missing = command
+                             .add_option("--missing-queries", arguments.missing_queries,
+                                         "Queries without a ranked list: skip them, or count them with scores of zero")
+                             ->check(CLI::IsMember({"skip", "zero"}))
+                             ->capture_default_str();
   command
       .add_flag_callback(
           "-c,--all-queries", [&arguments] { arguments.missing_queries = "zero"; },
-          "Same as --missing-queries zero, as with trec_eval -c")
+          "Like --missing-queries zero, as trec_eval -c")
       ->excludes(missing);
-  command.add_option("--ties", arguments.ties, "Order of models at equal distance; expected: the mean over all orders")
+  command
+      .add_option("--ties", arguments.ties, "Order of models at equal distance; expected for the mean over all orders")
       ->check(CLI::IsMember(ties_names()))
       ->capture_default_str();
-  command.add_option("--measures", arguments.measures, "Measures, as in NN,FT,P@10 (default: the protocol's own)")
+  command.add_option("--measures", arguments.measures, "Measures, such as NN,FT,P@10 (default: those of the protocol)")
       ->delimiter(',');
-  command.add_option("--min-class-size", arguments.minimum_class_size, "Models of smaller classes are never queries")
+  command.add_option("--min-class-size", arguments.minimum_class_size, "Minimum class size of queries")
       ->check(CLI::Range(2, 1000000))
       ->capture_default_str();
   add_threads_option(command, arguments.threads);
 }
 
 void add_resampling_options(CLI::App& command, ResamplingArguments& arguments) {
-  command.add_option("--confidence", arguments.confidence, "Confidence of the intervals, as in 0.95")
+  begin_option_group(command, "Statistics");
+  command.add_option("--confidence", arguments.confidence, "Confidence level of intervals, such as 0.95")
       ->check(CLI::Range(0.5, 0.9999));
-  command
-      .add_option("--blocks", arguments.blocks, "What is resampled as a whole: classes, or queries as if independent")
+  command.add_option("--blocks", arguments.blocks, "Unit of resampling: classes, or queries as if independent")
       ->check(CLI::IsMember(blocks_names()))
       ->capture_default_str();
   command.add_option("--resamples", arguments.resampling.resamples, "Number of resamples")

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -154,15 +155,14 @@ int run(const InfoArguments& arguments) {
 }  // namespace
 
 void add_info_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("info", "Tell whether shapes are closed, of how many parts, and what is wrong with them");
+  CLI::App* command = app.add_subcommand("info", "Report topology, components and defects of shapes");
   command->footer(
-      "Example: shapegauge info bunny.off\n"
-      "         shapegauge info --format json models/*.off\n"
-      "Volume and genus are those of a closed mesh that is oriented alike; else there are none.");
+      "Example: shapegauge info bunny.off\n         shapegauge info --format json models/*.off\nVolume and genus are "
+      "reported for closed, consistently oriented meshes only.");
   const auto arguments = std::make_shared<InfoArguments>();
   add_shape_inputs(*command, arguments->files);
-  command->add_option("--format", arguments->format, "text or json; lengths and areas are in the file's units")
+  begin_option_group(*command, output_options);
+  command->add_option("--format", arguments->format, "Format of the report; lengths and areas are in the file's units")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   command->callback([arguments, &status] { status = run(*arguments); });

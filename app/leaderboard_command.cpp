@@ -11,6 +11,7 @@
 
 #include "app/commands.h"
 #include "app/evaluation_arguments.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/terminal.h"
@@ -153,14 +154,16 @@ int run_leaderboard(const LeaderboardArguments& arguments) {
 }
 
 void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments) {
+  begin_option_group(command, output_options);
   command.add_option("-o,--output", arguments.output,
-                     "Page to write (.html), or folder of a site with a page for each method");
+                     "Output: a page (.html), or a folder for a site with a page for each method");
   command.add_option("--title", arguments.title, "Title of the page")->capture_default_str();
-  command.add_option("--rank-by", arguments.rank_by, "Measure that ranks (default: mAP, or the first measure)");
+  command.add_option("--rank-by", arguments.rank_by,
+                     "Measure that determines the ranks (default: mAP, or the first measure)");
   command.add_option("--format", arguments.format, "Format of the printed table")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
-  command.add_option("--unit", arguments.unit, "Unit of the figures in tables; JSON is always in fractions")
+  command.add_option("--unit", arguments.unit, "Unit of scores in tables; JSON has fractions")
       ->check(CLI::IsMember({"percent", "fraction"}))
       ->capture_default_str();
   command.add_option("--digits", arguments.digits, "Number of decimal places in tables")
@@ -173,13 +176,13 @@ void add_leaderboard_options(CLI::App& command, LeaderboardArguments& arguments)
 }  // namespace
 
 void add_leaderboard_command(CLI::App& app, int& status) {
-  CLI::App* command =
-      app.add_subcommand("leaderboard", "Check and rank submissions: matrices and ranked lists of any methods");
+  CLI::App* command = app.add_subcommand(
+      "leaderboard", "Check, evaluate and rank submissions: matrices and ranked lists of any methods");
   command->footer(
-      "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n"
-      "         shapegauge leaderboard submissions/ --labels test.cla -o site\n"
-      "A submission is any file that 'evaluate' reads. foo.json beside foo.npy may have name, authors, paper, url,\n"
-      "similarity, distance and ids. What cannot be judged is refused with the reason; exit status 1 says so.");
+      "Example: shapegauge leaderboard submissions/ --labels test.cla -o leaderboard.html\n         shapegauge "
+      "leaderboard submissions/ --labels test.cla -o site\nA submission is any file that 'evaluate' reads. foo.json "
+      "beside foo.npy may have name, authors, paper, url,\nsimilarity, distance and ids. Invalid submissions are "
+      "refused with the reason (exit status 1).");
   const auto arguments = std::make_shared<LeaderboardArguments>();
   command->add_option("submissions", arguments->submissions, "Files, or folders of files")->required();
   add_evaluation_options(*command, arguments->evaluation);

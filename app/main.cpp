@@ -68,7 +68,7 @@ const CLI::Option* find_option(const CLI::App& app, const std::string& name) {
 std::string unknown_option(const CLI::App& app, const std::string& name) {
   for (const CLI::App* command : commands_of(app)) {
     if (command->get_option_no_throw(name) == nullptr) continue;
-    return fmt::format("{} stands behind the command, as in 'shapegauge {} {}'", name, command->get_name(), name);
+    return fmt::format("{} must follow the command, as in 'shapegauge {} {}'", name, command->get_name(), name);
   }
   const auto meant = nearest_word(name, option_names(app));
   return fmt::format("there is no option {}{}", name, meant ? fmt::format("; did you mean {}?", *meant) : "");

@@ -64,10 +64,10 @@ int run(const std::string& format) {
 }  // namespace
 
 void add_measures_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("measures", "Explain the measures: definitions, sources, caveats");
+  CLI::App* command = app.add_subcommand("measures", "Print the definitions, sources and caveats of the measures");
   command->footer("Example: shapegauge measures");
   const auto format = std::make_shared<std::string>("text");
-  command->add_option("--format", *format, "text or json")
+  command->add_option("--format", *format, "Format of the definitions")
       ->check(CLI::IsMember({"text", "json"}))
       ->capture_default_str();
   command->callback([format, &status] { status = run(*format); });

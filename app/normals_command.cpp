@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
@@ -49,7 +50,7 @@ void write_normals(const NormalsArguments& arguments, const NormalFileWriter& wr
 
 void add_normals_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("normals", "Estimate the outward normals of shapes, however noisy, cracked or turned");
+      app.add_subcommand("normals", "Estimate outward normals, robust to noise, cracks and orientation");
   command->footer(
       "Example: shapegauge normals scan.xyz -o scan.ply\n"
       "         shapegauge normals scans/*.ply --output-format xyz -o normals/");
@@ -57,7 +58,8 @@ void add_normals_command(CLI::App& app, int& status) {
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
                     ".csv (index,nx,ny,nz,weight), .npy, .ply (the shape with normals) or .xyz (points with normals)");
-  command->add_option("--at", arguments->site, "Where on a mesh; a point cloud has them at its points")
+  begin_option_group(*command, "Method");
+  command->add_option("--at", arguments->site, "Sampling sites on a mesh; point clouds are sampled at their points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
   add_offset_option(*command, arguments->offset);

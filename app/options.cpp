@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "app/help_format.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/length.h"
 #include "shapegauge/core/base/parameter.h"
@@ -20,11 +21,13 @@
 namespace shapegauge {
 
 void add_threads_option(CLI::App& command, int& threads) {
-  command.add_option("--threads", threads, "Number of threads (default: all)")->check(CLI::Range(1, 1024));
+  command.add_option("--threads", threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 1024))
+      ->group(computation_options);
 }
 
 void add_seed_option(CLI::App& command, std::uint64_t& seed) {
-  command.add_option("--seed", seed, "The same seed gives the same result")
+  command.add_option("--seed", seed, "Seed of random numbers")
       ->check([](const std::string& text) {  // else -1 is read as the largest number
         const std::optional<double> number = parse_number(text);
         const bool possible =
@@ -36,36 +39,38 @@ void add_seed_option(CLI::App& command, std::uint64_t& seed) {
 }
 
 void add_denoise_option(CLI::App& command, bool& denoise) {
-  command.add_flag("--denoise", denoise, "Smooth a mesh first whose vertices are noisy beyond doubt");
+  command.add_flag("--denoise", denoise, "Smooth clearly noisy meshes first")->group(computation_options);
 }
 
 CLI::Option* add_offset_option(CLI::App& command, OffsetArguments& arguments) {
-  command.add_option("--unit", arguments.unit, "Unit of the files' coordinates, which STL and OBJ do not say")
-      ->check(CLI::IsMember(length_unit_names()));
+  command.add_option("--unit", arguments.unit, "Unit of the files' coordinates, for formats without units (STL, OBJ)")
+      ->check(CLI::IsMember(length_unit_names()))
+      ->group(input_options);
   return command
-      .add_option(
-          "--offset", arguments.offset,
-          "Offset distance as a fraction of the bounding-box diagonal, as a length (0.5mm, with --unit), or auto: "
-          "by the gaps and the noise")
+      .add_option("--offset", arguments.offset,
+                  "Offset distance: a fraction of the bounding-box diagonal, a length such as 0.5mm (requires --unit), "
+                  "or auto, chosen from gaps and noise")
       ->capture_default_str();
 }
 
 void add_colour_options(CLI::App& command, ColourArguments& arguments) {
   command
       .add_option("--range", arguments.range,
-                  "Values at the ends of the colours, as in 0,4 or 0.5mm,4mm (default: without the thinnest and the "
+                  "Values at the ends of the colour map, such as 0,4 or 0.5mm,4mm (default: all but the thinnest and "
                   "thickest 2 % of the area)")
       ->type_name("LOW,HIGH");
-  command.add_option("--scale", arguments.scale, "Scale of the colours")
+  command.add_option("--scale", arguments.scale, "Scale of the colour map")
       ->check(CLI::IsMember({"linear", "log"}))
       ->capture_default_str();
-  command.add_option("--below", arguments.below, "Threshold, as in 2 or 2mm: what is thinner is painted red")
+  command.add_option("--below", arguments.below, "Threshold, such as 2 or 2mm; thinner parts are red")
       ->type_name("LENGTH");
 }
 
 void add_cache_option(CLI::App& command, CacheOption& option) {
-  command.add_option("--cache", option.named,
-                     "Folder of the cache (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)");
+  command
+      .add_option("--cache", option.named,
+                  "Folder of the cache (default: $SHAPEGAUGE_CACHE, or shapegauge in $XDG_CACHE_HOME or ~/.cache)")
+      ->group(computation_options);
 }
 
 std::filesystem::path chosen_cache(const CacheOption& option) {

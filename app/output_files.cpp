@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <system_error>
 
+#include "app/help_format.h"
 #include "app/standard_streams.h"
 #include "shapegauge/core/base/error.h"
 #include "shapegauge/core/base/text.h"
@@ -70,7 +71,7 @@ void check_extension(const OutputFile& output) {
 }  // namespace
 
 void add_replace_option(CLI::App& command, bool& replace) {
-  command.add_flag("--replace", replace, "Overwrite existing files");
+  command.add_flag("--replace", replace, "Overwrite existing files")->group(output_options);
 }
 
 void check_output_files(std::span<const fs::path> inputs, std::span<const OutputFile> outputs, bool replace) {

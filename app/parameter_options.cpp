@@ -60,7 +60,7 @@ ParameterValues parameter_values(std::span<const Parameter> parameters, const Pa
   for (const auto& [name, value] : given) {
     if (value.text.empty()) continue;
     const auto parameter = std::ranges::find(parameters, name, &Parameter::name);
-    if (parameter == parameters.end()) throw InputError(fmt::format("{} does not go with {}", value.option, subject));
+    if (parameter == parameters.end()) throw InputError(fmt::format("{} does not apply to {}", value.option, subject));
     Parameter of_option = *parameter;
     of_option.name = value.option;
     values.set(name, parse_value(of_option, value.text));

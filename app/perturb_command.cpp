@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
@@ -103,7 +104,7 @@ nlohmann::json steps_of(const PerturbArguments& arguments) {
 int run(const PerturbArguments& arguments) {
   const ShapeWriter write = shape_writer(output_name(arguments.files));
   const std::vector<Perturbation> steps = make_perturbations(steps_of(arguments));
-  if (steps.empty()) throw InputError("nothing to do: name at least one change; see 'shapegauge perturb --help'");
+  if (steps.empty()) throw InputError("no perturbation given; see 'shapegauge perturb --help'");
   return for_each_shape(arguments.files, [&](const Shape& shape, const ShapeJob& job, Remarks& /*remarks*/) {
     write(job.output, perturb_model(shape, steps, arguments.seed, "", 0).shape);
   });
@@ -113,11 +114,12 @@ int run(const PerturbArguments& arguments) {
 
 void add_perturb_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
-      "perturb", "Change a shape at random: noise, holes, fewer faces, points. Changes are made in the order below.");
+      "perturb", "Perturb shapes at random (noise, holes, decimation, sampling), in the order of the options below");
   command->footer("Example: shapegauge perturb bunny.off -o worse.off --noise 0.005 --remove-faces 0.15 --seed 7");
   const auto arguments = std::make_shared<PerturbArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));
+  begin_option_group(*command, "Perturbations");
   add_seed_option(*command, arguments->seed);
   for (const StepOptions& options : all_steps()) {
     AskedStep& step = arguments->steps.emplace_back(AskedStep{.kind = &shape_perturbations().at(options.type)});
@@ -127,11 +129,10 @@ void add_perturb_command(CLI::App& app, int& status) {
 }
 
 void add_convert_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("convert", "Write shapes in another format");
+  CLI::App* command = app.add_subcommand("convert", "Convert shapes to another format");
   command->footer(
-      "Example: shapegauge convert bunny.stl -o bunny.off\n"
-      "         shapegauge convert scans/*.obj --output-format ply -o ply/\n"
-      "Polygons become triangles; the normals of point clouds are kept, colours and textures are not.");
+      "Example: shapegauge convert bunny.stl -o bunny.off\n         shapegauge convert scans/*.obj --output-format ply "
+      "-o ply/\nPolygons become triangles. Normals of point clouds are kept; colours and textures are dropped.");
   const auto files = std::make_shared<ShapeFiles>(ShapeFiles{.output_format = "off"});
   add_shape_inputs(*command, *files);
   add_shape_outputs(*command, *files, fmt::format("{}", fmt::join(written_shape_extensions(), ", ")));

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <memory>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/terminal.h"
 #include "shapegauge/core/version.h"
 
@@ -9,8 +11,8 @@ namespace shapegauge {
 
 namespace {
 
-/// What all commands have in common: options take one value each time they are given, so that none swallows the file
-/// behind it, and those of the program may stand behind the command.
+/// Settings of all commands: options take one value each time they are given, which protects a following file name, and
+/// program options may follow the command.
 void settle(CLI::App& app) {
   for (CLI::Option* option : app.get_options()) {
     if (!option->get_positional() && option->get_items_expected_max() > 1) option->allow_extra_args(false);
@@ -24,22 +26,22 @@ void settle(CLI::App& app) {
 void add_program_options(CLI::App& app) {
   app.set_version_flag("--version", fmt::format("shapegauge {} ({})", version(), commit()));
   const auto quiet = app.add_flag_callback(
-      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print warnings and errors only: no notes, no progress");
+      "-q,--quiet", [] { set_verbosity(Verbosity::quiet); }, "Print only warnings and errors");
   app.add_flag_callback(
-         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Say how long the command took")
+         "-v,--verbose", [] { set_verbosity(Verbosity::verbose); }, "Print the run time")
       ->excludes(quiet);
   app.require_subcommand(1);
   app.footer(
       "Example: shapegauge run configs/quickstart.json\n"
-      "'shapegauge help COMMAND' explains a command.\n"
-      "Exit status: 0 success; 1 finished, but with failures that the messages name; 2 unusable input or arguments, "
-      "or\n"
-      "results that could not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
+      "Help on a command: shapegauge help COMMAND\n"
+      "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that could\n"
+      "not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
 }
 
 }  // namespace
 
 void add_commands(CLI::App& app, int& status) {
+  app.formatter(std::make_shared<HelpFormat>());
   add_program_options(app);
   for (const auto add :
        {add_run_command,      add_sdf_command,      add_normals_command,     add_info_command,

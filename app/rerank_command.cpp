@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/parameter_options.h"
@@ -97,7 +98,7 @@ int run(const RerankArguments& arguments) {
   const OpenMatrix matrix = open_matrix(arguments.distances, TableShape::square);
   const bool by_rows = arguments.sparse || (matrix.rows > most_dense && method.name == "diffusion" && format == ".npy");
   if (arguments.sparse && (method.name != "diffusion" || format != ".npy")) {
-    throw InputError("--sparse goes with --method diffusion and an output .npy only");
+    throw InputError("--sparse requires --method diffusion and a .npy output");
   }
   try {
     if (by_rows) {
@@ -130,26 +131,26 @@ void add_settings(CLI::App& command, RerankArguments& arguments) {
 }  // namespace
 
 void add_rerank_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand(
-      "rerank", "Improve distances by what they say of the whole set of models, without knowing classes");
+  CLI::App* command = app.add_subcommand("rerank", "Re-rank distances, unsupervised, using the whole collection");
   command->footer(
-      "Examples: shapegauge rerank distances.npy -o better.npy --neighbours 10\n"
-      "          shapegauge rerank distances.npy -o better.npy --neighbours auto      (mean over 4, 5, 7, 10, 14, 20)\n"
-      "Diffusion of more than 5,000 models takes the sparse form, for which the matrix need not fit into memory\n"
-      "(.npy in C order and .matrix).");
+      "Example: shapegauge rerank distances.npy -o better.npy --neighbours 10\n         shapegauge rerank "
+      "distances.npy -o better.npy --neighbours auto      (mean over 4, 5, 7, 10, 14, 20)\nDiffusion of more than "
+      "5,000 models uses the sparse solver, for which the matrix need not fit into memory\n(.npy in C order and "
+      ".matrix).");
   const auto arguments = std::make_shared<RerankArguments>();
   command
       ->add_option("distances", arguments->distances,
                    "Square matrix of distances: .npy, .npz, .mat, .matrix (PSB), .csv, .txt or .dat")
       ->required();
-  command->add_option("-o,--output", arguments->output, "File for the new distances: .npy, or .csv (with ids)")
-      ->required();
+  begin_option_group(*command, output_options);
+  command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();
   add_replace_option(*command, arguments->replace);
-  command->add_option("--method", arguments->method, "How")
+  begin_option_group(*command, "Method");
+  command->add_option("--method", arguments->method, "Re-ranking method")
       ->check(CLI::IsMember(rerank_methods().names()))
       ->capture_default_str();
   add_settings(*command, *arguments);
-  command->add_flag("--sparse", arguments->sparse, "Take the sparse form of diffusion for any number of models");
+  command->add_flag("--sparse", arguments->sparse, "Use the sparse solver of diffusion for any number of models");
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { with_threads(arguments->threads, [&] { status = run(*arguments); }); });
 }

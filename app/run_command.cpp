@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/run_report.h"
@@ -74,7 +75,7 @@ RequestedRun requested_run(const RunSource& source) {
   }
   if (source.configuration.empty()) throw InputError("configuration is required; see 'shapegauge run --help'");
   if (!source.dataset_root.empty()) {
-    throw InputError("--dataset-root goes with --replay; of a configuration, change it by --set dataset.root=FOLDER");
+    throw InputError("--dataset-root requires --replay; for a configuration, use --set dataset.root=FOLDER");
   }
   return {.document = read_configuration_document(source.configuration, source.overrides),
           .source = source.configuration.string(),
@@ -154,8 +155,8 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
 /// What an interrupted run says.
 std::string interruption_text(const Cache& cache) {
   return cache.folder().empty() ? "interrupted; no results were written"
-                                : "interrupted; no results were written. The shapes that were done are in the cache: "
-                                  "the same run goes on from there";
+                                : "interrupted; no results were written. Completed shapes are in the cache; the same "
+                                  "command continues from there";
 }
 
 /// The experiment, through the cache, into the folder.
@@ -180,7 +181,7 @@ int report_run(const RunOutcome& outcome, const RunArguments& arguments, const R
   }
   if (!arguments.plot.empty()) {
     if (std::ranges::find(outcome.files, curves_name) == outcome.files.end()) {
-      throw InputError("--plot: the results of this run have no precision-recall curves; the run itself is done");
+      throw InputError("--plot: this run has no precision-recall curves; its results are complete otherwise");
     }
     write_drawing(arguments.plot, curves_plot(read_curves(folder / curves_name)));
   }
@@ -275,35 +276,37 @@ int run(const RunArguments& arguments) {
 void add_run_command(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run an experiment from its configuration");
   command->footer(
-      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\n"
-      "A folder that holds the results of the same configuration is written anew; one with the results of another\n"
-      "configuration only with --replace or --force.\n"
-      "What is computed of each shape is kept in a cache, and taken from there when it is needed again: a run that "
-      "was\n"
-      "interrupted goes on from there, and other bins need no new field. See shapegauge cache --help.\n"
-      "Under mpirun or srun the processes share the work, each with one thread unless --threads says otherwise.\n"
-      "With --replay results/NAME/manifest.json the run that wrote the manifest is repeated, without the cache, into\n"
-      "results/NAME-replay or --output, and each of its outputs is compared with the recorded one.");
+      "Example: shapegauge run configs/shrec11_table2.json --set signatures.0.histogram.bins=40\nExisting results of "
+      "the same configuration are replaced, those of another configuration only with --replace or\n--force.\nResults "
+      "for each shape are cached. An interrupted run continues from the cache, and changed bins do not "
+      "recompute\nfields. See shapegauge cache --help.\nUnder mpirun or srun the processes share the work, each with "
+      "one thread by default.\n--replay results/NAME/manifest.json repeats the run of the manifest without the cache, "
+      "into results/NAME-replay\nor --output, and compares each output with the recorded one.");
   const auto arguments = std::make_shared<RunArguments>();
+  begin_option_group(*command, input_options);
   CLI::Option* configuration =
       command->add_option("configuration", arguments->source.configuration, "Configuration file (JSON)");
+  begin_option_group(*command, output_options);
   command->add_option("--output", arguments->output, "Folder for the results (default: results/<name>)");
   add_threads_option(*command, arguments->threads);
+  begin_option_group(*command, input_options);
   command
-      ->add_option(
-          "--set", arguments->source.overrides,
-          "Change a value of the configuration: dotted.key=value, where signatures[Sum] is the one of that name; paths "
-          "in it are relative to the working directory")
+      ->add_option("--set", arguments->source.overrides,
+                   "Override a value of the configuration: dotted.key=value. signatures[Sum] selects an element by "
+                   "name; paths are relative to the working directory")
       ->allow_extra_args(false);
-  command->add_option("--plot", arguments->plot, "Chart of the precision-recall curves: .svg, .pdf or .png");
-  command->add_flag("--replace", arguments->replace, "Replace the results of another configuration in the folder");
-  command->add_flag("--force", arguments->force, "So too, and compute everything anew");
+  begin_option_group(*command, output_options);
+  command->add_option("--plot", arguments->plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
+  command->add_flag("--replace", arguments->replace, "Overwrite results of another configuration");
+  command->add_flag("--force", arguments->force, "Like --replace, and ignore the contents of the cache");
   add_cache_option(*command, arguments->cache);
-  command->add_flag("--no-cache", arguments->cache.none, "Neither use nor fill the cache")->excludes("--cache");
-  command->add_option("--replay", arguments->source.replay, "Repeat the run of this manifest.json")
+  command->add_flag("--no-cache", arguments->cache.none, "Do not use a cache")
+      ->excludes("--cache")
+      ->group(computation_options);
+  begin_option_group(*command, "Replay");
+  command->add_option("--replay", arguments->source.replay, "Manifest of a run to repeat (manifest.json)")
       ->excludes(configuration);
-  command->add_option("--dataset-root", arguments->source.dataset_root,
-                      "With --replay: the folder of the data set here");
+  command->add_option("--dataset-root", arguments->source.dataset_root, "Folder of the data set, for --replay");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/parameter_options.h"
 #include "app/shape_files.h"
@@ -79,8 +80,9 @@ FieldPicture picture_of(const SdfArguments& arguments) {
   const std::vector<double> size = numbers_in(arguments.picture_size, 'x');
   constexpr double largest = 16384;
   if (size.size() != 2 || !(size[0] >= 1 && size[0] <= largest && size[1] >= 1 && size[1] <= largest)) {
-    throw InputError(fmt::format("--picture-size is {}: it must be width and height in pixels, 1 to {}, as in 1280x960",
-                                 quoted_word(arguments.picture_size), largest));
+    throw InputError(
+        fmt::format("--picture-size is {}; it must be width and height in pixels, from 1 to {}, such as 1280x960",
+                    quoted_word(arguments.picture_size), largest));
   }
   picture.render.width = static_cast<int>(size[0]);
   picture.render.height = static_cast<int>(size[1]);
@@ -88,7 +90,7 @@ FieldPicture picture_of(const SdfArguments& arguments) {
   if (picture.principal) return picture;
   const std::vector<double> direction = numbers_in(arguments.view, ',');
   if (direction.size() != 3) {
-    throw InputError(fmt::format("--view is {}: it must be the direction to the viewer, as in 0,0,1, or principal",
+    throw InputError(fmt::format("--view is {}; it must be the direction to the viewer, such as 0,0,1, or principal",
                                  quoted_word(arguments.view)));
   }
   picture.render.towards_viewer = Eigen::Vector3d(direction[0], direction[1], direction[2]);
@@ -287,7 +289,7 @@ int run(SdfArguments& arguments) {
 
 void add_sdf_command(CLI::App& app, int& status) {
   CLI::App* command =
-      app.add_subcommand("sdf", "Compute the thickness of shapes: the shape diameter function or inscribed balls");
+      app.add_subcommand("sdf", "Compute the thickness of shapes by the shape diameter function or inscribed balls");
   command->footer(
       "Example: shapegauge sdf bunny.off --method offset_sdf --offset 0.03 -o bunny.ply\n"
       "         shapegauge sdf models/*.off --method cone_sdf -o sdf/\n"
@@ -295,11 +297,11 @@ void add_sdf_command(CLI::App& app, int& status) {
       "Values are in the units of the files.");
   const auto arguments = std::make_shared<SdfArguments>();
   add_shape_inputs(*command, arguments->files);
+  begin_option_group(*command, "Method");
   command
-      ->add_option(
-          "--method", arguments->method,
-          "offset_sdf: SDF of the offset surface; cone_sdf: conventional SDF; inscribed_ball (or ball): largest "
-          "ball inside")
+      ->add_option("--method", arguments->method,
+                   "offset_sdf: SDF of the offset surface; cone_sdf: conventional SDF; inscribed_ball (or ball): "
+                   "diameter of the largest inscribed ball")
       ->required()
       ->check(CLI::IsMember({"offset_sdf", "cone_sdf", "inscribed_ball"}))
       ->transform(with_method_name);
@@ -307,28 +309,31 @@ void add_sdf_command(CLI::App& app, int& status) {
                     ".csv (index,sdf,weight), .npy, .ply (coloured mesh or points) or .png (picture)")
       ->required(false);
   command->add_flag("--summary", arguments->summary,
-                    "Print least, percentiles, greatest and mean thickness, and the area below --below");
+                    "Print minimum, percentiles, maximum and mean of the thickness, and the area below --below");
   command->add_option("--format", arguments->format, "Format of the summary")
       ->check(CLI::IsMember({"table", "csv", "markdown", "latex", "json"}))
       ->capture_default_str();
-  command->add_option("--plot", arguments->plot, "Histogram of the values: .svg, .pdf or .png");
-  command->add_option("--at", arguments->site, "Where on a mesh; a point cloud is measured at its points")
+  command->add_option("--plot", arguments->plot, "File for a histogram of the values: .svg, .pdf or .png");
+  begin_option_group(*command, "Method");
+  command->add_option("--at", arguments->site, "Sampling sites on a mesh; point clouds are sampled at their points")
       ->check(CLI::IsMember({"faces", "vertices"}))
       ->capture_default_str();
   CLI::Option* const offset = add_offset_option(*command, arguments->offset);
   add_settings(*command, *arguments);
   add_former_options(*command, *arguments);
   add_denoise_option(*command, arguments->denoise);
+  begin_option_group(*command, "Colours and pictures");
   add_colour_options(*command, arguments->colours);
-  command->add_flag("--no-legend", arguments->no_legend, "Leave the colours' legend out of a .png");
-  command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png in pixels")
+  command->add_flag("--no-legend", arguments->no_legend, "Omit the legend of a .png");
+  command->add_option("--picture-size", arguments->picture_size, "Width and height of a .png, in pixels")
       ->capture_default_str();
   command
       ->add_option("--view", arguments->view,
-                   "Direction from the shape to the viewer of a .png, or principal: along the shape's own axes")
+                   "Direction from the shape to the viewer of a .png, or principal for the shape's own axes")
       ->capture_default_str();
+  begin_option_group(*command, output_options);
   command->add_option("--timings", arguments->timings,
-                      "JSON file for the times taken, the samples' outcomes, and what 'info' tells of the shape");
+                      "JSON file for run times, outcomes of samples and the diagnostics of 'info'");
   command->callback([arguments, &status, offset] {
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
       throw InputError("--offset does not go with --method " + arguments->method);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/terminal.h"
@@ -221,42 +222,37 @@ class SearchRun {
 }  // namespace
 
 void add_search_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("search", "Find the shapes of a collection that are most like a shape");
+  CLI::App* command = app.add_subcommand("search", "Search a collection for similar shapes");
   command->footer(
-      "Examples: shapegauge search chair.obj models/\n"
-      "          shapegauge search models/ant_*.off models/ -k 5 --format csv\n"
-      "          shapegauge search models/                (only describes the collection)\n"
-      "The first search describes every shape of the collection, which takes a fraction of a second each. Later ones "
-      "take\n"
-      "what they need from the index; files that are new, changed or gone are noticed. Distances are comparable\n"
-      "within one collection and method only.");
+      "Example: shapegauge search chair.obj models/\n         shapegauge search models/ant_*.off models/ -k 5 --format "
+      "csv\n         shapegauge search models/                (only builds the index)\nThe first search describes "
+      "every shape of the collection, a fraction of a second each, and writes an index. Later\nones use the index and "
+      "update it for new, changed and removed files. Distances are comparable only within one\ncollection and method.");
   const auto arguments = std::make_shared<SearchArguments>();
   command
       ->add_option(
           "paths", arguments->paths,
-          "The queries, which are shape files, and last the collection: a folder, a list of files (.txt), or a "
-          "data set (.cla, .csv, .json)")
+          "Query files, followed by the collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json)")
       ->required();
-  command->add_option("-k,--count", arguments->count, "Number of shapes in each answer")
+  begin_option_group(*command, output_options);
+  command->add_option("-k,--count", arguments->count, "Number of results per query")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
       ->capture_default_str();
-  command->add_flag("--rerank", arguments->rerank,
-                    "Re-rank by diffusion over the collection, which finds shapes that others lead to");
-  command->add_option("--format", arguments->format, "Format of the answer")
+  command->add_flag("--rerank", arguments->rerank, "Re-rank by diffusion over the collection");
+  command->add_option("--format", arguments->format, "Format of the results")
       ->check(CLI::IsMember({"table", "csv", "json", "markdown", "latex"}))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures that open as 3D views");
+  command->add_option("-o,--output", arguments->page, "HTML file for a page with pictures and 3D views of the results");
   add_replace_option(*command, arguments->replace);
-  command->add_option("--index", arguments->index,
-                      "File of the index (default: beside the collection, NAME.search-index)");
-  command->add_flag("--no-update", arguments->no_update, "Answer from the index as it is, without a look at the files");
-  command->add_option("--method", arguments->method,
-                      "Configuration of a retrieval experiment, whose signatures are compared (default: the "
-                      "recommended method)");
+  begin_option_group(*command, "Index and method");
+  command->add_option("--index", arguments->index, "Index file (default: NAME.search-index beside the collection)");
+  command->add_flag("--no-update", arguments->no_update, "Use the index as it is, without checking the files");
   command->add_option(
-      "--signature", arguments->signature,
-      "With --method: name of the signature (default: the last sum, or whatever is computed from each shape)");
-  command->add_option("--set", arguments->settings, "With --method: a change of the configuration, key=value");
+      "--method", arguments->method,
+      "Configuration of a retrieval experiment with the signatures to compare (default: recommended method)");
+  command->add_option("--signature", arguments->signature, "Signature of --method (default: the last suitable one)");
+  command->add_option("--set", arguments->settings,
+                      "Override a value of the configuration of --method, key=value; repeatable");
   add_cache_option(*command, arguments->cache);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = SearchRun(*arguments).run(); });

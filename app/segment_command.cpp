@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "shapegauge/core/base/error.h"
@@ -95,24 +96,25 @@ void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& 
 }  // namespace
 
 void add_segment_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("segment", "Cut shapes into parts");
+  CLI::App* command = app.add_subcommand("segment", "Segment shapes into parts");
   command->footer(
       "Example: shapegauge segment hand.off -o hand.png\n"
       "         shapegauge segment models/*.off -o segments/");
   const auto arguments = std::make_shared<SegmentArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".seg (a line a face: the number of its part), .ply or .png (parts in colours)");
-  command->add_option("--method", arguments->method, "best: as people cut; paper: clusters of patches by their SDF")
+                    ".seg (one part number a line, by face), .ply or .png (coloured parts)");
+  begin_option_group(*command, "Method");
+  command
+      ->add_option("--method", arguments->method,
+                   "best: parts as people choose them; paper: clusters of patches by their SDF")
       ->check(CLI::IsMember({"best", "paper"}))
       ->capture_default_str();
-  command
-      ->add_option("--parts", arguments->parts,
-                   "Parts wanted (paper: clusters, 5 unless given); 0: as many as there are")
+  command->add_option("--parts", arguments->parts, "Number of parts (paper: of clusters, 5 for 0); 0 for automatic")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   CLI::Option* field =
-      command->add_option("--field", arguments->field, "paper: SDF of the offset surface, or the conventional one")
+      command->add_option("--field", arguments->field, "paper: SDF of the offset surface, or conventional SDF")
           ->check(CLI::IsMember({"offset", "cone"}))
           ->capture_default_str();
   CLI::Option* offset = add_offset_option(*command, arguments->offset);
@@ -120,7 +122,7 @@ void add_segment_command(CLI::App& app, int& status) {
   command->callback([arguments, &status, field, offset] {
     for (const CLI::Option* option : {field, offset}) {
       if (arguments->method != "paper" && option->count() > 0) {
-        throw InputError(option->get_name() + " goes with --method paper only");
+        throw InputError(option->get_name() + " requires --method paper");
       }
     }
     const LabelWriter write = label_writer(output_name(arguments->files));

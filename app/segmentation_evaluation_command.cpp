@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/output_files.h"
 #include "app/terminal.h"
@@ -102,25 +103,28 @@ int run(const SegmentationEvaluationArguments& arguments) {
 }  // namespace
 
 void add_segmentation_evaluation_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("evaluate-segmentation", "Compare segmentations with those of people");
+  CLI::App* command = app.add_subcommand("evaluate-segmentation", "Evaluate segmentations against human ones");
   command->footer(
-      "Example: shapegauge segment psb/off/*.off -o mine/\n"
-      "         shapegauge evaluate-segmentation mine/ theirs/ --benchmark psb/\n"
-      "Errors are fractions, less is better; the row \"people\" is one person against another.");
+      "Example: shapegauge segment psb/off/*.off -o mine/\n         shapegauge evaluate-segmentation mine/ theirs/ "
+      "--benchmark psb/\nErrors are fractions; smaller is better. The row \"people\" compares human segmentations with "
+      "each other.");
   const auto arguments = std::make_shared<SegmentationEvaluationArguments>();
-  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one a method");
+  command->add_option("segmentations", arguments->folders, "Folders with N.seg for every mesh, one folder a method");
+  begin_option_group(*command, input_options);
   command
       ->add_option("--benchmark", arguments->benchmark,
-                   "Folder with meshes off/N.off and people's segmentations seg/N/*.seg (Princeton's layout)")
+                   "Folder with meshes off/N.off and human segmentations seg/N/*.seg, as in the Princeton benchmark")
       ->required();
-  command->add_option("--by", arguments->weights, "What a triangle counts")
+  begin_option_group(*command, "Evaluation");
+  command->add_option("--by", arguments->weights, "Weight per triangle")
       ->check(CLI::IsMember({"faces", "area"}))
       ->capture_default_str();
-  command->add_flag("--no-cuts", arguments->no_cuts, "Leave out the cut discrepancy, which takes the longest");
-  command->add_option("--format", arguments->format, "Format of the result")
+  command->add_flag("--no-cuts", arguments->no_cuts, "Omit the cut discrepancy, which takes the longest");
+  begin_option_group(*command, output_options);
+  command->add_option("--format", arguments->format, "Format of the printed result")
       ->check(CLI::IsMember({"table", "markdown", "csv", "json"}))
       ->capture_default_str();
-  command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors of each mesh");
+  command->add_option("--per-mesh", arguments->per_mesh, "CSV file for the errors on each mesh");
   add_replace_option(*command, arguments->replace);
   add_threads_option(*command, arguments->threads);
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/standard_streams.h"
 #include "app/terminal.h"
@@ -114,26 +115,26 @@ void print(const Remarks& remarks, const std::string& prefix) {
 
 void add_shape_inputs(CLI::App& command, ShapeFiles& files) {
   const std::vector<std::string> formats = input_formats();
+  begin_option_group(command, input_options);
   command
       .add_option("input", files.inputs,
-                  fmt::format("Meshes or point clouds: {}; -: standard input", fmt::join(formats, ", ")))
+                  fmt::format("Meshes or point clouds ({}); - for standard input", fmt::join(formats, ", ")))
       ->required();
-  command
-      .add_option("--input-format", files.input_format,
-                  "Format of the input (default: by the name's extension, or the first bytes)")
+  command.add_option("--input-format", files.input_format, "Format of the inputs (default: by extension or contents)")
       ->check(CLI::IsMember(formats));
   add_threads_option(command, files.threads);
 }
 
 CLI::Option* add_shape_outputs(CLI::App& command, ShapeFiles& files, const std::string& description) {
-  CLI::Option* const output =
-      command
-          .add_option("-o,--output", files.output,
-                      "Result: " + description + "; a folder, as in out/, for several; -: standard output")
-          ->required();
+  begin_option_group(command, output_options);
+  CLI::Option* const output = command
+                                  .add_option("-o,--output", files.output,
+                                              "Output file: " + description +
+                                                  "; a folder such as out/ for several inputs; - for standard output")
+                                  ->required();
   command.add_option("--output-format", files.output_format, "Format of results in a folder or on standard output")
       ->capture_default_str();
-  command.add_flag("--replace", files.replace, "Overwrite existing files, inputs too");
+  command.add_flag("--replace", files.replace, "Overwrite existing files, including inputs");
   return output;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands.h"
+#include "app/help_format.h"
 #include "app/options.h"
 #include "app/shape_files.h"
 #include "app/standard_streams.h"
@@ -250,40 +251,43 @@ int run(ViewArguments& arguments, bool offset_given) {
 }  // namespace
 
 void add_view_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("view", "Make a page with shapes that one can turn, coloured by their fields");
+  CLI::App* command =
+      app.add_subcommand("view", "Write a page with interactive 3D views of shapes, coloured by fields");
   command->footer(
-      "Example: shapegauge view hand.off -o hand.html\n"
-      "         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o three.html\n"
-      "         shapegauge view hand.off --field offset_sdf,offset=0.01 --field heat_kernel,time=0.05 -o hand.html\n"
-      "The page is one file that needs no network. Values are in the units of the files.");
+      "Example: shapegauge view hand.off -o hand.html\n         shapegauge view a.off b.ply scan.xyz --offset 0.02 -o "
+      "three.html\n         shapegauge view hand.off --field offset_sdf,offset=0.01 --field heat_kernel,time=0.05 -o "
+      "hand.html\nThe page is one self-contained file. Values are in the units of the files.");
   const auto arguments = std::make_shared<ViewArguments>();
   add_shape_inputs(*command, arguments->files);
-  command->add_option("-o,--output", arguments->output, "The page: .html; -: standard output")->required();
+  begin_option_group(*command, output_options);
+  command->add_option("-o,--output", arguments->output, "Output file: .html; - for standard output")->required();
   add_replace_option(*command, arguments->files.replace);
+  begin_option_group(*command, "Method");
   command
       ->add_option("--field", arguments->fields,
-                   "A field to show, with settings as of a configuration: offset_sdf,offset=0.03; may be given more "
-                   "than once (default: offset_sdf and, of meshes, cone_sdf)")
+                   "Field to show, with settings as in a configuration, such as offset_sdf,offset=0.03; repeatable "
+                   "(default: offset_sdf and, for meshes, cone_sdf)")
       ->type_name(fmt::format("{{{}}}", fmt::join(field_types().names(), ",")));
   const CLI::Option* offset = add_offset_option(*command, arguments->offset);
-  CLI::Option* parts = command->add_option("--parts", arguments->parts, "Parts wanted; 0: as many as there are")
+  CLI::Option* parts = command->add_option("--parts", arguments->parts, "Number of parts; 0 for automatic")
                            ->check(CLI::NonNegativeNumber)
                            ->capture_default_str();
-  command->add_flag("--no-parts", arguments->no_parts, "Do not cut the shapes into parts")->excludes(parts);
+  command->add_flag("--no-parts", arguments->no_parts, "Do not segment the shapes")->excludes(parts);
+  begin_option_group(*command, "Display");
   command
       ->add_option("--max-faces", arguments->most_faces,
-                   "Meshes with more faces, and clouds with more points, are measured whole and shown simplified")
+                   "Maximum number of faces, or of points of a cloud, that are shown; larger shapes are measured in "
+                   "full and displayed simplified")
       ->check(CLI::Range(Eigen::Index{100}, Eigen::Index{10'000'000}))
       ->capture_default_str();
   add_colour_options(*command, arguments->colours);
   command
-      ->add_option(
-          "--up", arguments->up,
-          "Axis that is up at first; auto: z of STL, PLY, 3MF and lines of points, y of others; principal: the "
-          "shape's own axes")
+      ->add_option("--up", arguments->up,
+                   "Vertical axis of the initial view; auto: z for STL, PLY, 3MF and text clouds, y for other formats; "
+                   "principal: the shape's own axes")
       ->check(CLI::IsMember({"auto", "x", "y", "z", "-x", "-y", "-z", "principal"}))
       ->capture_default_str();
-  command->add_option("--title", arguments->title, "Title of the page (default: the names of the shapes)");
+  command->add_option("--title", arguments->title, "Title of the page (default: names of the shapes)");
   add_denoise_option(*command, arguments->denoise);
   command->callback([arguments, &status, offset] { status = run(*arguments, offset->count() > 0); });
 }
