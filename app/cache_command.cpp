@@ -21,7 +21,7 @@ std::string megabytes(std::uintmax_t bytes) { return fmt::format("{:.1f} MB", st
 
 fs::path folder_of(const CacheOption& option) {
   fs::path folder = chosen_cache(option);
-  if (folder.empty()) throw InputError("there is no cache: SHAPEGAUGE_CACHE is empty or HOME not set; see --cache");
+  if (folder.empty()) throw InputError("no cache folder: SHAPEGAUGE_CACHE is empty or HOME is not set; see --cache");
   return folder;
 }
 
@@ -36,7 +36,7 @@ int show_cache(const CacheOption& option) {
     add(entry_kind_names.at(kind), contents.by_kind.at(kind));
   if (contents.unfinished.entries > 0) add("unfinished", contents.unfinished);
   add("all", contents.total());
-  print_output("Cache in {}\n\n{}\nAfter a run it holds at most {} (SHAPEGAUGE_CACHE_LIMIT).\n",
+  print_output("Cache in {}\n\n{}\nMaximum size after a run: {} (SHAPEGAUGE_CACHE_LIMIT).\n",
                printable(folder.string()), to_plain_text(table), megabytes(cache_limit()));
   return exit_success;
 }

@@ -93,10 +93,8 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
   const bool matrix = !arguments.evaluation.files.labels.empty() || !arguments.evaluation.files.qrels.empty();
   if (!matrix) {
     if (wants_curves(arguments)) {
-      throw InputError(
-          fmt::format("{}: a table of scores has no curves; give the folder of the run, or distances with "
-                      "--labels",
-                      path.string()));
+      throw InputError(fmt::format(
+          "{}: tables of scores have no curves; use the folder of the run, or distances with --labels", path.string()));
     }
     return add(methods_of_table(path, arguments));
   }
@@ -114,10 +112,9 @@ void add_methods(const fs::path& path, const CompareArguments& arguments, Compar
       named_curve({.method = name, .evaluation = &evaluated.evaluation}, average_of(arguments.average).value()));
   if (arguments.report.empty()) return;
   if (!is_fit_for_report(evaluated.data.task)) {
-    throw InputError(
-        fmt::format("{}: --report takes square matrices of models that are all queries and targets, each "
-                    "with a class",
-                    path.string()));
+    throw InputError(fmt::format(
+        "{}: --report requires square matrices whose models all have a class and are both queries and targets",
+        path.string()));
   }
   compared.evaluated.push_back(std::move(evaluated));
 }
@@ -127,7 +124,7 @@ void check_compare_outputs(const CompareArguments& arguments) {
     if (!plot.empty()) check_drawing_file(plot);
   }
   const bool matrices = !arguments.evaluation.files.labels.empty();
-  if (!arguments.report.empty() && !matrices) throw InputError("--report takes distance matrices, and --labels");
+  if (!arguments.report.empty() && !matrices) throw InputError("--report requires distance matrices and --labels");
   const std::vector<OutputFile> outputs{
       {.path = arguments.plot, .what = "--plot"},
       {.path = arguments.score_plot, .what = "--plot-scores"},

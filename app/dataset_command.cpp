@@ -77,7 +77,7 @@ int show_dataset(const LookArguments& arguments) {
     warn(fmt::format("model {}: {}", dataset.models[failure.model].id, failure.message));
   }
   print_output("\nIn a configuration:\n  {}\n", printable(proposed_configuration(location)));
-  if (failures.empty()) note("only the beginnings of the files were looked at; 'dataset validate' reads them whole");
+  if (failures.empty()) note("only headers were checked; 'dataset validate' reads complete files");
   return failures.empty() ? exit_success : exit_with_failures;
 }
 

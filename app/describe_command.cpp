@@ -71,7 +71,7 @@ std::string list_of_descriptors() {
 }
 
 DescriptorChoice choice_of(const DescribeArguments& arguments) {
-  if (arguments.descriptor.empty()) throw InputError("--descriptor is required; --list tells which there are");
+  if (arguments.descriptor.empty()) throw InputError("--descriptor is required; see --list");
   Json settings{{"type", arguments.descriptor}};
   for (const std::string& assignment : arguments.settings) apply_override(settings, assignment);
   check_against_schema(settings, "descriptor", "--set");
@@ -149,7 +149,7 @@ int run(DescribeArguments& arguments) {
     print_output("{}", list_of_descriptors());
     return exit_success;
   }
-  if (arguments.files.inputs.empty()) throw InputError("name the shapes to describe; --list tells by what");
+  if (arguments.files.inputs.empty()) throw InputError("no shapes given; see --help, or --list for the descriptors");
   if (arguments.output.extension() != ".npy" && arguments.output.extension() != ".csv") {
     throw InputError(fmt::format("features are written as .npy or .csv, not to \"{}\"", arguments.output.string()));
   }

@@ -109,7 +109,7 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
 void check_fit_for_report(const EvaluationTask& task) {
   if (is_fit_for_report(task)) return;
   throw InputError(
-      "--report takes a square matrix of models that are all queries and targets, each with a class; leave it out for "
+      "--report requires a square matrix whose models all have a class and are both queries and targets; omit it for "
       "separate queries and targets, judgements and ranked lists");
 }
 
@@ -177,7 +177,8 @@ int run(const EvaluateArguments& arguments) {
   check_outputs(arguments);
   const bool piped = is_standard_stream(arguments.distances);
   if (!piped && !arguments.input_format.empty()) {
-    throw InputError("--input-format goes with standard input (-); a file's format is told by its extension");
+    throw InputError(
+        "--input-format applies to standard input (-) only; the format of a file follows from its extension");
   }
   std::optional<ScratchFolder> scratch;
   if (piped) scratch.emplace();
@@ -194,8 +195,7 @@ int run(const EvaluateArguments& arguments) {
                                                           .blocks = blocks_of(arguments.resampling.blocks).value(),
                                                           .resampling = arguments.resampling.resampling});
     if (named.intervals.micro.empty()) {
-      warnings.push_back(
-          fmt::format("there are fewer than two {}, so there are no intervals", arguments.resampling.blocks));
+      warnings.push_back(fmt::format("no intervals: fewer than two {}", arguments.resampling.blocks));
     }
   }
   const auto tied = ties_warning(evaluated.evaluation, evaluated.findings);

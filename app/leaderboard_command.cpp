@@ -124,7 +124,7 @@ void print_remarks(const Leaderboard& board) {
 int report_submissions(const Leaderboard& board, const FoundSubmissions& found) {
   print_remarks(board);
   if (!found.skipped.empty()) {
-    note(fmt::format("{} other files in the folders are no submissions (first: {})", found.skipped.size(),
+    note(fmt::format("{} other files in the folders are not submissions (first: {})", found.skipped.size(),
                      found.skipped.front().string()));
   }
   for (const RefusedSubmission& refused : board.refused) {

@@ -82,8 +82,9 @@ GivenOffset parse_offset(const OffsetArguments& arguments) {
   if (arguments.offset == "auto") return {};
   const std::optional<Length> length = parse_length(arguments.offset);
   if (!length) {
-    throw InputError(fmt::format("--offset is {}: it must be a fraction of the diagonal, a length as in 0.5mm, or auto",
-                                 quoted_word(arguments.offset)));
+    throw InputError(
+        fmt::format("--offset is {}; it must be a fraction of the diagonal, a length such as 0.5mm, or auto",
+                    quoted_word(arguments.offset)));
   }
   if (!length->unit.empty()) {
     const double in_units = in_file_units("--offset", *length, arguments.unit);
@@ -106,7 +107,7 @@ std::optional<double> GivenOffset::fraction_of(const Shape& shape) const {
 double parse_length_option(std::string_view name, const std::string& text, const std::string& unit) {
   const std::optional<Length> length = parse_length(text);
   if (length) return in_file_units(name, *length, unit);
-  throw InputError(fmt::format("{} has {}: it must be a length, as in 2 or 2mm (units: {})", name, quoted_word(text),
+  throw InputError(fmt::format("{} has {}; it must be a length such as 2 or 2mm (units: {})", name, quoted_word(text),
                                fmt::join(length_unit_names(), ", ")));
 }
 
@@ -116,7 +117,7 @@ ColourChoice parse_colours(const ColourArguments& arguments, const std::string& 
   if (arguments.range.empty()) return choice;
   const std::size_t comma = arguments.range.find(',');
   if (comma == std::string::npos) {
-    throw InputError(fmt::format("--range is {}: it must be two lengths, as in 0,4", quoted_word(arguments.range)));
+    throw InputError(fmt::format("--range is {}; it must be two lengths, such as 0,4", quoted_word(arguments.range)));
   }
   const Interval range{parse_length_option("--range", arguments.range.substr(0, comma), unit),
                        parse_length_option("--range", arguments.range.substr(comma + 1), unit)};
@@ -141,7 +142,7 @@ void remark_on_cavities(const Shape& shape, bool measures_hull, Remarks& remarks
 void remark_on(const ChosenOffset& chosen, Remarks& remarks) {
   if (chosen.automatic) {
     remarks.notes.push_back(fmt::format(
-        "offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps{}, {:.4g} levels the noise)",
+        "offset {:.4g} chosen (fractions of the diagonal: {:.4g} closes the gaps{}, {:.4g} smooths the noise)",
         chosen.offset, chosen.automatic->gap,
         leaves_gaps_open(chosen) ? fmt::format(" that at most {:.4g} can close", AutomaticOffsetOptions{}.most) : "",
         chosen.automatic->noise));
@@ -164,7 +165,7 @@ Shape denoised_with_remark(Shape shape, Remarks& remarks) {
   remarks.notes.push_back(result.pass_band > 0
                               ? fmt::format("noise of {:.2f} edge lengths, smoothed with a pass band of {:.3f}",
                                             result.noise.relative(), result.pass_band)
-                              : "no noise beyond doubt, the shape stays as it is");
+                              : "not clearly noisy; the shape stays unchanged");
   return std::move(result.shape);
 }
 

@@ -82,7 +82,7 @@ void warn_of_asymmetry(const OpenMatrix& matrix) {
   }
   const MatrixFindings found = checks.findings();
   if (found.asymmetric_pairs == 0) return;
-  warn(fmt::format("{}; the neighbours of model i are those of row i", asymmetry_text(found)));
+  warn(fmt::format("{}; the neighbours of model i are taken from row i", asymmetry_text(found)));
 }
 
 int run(const RerankArguments& arguments) {

@@ -32,7 +32,7 @@ void warn_of_changed_inputs(const std::vector<std::string>& changes) {
   const std::size_t named = std::min(changes.size(), most_by_name);
   for (std::size_t i = 0; i < named; ++i) warn("input: " + changes[i]);
   if (named < changes.size()) {
-    warn(fmt::format("{} more inputs are not those recorded", changes.size() - named));
+    warn(fmt::format("{} more inputs differ from the recorded ones", changes.size() - named));
   }
 }
 
@@ -50,11 +50,11 @@ int report_replay(const nlohmann::json& recorded, const std::filesystem::path& r
   if (named < inputs.size()) print_output("{:<14}and {} more\n", "input", inputs.size() - named);
   const std::size_t all = outputs.same.size() + outputs.different.size();
   if (outputs.different.empty()) {
-    print_output("All {} outputs are the same bytes as recorded.\n", all);
+    print_output("All {} outputs are identical to the recorded ones.\n", all);
     return exit_success;
   }
-  print_output("{} of {} outputs are not the same bytes as recorded{}.\n", outputs.different.size(), all,
-               inputs.empty() ? "" : fmt::format("; {} of its inputs are not those recorded", inputs.size()));
+  print_output("{} of {} outputs differ from the recorded ones{}.\n", outputs.different.size(), all,
+               inputs.empty() ? "" : fmt::format("; {} of its inputs differ as well", inputs.size()));
   return exit_with_failures;
 }
 
@@ -80,10 +80,10 @@ int report_flaws(const RunOutcome& outcome) {
   for (const std::string& text : outcome.notes) note(text);
   for (const std::string& warning : outcome.warnings) warn(warning);
   for (const LeftOutShape& one : outcome.left_out) {
-    warn(fmt::format("left out {} {}: {}", outcome.noun, one.id, one.message));
+    warn(fmt::format("omitted {} {}: {}", outcome.noun, one.id, one.message));
   }
   if (outcome.left_out.empty()) return exit_success;
-  print_error(fmt::format("{} of {} {}s could not be used; the results are without them", outcome.left_out.size(),
+  print_error(fmt::format("{} of {} {}s could not be used and were omitted from the results", outcome.left_out.size(),
                           outcome.left_out.size() + outcome.used, outcome.noun));
   return exit_with_failures;
 }

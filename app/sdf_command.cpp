@@ -233,13 +233,13 @@ Drawing histogram_plot(const SdfArguments& arguments, const std::vector<Measured
 
 void check_outputs(SdfArguments& arguments) {
   if (arguments.files.output.empty() && !arguments.summary && arguments.plot.empty()) {
-    throw InputError("--output is required, or --summary or --plot");
+    throw InputError("--output, --summary or --plot is required");
   }
   if (!arguments.timings.empty() && arguments.files.inputs.size() > 1) {
-    throw InputError("--timings goes with one shape; leave it out for several");
+    throw InputError("--timings requires a single shape");
   }
   if (arguments.summary && is_standard_stream(arguments.files.output)) {
-    throw InputError("--summary is printed to standard output, where --output already goes");
+    throw InputError("--summary and --output would both be written to standard output");
   }
   if (!arguments.plot.empty()) check_drawing_file(arguments.plot);
   arguments.files.others = {{.path = arguments.timings, .what = "--timings", .extensions = {".json"}},
@@ -336,7 +336,7 @@ void add_sdf_command(CLI::App& app, int& status) {
                       "JSON file for run times, outcomes of samples and the diagnostics of 'info'");
   command->callback([arguments, &status, offset] {
     if (!is_offset_sdf(*arguments) && offset->count() > 0) {
-      throw InputError("--offset does not go with --method " + arguments->method);
+      throw InputError("--offset does not apply to --method " + arguments->method);
     }
     status = run(*arguments);
   });

@@ -46,7 +46,7 @@ struct SearchArguments {
 SearchMethod chosen_method(const SearchArguments& arguments) {
   if (!arguments.method.empty()) return read_search_method(arguments.method, arguments.settings, arguments.signature);
   if (!arguments.settings.empty() || !arguments.signature.empty()) {
-    throw InputError("--set and --signature go with --method");
+    throw InputError("--set and --signature require --method");
   }
   return recommended_search_method();
 }
@@ -70,10 +70,9 @@ class SearchRun {
       write_page();
     } catch (const Interrupted&) {
       progress_.clear();
-      throw Interrupted(cache_.folder().empty()
-                            ? "interrupted; the index is as it was before"
-                            : "interrupted; the index is as it was before. The shapes that were described are in the "
-                              "cache: the same command goes on from there");
+      throw Interrupted(cache_.folder().empty() ? "interrupted; the index is unchanged"
+                                                : "interrupted; the index is unchanged. Described shapes are in the "
+                                                  "cache; the same command continues from there");
     }
     progress_.clear();
     print_answers();
@@ -96,7 +95,7 @@ class SearchRun {
   }
 
   void check_outputs() const {
-    if (!arguments_->page.empty() && queries_.empty()) throw InputError("--output goes with queries");
+    if (!arguments_->page.empty() && queries_.empty()) throw InputError("--output requires queries");
     std::vector<fs::path> inputs{arguments_->paths.begin(), arguments_->paths.end()};
     inputs.push_back(arguments_->method);
     inputs.push_back(index_file());
@@ -185,16 +184,16 @@ class SearchRun {
   /// Returns the exit status.
   int print_remarks() const {
     for (const std::string& text : update_.notes) note(text);
-    for (const LeftOutShape& one : update_.left_out) warn(fmt::format("left out {}: {}", one.id, one.message));
+    for (const LeftOutShape& one : update_.left_out) warn(fmt::format("omitted {}: {}", one.id, one.message));
     const ShapeIndex& contents = index_.contents;
     const std::size_t all = contents.models.size() + contents.failures.size();
     if (update_.rebuilt) {
-      note(fmt::format("{} of {} shapes are described in {}", contents.models.size(), all, index_.file.string()));
+      note(fmt::format("{} of {} shapes indexed in {}", contents.models.size(), all, index_.file.string()));
       if (const std::string skipped = skipped_text(index_.collection.skipped); !skipped.empty()) note(skipped);
     } else if (!contents.failures.empty()) {
-      note(fmt::format(
-          "{} of {} shapes of the collection cannot be described and are left out; --format json names them",
-          contents.failures.size(), all));
+      note(
+          fmt::format("{} of {} shapes of the collection cannot be described and are omitted; --format json lists them",
+                      contents.failures.size(), all));
     }
     int status = update_.left_out.empty() ? exit_success : exit_with_failures;
     for (const SearchAnswer& answer : answers_) {

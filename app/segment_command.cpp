@@ -84,8 +84,8 @@ void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& 
                                                       : part_segmentation(shape, {.parts = arguments.parts});
     write(job.output, shape, labels);
     if (const auto polygons = polygon_note(shape)) {
-      remarks.notes.push_back(*polygons +
-                              "; .seg files have a line for each face of the file, the part with most of its area");
+      remarks.notes.push_back(
+          *polygons + "; .seg files have one line a face of the file, with the part that covers most of its area");
     }
     remarks.notes.push_back(fmt::format("{} parts", *std::ranges::max_element(labels) + 1));
   } catch (const InputError& error) {

@@ -92,7 +92,7 @@ int run(const SegmentationEvaluationArguments& arguments) {
                                  {.by_area = arguments.weights == "area", .cuts = !arguments.no_cuts});
   });
   if (!benchmark.without_people.empty()) {
-    warn(fmt::format("nobody segmented {} of the meshes ({}, ...); they are left out", benchmark.without_people.size(),
+    warn(fmt::format("{} meshes without human segmentations ({}, ...) are omitted", benchmark.without_people.size(),
                      benchmark.without_people.front()));
   }
   if (!arguments.per_mesh.empty()) write_file_atomically(arguments.per_mesh, to_csv(mesh_table(scores)));

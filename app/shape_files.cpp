@@ -43,7 +43,7 @@ void check_inputs(const ShapeFiles& files) {
   if (files.inputs.size() < 2 || files.output.empty()) return;
   const bool named_like_a_file = files.output.has_filename() && files.output.has_extension();
   if (is_standard_stream(files.output) || (named_like_a_file && !fs::is_directory(files.output))) {
-    throw InputError(fmt::format("{} shapes need a folder for their results, as in -o {}/; {} names a single file",
+    throw InputError(fmt::format("{} shapes need a result folder, such as -o {}/; {} is a single file",
                                  files.inputs.size(), files.output.stem().string(), files.output.string()));
   }
 }
@@ -74,7 +74,7 @@ std::vector<ShapeJob> jobs_of(const ShapeFiles& files) {
   std::error_code failure;
   fs::create_directories(files.output, failure);
   if (!fs::is_directory(files.output)) {
-    throw InputError(fmt::format("cannot make the folder {}: {}", files.output.string(), failure.message()));
+    throw InputError(fmt::format("cannot create the folder {}: {}", files.output.string(), failure.message()));
   }
   return jobs;
 }
@@ -178,7 +178,7 @@ int for_each_shape(const ShapeFiles& files,
                                 [&](std::size_t i) { do_job(files, jobs[i], work, remarks[i]); });
     });
   } catch (const Interrupted&) {
-    throw Interrupted("interrupted; the results of the shapes that were done are there");
+    throw Interrupted("interrupted; the results of completed shapes were written");
   }
   progress.clear();
   for (const ShapeJob& job : jobs) print(remarks[job.index], job.input + ": ");

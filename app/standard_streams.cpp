@@ -39,7 +39,7 @@ void write_standard_output(std::string_view bytes) {
 ScratchFolder::ScratchFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "shapegauge-XXXXXX").string();
   if (mkdtemp(pattern.data()) == nullptr) {
-    throw InputError("cannot make the folder " + pattern + ": " + std::generic_category().message(errno));
+    throw InputError("cannot create the folder " + pattern + ": " + std::generic_category().message(errno));
   }
   path_ = pattern;
 }

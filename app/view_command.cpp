@@ -75,7 +75,8 @@ WantedField wanted_field(const std::string& text) {
   if (chooses_offset) settings["offset"] = "auto";
   check_against_schema(settings, "field", source);
   if (settings.contains("at")) {
-    throw InputError(fmt::format("{}: a view has values at the faces of a mesh and the points of a cloud", source));
+    throw InputError(
+        fmt::format("{}: views support values at the faces of a mesh and the points of a cloud only", source));
   }
   const Field field = read_field(settings);  // reports wrong settings before any file is read
   const std::string type = settings.at("type");
@@ -101,7 +102,7 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
     fields.push_back(std::move(field));
   }
   if (offset_given && std::ranges::none_of(fields, &WantedField::chooses_offset)) {
-    throw InputError("--offset goes with --field offset_sdf, without an offset of its own");
+    throw InputError("--offset requires a --field offset_sdf without its own offset");
   }
   return fields;
 }
@@ -175,7 +176,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   const bool cloud = is_cloud(view.shape);
   view.up = up_of(arguments.up, job.input);
   view.site = cloud ? SampleSite::vertices : SampleSite::faces;
-  if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent: there is nothing to show");
+  if (!(bounding_box_diagonal(view.shape) > 0)) throw InputError("the shape has no extent; nothing to show");
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
   for (const WantedField& field : fields) {
@@ -208,7 +209,7 @@ std::string title_of(const ViewArguments& arguments, const std::vector<ShapeView
 void check_output(const fs::path& output) {
   const std::string extension = lower_case(output.extension().string());
   if (is_standard_stream(output) || extension == ".html" || extension == ".htm") return;
-  throw InputError(fmt::format("cannot write {}: a view is a page, its name must end in .html", output.string()));
+  throw InputError(fmt::format("cannot write {}: the name of a page must end in .html", output.string()));
 }
 
 int run(ViewArguments& arguments, bool offset_given) {

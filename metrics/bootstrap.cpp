@@ -65,7 +65,7 @@ std::optional<Average> average_of(std::string_view name) { return value_in<Avera
 std::vector<std::string> average_names() { return names_in<Average>(averages); }
 
 Units units_of(const Eigen::MatrixXd& per_query, std::span<const int> classes, Blocks blocks, Average average) {
-  if (per_query.rows() == 0) throw ArgumentError("no queries to make statistics of");
+  if (per_query.rows() == 0) throw ArgumentError("statistics need at least one query");
   if (static_cast<std::size_t>(per_query.rows()) != classes.size()) {
     throw ArgumentError("values of " + std::to_string(per_query.rows()) + " queries, but classes of " +
                         std::to_string(classes.size()));

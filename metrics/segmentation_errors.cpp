@@ -35,7 +35,7 @@ ContingencyTable contingency_table(std::span<const std::int32_t> labels, std::sp
                                    std::span<const double> weights) {
   if (labels.empty()) throw ArgumentError("a segmentation needs at least one element");
   if (labels.size() != truth.size()) throw ArgumentError("two segmentations need the same number of elements");
-  if (!weights.empty() && weights.size() != labels.size()) throw ArgumentError("one weight an element is needed");
+  if (!weights.empty() && weights.size() != labels.size()) throw ArgumentError("each element needs one weight");
   ContingencyTable table;
   std::vector<Overlap> elements;
   elements.reserve(labels.size());
@@ -204,10 +204,10 @@ void check_edges(std::size_t triangles, const std::vector<MeshEdge>& edges, std:
   const auto is_triangle = [&](std::int32_t f) { return f >= 0 && static_cast<std::size_t>(f) < triangles; };
   for (const MeshEdge& edge : edges) {
     for (const std::int32_t v : edge.vertices) {
-      if (v < 0 || v >= vertices) throw ArgumentError("an edge has a vertex that there is not");
+      if (v < 0 || v >= vertices) throw ArgumentError("a vertex of an edge is out of range");
     }
     if (!is_triangle(edge.triangles[0]) || (edge.triangles[1] != -1 && !is_triangle(edge.triangles[1]))) {
-      throw ArgumentError("an edge has a triangle that there is not");
+      throw ArgumentError("a triangle of an edge is out of range");
     }
     if (!(edge.length >= 0 && std::isfinite(edge.length))) {
       throw ArgumentError("the length of an edge must be a finite number, at least 0");
@@ -221,16 +221,18 @@ const std::array<SegmentationErrorEntry, 7>& segmentation_error_entries() {
   static const std::array<SegmentationErrorEntry, 7> entries = {{
       {"Rand", "share of pairs of elements together in one segmentation and apart in the other (Rand 1971)",
        &SegmentationErrors::rand_index},
-      {"CD", "mean distance of the cuts from each other, both ways, in mean radii of the surface (Chen et al. 2009)",
+      {"CD",
+       "sum of the mean distances between the cuts in both directions, in mean radii of the surface (Chen et al. 2009)",
        &SegmentationErrors::cut_discrepancy},
       {"Hamming", "mean of missing and false alarm rate (Huang and Dom 1995)", &SegmentationErrors::hamming},
       {"Missing", "share of the surface outside of the best match of each true segment (Huang and Dom 1995)",
        &SegmentationErrors::missing_rate},
       {"FalseAlarm", "share of the surface outside of the best match of each segment found (Huang and Dom 1995)",
        &SegmentationErrors::false_alarm_rate},
-      {"GCE", "global consistency error: refinement one way for the whole surface is forgiven (Martin et al. 2001)",
+      {"GCE",
+       "global consistency error: tolerates refinement in one direction for the whole surface (Martin et al. 2001)",
        &SegmentationErrors::global_consistency},
-      {"LCE", "local consistency error: refinement either way is forgiven at each element (Martin et al. 2001)",
+      {"LCE", "local consistency error: tolerates refinement in either direction at each element (Martin et al. 2001)",
        &SegmentationErrors::local_consistency},
   }};
   return entries;

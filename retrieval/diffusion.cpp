@@ -536,7 +536,7 @@ DistanceMatrix diffused(const DistanceMatrix& distances, const DiffusionOptions&
 DiffusionOptions diffusion_options(const ParameterValues& values) { return options_from(diffusion_table, values); }
 
 RerankMethod diffusion_method() {
-  return {"diffusion", "Walks from model to near model.", diffusion_parameters,
+  return {"diffusion", "Diffusion: random walks between neighbouring models.", diffusion_parameters,
           [](const DistanceMatrix& distances, const ParameterValues& values) {
             return diffused(distances, diffusion_options(values));
           }};

@@ -29,7 +29,7 @@ void check(std::span<const DistanceMatrix> matrices, std::span<const double> wei
                           std::to_string(matrix.cols()));
     }
     if (size > 0 && !(matrix.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw ArgumentError("fused distances must be numbers that are not negative");
+      throw ArgumentError("fused distances must be non-negative numbers");
     }
   }
 }
@@ -195,7 +195,7 @@ void check_sum_weights(std::size_t terms, std::span<const double> weights) {
     }
     total += weight;
   }
-  if (!(total > 0)) throw ArgumentError("of the weights of fused distances one at least must be positive");
+  if (!(total > 0)) throw ArgumentError("at least one weight of fused distances must be positive");
 }
 
 double distance_unit(const DistanceMatrix& matrix, DistanceScale scale) {

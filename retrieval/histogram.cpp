@@ -76,7 +76,7 @@ Eigen::VectorXf histogram(const ScalarField& field, const Interval& range, const
     total += weight;
   }
   if (!(total > 0)) throw ArgumentError("a field without any value of positive weight has no histogram");
-  if (!std::isfinite(total)) throw ArgumentError("the weights of a field sum to more than a number can hold");
+  if (!std::isfinite(total)) throw ArgumentError("the sum of a field's weights overflows");
   return smooth_gaussian(counts / total, options.smoothing_bins).cast<float>();
 }
 

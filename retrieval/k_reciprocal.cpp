@@ -180,8 +180,8 @@ DistanceMatrix k_reciprocal(const DistanceMatrix& given, const ReciprocalOptions
 }
 
 RerankMethod k_reciprocal_method() {
-  return {"k_reciprocal", "Sets of models that are near each other.", reciprocal_parameters,
-          [](const DistanceMatrix& distances, const ParameterValues& values) {
+  return {"k_reciprocal", "k-reciprocal re-ranking: Jaccard distance of sets of mutual neighbours.",
+          reciprocal_parameters, [](const DistanceMatrix& distances, const ParameterValues& values) {
             return k_reciprocal(distances, options_from(reciprocal_table, values));
           }};
 }

@@ -23,13 +23,13 @@ RowSource rows_of(const DistanceMatrix& distances) {
 }
 
 NearestModels nearest_models(Eigen::Index models, int k, const RowSource& rows) {
-  if (k < 1) throw ArgumentError("at least one nearest neighbour must be asked for, not " + std::to_string(k));
+  if (k < 1) throw ArgumentError("the number of nearest neighbours must be at least 1, not " + std::to_string(k));
   const Eigen::Index count = std::clamp<Eigen::Index>(models - 1, 0, k);
   NearestModels nearest{{models, count}, {models, count}};
   Eigen::VectorXd largest = Eigen::VectorXd::Zero(models);
   for_each_block(models, rows, [&](Eigen::Index first, const DistanceMatrix& block) {
     if (!(block.minCoeff<Eigen::PropagateNaN>() >= 0)) {
-      throw ArgumentError("distances between models must be numbers that are not negative");
+      throw ArgumentError("distances between models must be non-negative numbers");
     }
     parallel_for(Eigen::Index{0}, block.rows(), [&](Eigen::Index i) {
       std::vector<std::int32_t> order(static_cast<std::size_t>(models));

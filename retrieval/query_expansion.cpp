@@ -79,8 +79,8 @@ DistanceMatrix query_expansion(const DistanceMatrix& distances, const ExpansionO
 }
 
 RerankMethod query_expansion_method() {
-  return {"query_expansion", "Means with the nearest models' distances.", expansion_parameters,
-          [](const DistanceMatrix& distances, const ParameterValues& values) {
+  return {"query_expansion", "Average query expansion: means over the rows of the nearest models.",
+          expansion_parameters, [](const DistanceMatrix& distances, const ParameterValues& values) {
             return query_expansion(distances, options_from(expansion_table, values));
           }};
 }

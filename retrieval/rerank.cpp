@@ -20,7 +20,7 @@ std::vector<int> neighbour_counts(const IntegerList& neighbours) {
 }
 
 Registry<RerankMethod>& rerank_methods() {
-  static Registry<RerankMethod> all("way to re-rank",
+  static Registry<RerankMethod> all("re-ranking method",
                                     {diffusion_method(), k_reciprocal_method(), query_expansion_method()});
   return all;
 }

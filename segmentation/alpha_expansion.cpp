@@ -19,15 +19,15 @@ using Flow = maxflow::Graph<double, double, double>;
 void report(const char* message) { throw std::runtime_error(message); }
 
 void check(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, std::span<const std::int32_t> labels) {
-  if (costs.rows() != std::ssize(labels)) throw ArgumentError("one row of costs and one label a node are needed");
+  if (costs.rows() != std::ssize(labels)) throw ArgumentError("each node needs one row of costs and one label");
   if (costs.rows() > std::numeric_limits<int>::max()) throw ArgumentError("there are too many nodes to label");
   if (!costs.allFinite()) throw ArgumentError("the cost of a label must be a finite number");
   for (const std::int32_t label : labels) {
-    if (label < 0 || label >= costs.cols()) throw ArgumentError("a node starts with a label that there is not");
+    if (label < 0 || label >= costs.cols()) throw ArgumentError("the initial label of a node is out of range");
   }
   const auto is_node = [&](std::int32_t node) { return node >= 0 && node < costs.rows(); };
   for (const LabelEdge& edge : edges) {
-    if (!is_node(edge.a) || !is_node(edge.b)) throw ArgumentError("an edge has a node that there is not");
+    if (!is_node(edge.a) || !is_node(edge.b)) throw ArgumentError("a node of an edge is out of range");
     if (!(edge.cost >= 0 && std::isfinite(edge.cost))) {
       throw ArgumentError("the cost of an edge must be a finite number, at least 0");
     }

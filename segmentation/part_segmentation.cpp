@@ -28,7 +28,7 @@ constexpr std::int32_t most_regions = 600;
 void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   if (options.parts < 0 || options.parts > nodes) {
     throw InputError(
-        fmt::format("a shape of {} triangles or points cannot be cut into {} parts", nodes, options.parts));
+        fmt::format("a shape of {} triangles or points cannot be segmented into {} parts", nodes, options.parts));
   }
   if (options.samples < 1) throw InputError(fmt::format("at least 1 sample is needed, not {}", options.samples));
   if (!(options.least_probability >= 0 && options.least_probability <= 1)) {

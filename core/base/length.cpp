@@ -30,7 +30,7 @@ double metres_of(std::string_view unit) {
   const auto* const found = std::ranges::find(length_units, unit, &LengthUnit::first);
   if (found != length_units.end()) return found->second;
   throw InputError(
-      fmt::format("there is no unit of length \"{}\"; known are {}", unit, fmt::join(length_unit_names(), ", ")));
+      fmt::format("unknown unit of length \"{}\"; known are {}", unit, fmt::join(length_unit_names(), ", ")));
 }
 
 std::optional<Length> parse_length(std::string_view text) {

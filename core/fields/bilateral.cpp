@@ -119,7 +119,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   const Eigen::Index sites = samples.site == SampleSite::faces ? shape.triangles.rows() : shape.vertices.rows();
   if (field.values.size() != count || field.weights.size() != count ||
       (samples.site != SampleSite::surface && !is_cloud(shape) && sites != count)) {
-    throw InputError(fmt::format("the field is not at the shape's samples: {} values and {} weights for {} samples",
+    throw InputError(fmt::format("the field does not match the samples: {} values and {} weights for {} samples",
                                  field.values.size(), field.weights.size(), count));
   }
   const double value_width = options.value_width * deviation_of(field);

@@ -99,7 +99,7 @@ Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const 
 }
 
 [[noreturn]] void refuse(const Shape& shape, const Samples& samples, Eigen::Index expected) {
-  throw InputError(fmt::format("the samples are not those of the shape: {} points, but {} sites, of {} vertices",
+  throw InputError(fmt::format("the samples do not match the shape: {} points, but {} sites, of {} vertices",
                                samples.points.rows(), expected, shape.vertices.rows()));
 }
 

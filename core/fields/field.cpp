@@ -56,7 +56,7 @@ FieldFunction with_outcomes(FieldFunction compute) {
     if (computed.build_seconds == 0) computed.query_seconds = stopwatch.seconds();
     if (computed.values.size() != samples.points.rows()) {
       throw std::logic_error(
-          fmt::format("a field gives {} values for {} samples", computed.values.size(), samples.points.rows()));
+          fmt::format("a field returned {} values for {} samples", computed.values.size(), samples.points.rows()));
     }
     if (computed.outcomes.empty()) {
       computed.outcomes = {{"total", static_cast<std::size_t>(computed.values.size())},
@@ -87,7 +87,7 @@ std::vector<std::string> outcome_warnings(const FieldOutcomes& outcomes) {
   constexpr std::array<std::pair<const char*, const char*>, 3> warned{
       {{"undecided", "undecided"},
        {"missing", "missing"},
-       {"enlarged", "answered at a larger offset: the grid of the one asked for would not fit into memory"}}};
+       {"enlarged", "computed with a larger offset, because the grid of the requested one would not fit into memory"}}};
   std::vector<std::string> warnings;
   for (const auto& [outcome, words] : warned) {
     const auto count = outcomes.find(outcome);

@@ -36,8 +36,8 @@ struct ConnectedMesh {
 
 InputError unsuitable(const std::string& why) {
   return InputError(
-      fmt::format("{}: the heat and exact methods of geodesic distances need one connected, consistently oriented "
-                  "manifold mesh; choose the graph method",
+      fmt::format("{}: the geodesic methods heat and exact need a connected, consistently oriented manifold mesh; use "
+                  "the method graph",
                   why));
 }
 

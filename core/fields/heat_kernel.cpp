@@ -16,11 +16,12 @@ void check(const ScaleInvariantOptions& options) {
                                  options.first_time, options.last_time));
   }
   if (options.times < 4 || options.times > 10000) {
-    throw InputError(fmt::format("a heat kernel takes 4 to 10000 times, not {}", options.times));
+    throw InputError(
+        fmt::format("the number of times of a heat kernel must be from 4 to 10000, not {}", options.times));
   }
   if (options.frequencies < 1 || options.frequencies > options.times / 2) {
-    throw InputError(fmt::format("a scale-invariant heat kernel signature of {} times has 1 to {} frequencies, not {}",
-                                 options.times, options.times / 2, options.frequencies));
+    throw InputError(fmt::format("with {} times, the number of frequencies must be from 1 to {}, not {}", options.times,
+                                 options.times / 2, options.frequencies));
   }
 }
 
@@ -69,7 +70,7 @@ Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, con
   const Eigen::VectorXd& all = spectrum.eigenvalues;
   const Eigen::Index zeros = (all.array() <= zero * all[all.size() - 1]).count();
   const Eigen::Index positive = all.size() - zeros;
-  if (positive < 2) throw InputError("a wave kernel signature needs two positive eigenvalues at least");
+  if (positive < 2) throw InputError("a wave kernel signature needs at least two positive eigenvalues");
   const Eigen::VectorXd energy = all.tail(positive).array().log();
   const double lowest = energy[0];
   const double highest = energy[positive - 1];

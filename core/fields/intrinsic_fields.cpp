@@ -27,8 +27,8 @@ inline constexpr std::array<std::string_view, 2> words_of<FieldSurface>{"mesh", 
 namespace {
 
 constexpr std::string_view meaning_of_on =
-    "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, for damaged meshes and "
-    "clouds too.";
+    "mesh: the shape's own edges and triangles; proxy: evenly spread points of the surface, also for damaged meshes "
+    "and clouds.";
 
 struct CentricityField {
   CentricityOptions options = {};
@@ -172,17 +172,19 @@ std::vector<Parameter> listed() {
 }  // namespace
 
 FieldType centricity_type() {
-  return {"centricity", "Geodesic distance from a place to all others: small in a shape's middle, large at its ends.",
+  return {"centricity",
+          "Mean or maximum geodesic distance to all other points: small in a shape's middle, large at its ends.",
           listed<centricity_field_table>(), centricity_field};
 }
 
 FieldType heat_kernel_type() {
-  return {"heat_kernel", "Heat kernel signature at one time: the heat left at a place, over its share when it is even.",
+  return {"heat_kernel",
+          "Heat kernel signature at one time: the heat that remains at a point, relative to an even distribution.",
           listed<heat_kernel_table>(), heat_kernel_field};
 }
 
 FieldType scale_invariant_type() {
-  return {"scale_invariant_heat_kernel", "Scale-invariant heat kernel signature: one of its coefficients.",
+  return {"scale_invariant_heat_kernel", "One coefficient of the scale-invariant heat kernel signature.",
           listed<scale_invariant_table>(), scale_invariant_field};
 }
 

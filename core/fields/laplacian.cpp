@@ -150,7 +150,7 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
     inverse.set_known(pairs.vectors);
     pairs = first_of(merged(pairs, iterated(inverse, std::min(missing, count), shift)), count);
   }
-  throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be told apart");
+  throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be distinguished");
 }
 
 /// Of the mesh whose nodes the matrix has entries between.
@@ -204,7 +204,7 @@ Laplacian cotangent_laplacian(const Shape& given) {
       entries.emplace_back(j, j, half);
     }
   }
-  if (nodes == 0) throw InputError("the Laplacian needs a triangle with area, and the mesh has none");
+  if (nodes == 0) throw InputError("the Laplacian needs a triangle of positive area, and the mesh has none");
   Laplacian laplacian;
   laplacian.stiffness.resize(nodes, nodes);
   laplacian.stiffness.setFromTriplets(entries.begin(), entries.end());
@@ -219,12 +219,12 @@ Spectrum laplacian_spectrum(const Shape& mesh, int count) {
 }
 
 Spectrum laplacian_spectrum(const Laplacian& laplacian, int count) {
-  if (count < 1) throw InputError(fmt::format("at least one eigenvalue must be asked for, not {}", count));
+  if (count < 1) throw InputError(fmt::format("the number of eigenvalues must be at least 1, not {}", count));
   const int components = component_count(laplacian.stiffness);
   if (components > most_components) {
     throw InputError(
-        fmt::format("the mesh is {} pieces that share no vertices; its Laplacian's eigenvalues are sought for "
-                    "at most {}: join the pieces, or use a descriptor without them",
+        fmt::format("the mesh has {} components that share no vertices; the eigenvalues of its Laplacian are supported "
+                    "for at most {}; join the components, or use another descriptor",
                     components, most_components));
   }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();

@@ -61,10 +61,10 @@ FieldComputation cone_sdf_field(const ParameterValues& values, const SamplePlan&
   const ConeSdfOptions options = options_from(cone_sdf_table, values);
   const bool cgal = options.engine == ConeSdfEngine::cgal;
   if (options.postprocess && !cgal) {
-    throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine gives raw values only)");
+    throw InputError(R"("postprocess" needs "engine": "cgal"; the embree engine returns raw values only)");
   }
   if (cgal && samples.site != SampleSite::faces) {
-    throw InputError(R"("engine": "cgal" answers at faces only; use "embree" for other sites)");
+    throw InputError(R"("engine": "cgal" supports faces only; use "embree" for other sites)");
   }
   // CGAL's post-processing scales to [0, 1].
   return {.versions = {{"cone_sdf", cone_sdf_version}},

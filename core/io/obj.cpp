@@ -37,7 +37,7 @@ class ObjReader {
     if (largest_.vertex >= vertices) {
       scanner_.fail_at(largest_.offset, message_bad_index(largest_.face, largest_.vertex + 1));
     }
-    if (vertices == 0) scanner_.fail_whole("it holds no vertex");
+    if (vertices == 0) scanner_.fail_whole("no vertices");
     if (faces_ > 0 && soup_.triangles() == 0) scanner_.fail_whole(message_no_triangles(faces_));
     if (faces_ == 0) read_normals();
     return soup_.shape();
@@ -108,7 +108,7 @@ class ObjReader {
     std::int64_t index = 0;
     const auto [last, error] = std::from_chars(word.data(), word.data() + word.size(), index);
     if (error != std::errc() || (last != word.data() + word.size() && *last != '/')) {
-      scanner_.fail(fmt::format("expected a vertex's index, found \"{}\"", word));
+      scanner_.fail(fmt::format("expected a vertex index, found \"{}\"", word));
     }
     const auto vertices = static_cast<std::int64_t>(soup_.vertices());
     const std::int64_t vertex = index < 0 ? vertices + index : index - 1;
@@ -150,7 +150,7 @@ void check_obj_header(const std::string& bytes, const std::string& name) {
     if (scanner.read_word() == "v") return;
     scanner.skip_line();
   }
-  scanner.fail_whole("not an OBJ file: it holds no vertex");
+  scanner.fail_whole("not an OBJ file: no vertices");
 }
 
 void write_obj(const std::filesystem::path& path, const Shape& shape) {

@@ -99,16 +99,16 @@ bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empt
 /// Reads an OFF file's keyword, and `BINARY` behind it. A file without a keyword, but with a number in its place, is
 /// plain OFF. Throws InputError where it is something else, or where the points are not three-dimensional (4OFF, nOFF).
 OffHeader read_off_header(TextScanner& scanner) {
-  if (scanner.at_end()) scanner.fail_whole("holds nothing but white space and comments");
+  if (scanner.at_end()) scanner.fail_whole("contains only white space and comments");
   const Keyword keyword = parse_keyword(scanner.rest());
   const std::string_view behind = scanner.rest().substr(keyword.length);
   if (keyword.length == 0 ? !is_digit(scanner.rest().front()) : !ends_keyword(behind)) {
     scanner.advance(0);
-    scanner.fail("not an OFF file: it begins neither with the keyword OFF nor with the number of vertices");
+    scanner.fail("not an OFF file: expected the keyword OFF or the number of vertices");
   }
   scanner.advance(keyword.length);
   if (keyword.dimensions)
-    scanner.fail("4OFF and nOFF files hold points of other than three dimensions; convert it to OFF");
+    scanner.fail("4OFF and nOFF files have points of other than three dimensions; convert it to OFF");
   OffHeader header = keyword.header;
   if (keyword.length > 0 && !scanner.at_line_end() && scanner.rest().starts_with("BINARY")) {
     scanner.read_word();
@@ -121,7 +121,7 @@ OffHeader read_off_header(TextScanner& scanner) {
 void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
   constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
   if (counts.vertices < 0 || counts.faces < 0) {
-    scanner.fail(fmt::format("{} vertices and {} faces: neither can be negative", counts.vertices, counts.faces));
+    scanner.fail(fmt::format("{} vertices and {} faces: numbers must not be negative", counts.vertices, counts.faces));
   }
   if (counts.vertices > largest || counts.faces > largest) {
     scanner.fail(fmt::format("{} vertices and {} faces: at most {} of each can be read", counts.vertices, counts.faces,
@@ -251,7 +251,7 @@ class OffBody {
   Shape read() {
     for (std::int64_t i = 0; i < counts_.vertices; ++i) read_vertex(i);
     for (std::int64_t i = 0; i < counts_.faces; ++i) read_face(i);
-    if (layout_ == OffLayout::words && !scanner_.at_end()) scanner_.fail_whole("more data follow the last face");
+    if (layout_ == OffLayout::words && !scanner_.at_end()) scanner_.fail_whole("unexpected data after the last face");
     if (counts_.faces > 0 && soup_.triangles() == 0) {
       scanner_.fail_whole(message_no_triangles(counts_.faces));
     }

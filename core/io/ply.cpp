@@ -139,7 +139,7 @@ PlyType read_type(TextScanner& scanner) {
   for (const auto& [name, type] : names) {
     if (word == name) return type;
   }
-  scanner.fail(fmt::format("\"{}\" is not a type that PLY knows", word));
+  scanner.fail(fmt::format("\"{}\" is not a type of PLY", word));
 }
 
 PlyEncoding read_encoding(TextScanner& scanner) {
@@ -254,7 +254,7 @@ void require_vertices(const PlyHeader& header, const TextScanner& scanner) {
 
 void require_readable_faces(const PlyHeader& header, const TextScanner& scanner) {
   if (find_element(header, "tristrips") != nullptr) {
-    scanner.fail_whole("it holds triangle strips, which are not read; convert them to faces");
+    scanner.fail_whole("triangle strips are not supported; convert them to faces");
   }
   if (std::ranges::count(header.elements, "face", &PlyElement::name) > 1) {
     scanner.fail_whole("its header has two elements \"face\"");

@@ -70,7 +70,7 @@ const ShapeFormat& format_of(const ShapeSource& source) {
 void check_format(const ShapeFormat& format) {
   for (const std::string_view extension : extensions_of(format)) {
     if (format_by_extension(extension) != nullptr) {
-      throw ArgumentError(fmt::format("there is a shape format with the extension \"{}\" already", extension));
+      throw ArgumentError(fmt::format("another shape format has the extension \"{}\"", extension));
     }
   }
 }
@@ -83,7 +83,7 @@ Shape read_shape(const ShapeSource& source, std::string_view extension) {
   const ShapeFormat& format =
       extension.empty() ? format_of(source) : format_of(source.name, std::string(extension), source.bytes);
   Shape shape = format.read(source);
-  if (shape.vertices.rows() == 0) throw InputError(fmt::format("{}: it holds no vertex", source.name));
+  if (shape.vertices.rows() == 0) throw InputError(fmt::format("{}: no vertices", source.name));
   return shape;
 }
 
@@ -127,7 +127,7 @@ std::optional<std::string> unread_format_advice(const fs::path& file) {
     std::string_view extension;
     std::string_view advice;
   };
-  constexpr std::string_view solid = "a CAD model has no triangles; export it as STL";
+  constexpr std::string_view solid = "CAD models have no triangles; export it as STL";
   constexpr std::string_view scene = "export the model as glTF, PLY or OBJ";
   static constexpr std::array unread{UnreadFormat{".step", solid},
                                      UnreadFormat{".stp", solid},
@@ -160,7 +160,7 @@ std::optional<std::string> unread_format_advice(const fs::path& file) {
                                      UnreadFormat{".msh", "export the surface as PLY or STL"}};
   const auto* const found = std::ranges::find(unread, lower_case(extension_of(file)), &UnreadFormat::extension);
   if (found == unread.end()) return std::nullopt;
-  return fmt::format("{} files are not read: {}", found->extension, found->advice);
+  return fmt::format("{} files are not supported: {}", found->extension, found->advice);
 }
 
 std::vector<std::string_view> shape_extensions() {

@@ -77,7 +77,7 @@ class XyzReader {
  private:
   /// The number of points, if it is alone on the first line.
   void read_count() {
-    if (scanner_.at_end()) scanner_.fail_whole("holds nothing but white space and comments");
+    if (scanner_.at_end()) scanner_.fail_whole("contains only white space and comments");
     TextScanner ahead = scanner_;
     ahead.read_word();
     if (!ahead.at_line_end()) return;
@@ -105,7 +105,7 @@ class XyzReader {
     }
     if (positions_.empty()) begin_columns(columns, begin);
     if (columns != columns_) {
-      scanner_.fail(fmt::format("{} columns, where the first point has {}", columns, columns_));
+      scanner_.fail(fmt::format("expected {1} columns as in the first point, found {0}", columns, columns_));
     }
     if (positions_.size() == std::numeric_limits<std::int32_t>::max()) scanner_.fail("more points than can be read");
     positions_.push_back(position);
@@ -145,7 +145,7 @@ class XyzReader {
       scanner_.fail_whole(
           message_truncated(static_cast<std::int64_t>(lines), static_cast<std::int64_t>(*count_), "points"));
     }
-    scanner_.fail_whole(fmt::format("{} points follow its first line, which says {}", lines, *count_));
+    scanner_.fail_whole(fmt::format("found {} points, but the first line announces {}", lines, *count_));
   }
 
   TextScanner scanner_;

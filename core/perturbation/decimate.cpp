@@ -396,10 +396,10 @@ Shape decimate(const Shape& shape, Eigen::Index faces) {
   const auto left_aside = static_cast<Eigen::Index>(input.left_aside.size());
   const bool already = static_cast<Eigen::Index>(input.mesh.n_faces()) + left_aside <= faces;
   if (!already && collapse_edges(input.mesh, faces - left_aside) == 0) {
-    throw InputError(fmt::format(
-        "the mesh of {} faces cannot be decimated to {}: not one edge can be collapsed; too many edges have "
-        "more than two faces, or it is as simple as it gets",
-        shape.triangles.rows(), faces));
+    throw InputError(
+        fmt::format("the mesh of {} faces cannot be decimated to {}: no edge can be collapsed, because too many edges "
+                    "have more than two faces or no valid collapse is left",
+                    shape.triangles.rows(), faces));
   }
   return with_used_vertices(shape, triangles_left(shape, input));
 }

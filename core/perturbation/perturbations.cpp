@@ -101,18 +101,17 @@ Shape apply_random_motion(Shape shape, const ParameterValues& settings, RandomNu
 
 std::vector<ShapePerturbation> own_perturbations() {
   return {
-      {"vertex_noise", "Every vertex (or point) moves by a random vector.", vertex_noise_parameters,
+      {"vertex_noise", "Moves every vertex (or point) by a random vector.", vertex_noise_parameters,
        apply_vertex_noise},
-      {"remove_faces", "Random faces (or points) are taken away.", remove_faces_parameters, apply_remove_faces},
-      {"holes", "Faces (or points) near random points of the surface are taken away.", punch_holes_parameters,
+      {"remove_faces", "Removes random faces (or points).", remove_faces_parameters, apply_remove_faces},
+      {"holes", "Removes faces (or points) near random points of the surface.", punch_holes_parameters,
        apply_punch_holes},
-      {"decimate", "The mesh is simplified by quadric error.", decimate_parameters, apply_decimate},
-      {"sample_points", "The mesh becomes a cloud of random points, uniform by area.", sample_points_parameters,
+      {"decimate", "Simplifies the mesh by quadric error.", decimate_parameters, apply_decimate},
+      {"sample_points", "Samples the mesh by random points, uniform by area.", sample_points_parameters,
        apply_sample_points},
-      {"vertex_cloud", "The mesh becomes the cloud of its vertices.", {}, apply_vertex_cloud},
-      {"flip_orientation", "Random faces (or normals) are turned over.", flip_orientation_parameters,
-       apply_flip_orientation},
-      {"motion", "A random rotation and translation, and a random scale.", motion_parameters, apply_random_motion},
+      {"vertex_cloud", "Replaces the mesh by the cloud of its vertices.", {}, apply_vertex_cloud},
+      {"flip_orientation", "Reverses random faces (or normals).", flip_orientation_parameters, apply_flip_orientation},
+      {"motion", "Applies a random rotation, translation and scale.", motion_parameters, apply_random_motion},
   };
 }
 
@@ -212,7 +211,7 @@ double required_diagonal(const Shape& shape) {
   const double diagonal = bounding_box_diagonal(shape);
   if (!std::isnormal(diagonal)) {
     throw InputError(fmt::format(
-        "the shape cannot be changed in proportion to its size: the diagonal of its bounding box is {}", diagonal));
+        "the perturbation is relative to the size of the shape, but the diagonal of its bounding box is {}", diagonal));
   }
   return diagonal;
 }

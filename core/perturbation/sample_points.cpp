@@ -37,7 +37,7 @@ Eigen::RowVector3d normal_of(const Shape& mesh, Eigen::Index triangle) {
 
 Shape sample_points(const Shape& shape, const SamplePointsOptions& options, RandomNumbers& random) {
   check_options("sample_points", sample_points_table, options);
-  if (shape.vertices.rows() == 0) throw InputError("no points can be taken of a shape without any");
+  if (shape.vertices.rows() == 0) throw InputError("an empty shape cannot be sampled");
   if (is_cloud(shape)) return thinned(shape, options, random);
   SurfacePoints sampled = surface_points(shape, options.points, random);
   Shape cloud;

@@ -188,7 +188,7 @@ bool is_noisy(const NoiseLevel& noise, const VertexNeighbours& neighbours) {
 
 Points taubin_smoothed(const Points& vertices, const VertexNeighbours& neighbours, double pass_band) {
   if (!(pass_band > 0 && pass_band < 1)) {
-    throw InputError(fmt::format("the pass band of the smoothing is {}: it must lie between 0 and 1", pass_band));
+    throw InputError(fmt::format("the pass band of the smoothing is {}; it must be between 0 and 1", pass_band));
   }
   constexpr double inward = 0.5;
   const double outward = 1 / (pass_band - 1 / inward);  // 1 / inward + 1 / outward = pass_band

@@ -20,7 +20,7 @@ double positive_area(const Shape& shape) {
     throw InputError(
         is_cloud(shape)
             ? fmt::format("the point cloud cannot be scaled to unit area: the estimated area of its {} points is {}; "
-                          "it needs points at different places",
+                          "it needs distinct points",
                           shape.vertices.rows(), area)
             : fmt::format("the shape cannot be scaled to unit area: the area of its {} triangles is {}; it needs a "
                           "triangle of positive, finite area",

@@ -153,7 +153,8 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const HalfEdge> 
   const std::vector<std::int32_t> order = ordered_triangles(uses, triangles);
   double total = 0;
   for (const std::int32_t t : order) total += triangles[static_cast<std::size_t>(t)].normal.norm() / 2;
-  if (!std::isnormal(total)) throw InputError("a surface proxy needs a triangle with area, and the mesh has none");
+  if (!std::isnormal(total))
+    throw InputError("a surface proxy needs a triangle of positive area, and the mesh has none");
   DenseSamples samples{Points(count, 3), Points(count, 3),
                        Eigen::VectorXd::Constant(count, total / static_cast<double>(count)),
                        std::vector<std::int32_t>(static_cast<std::size_t>(count)),
@@ -202,7 +203,7 @@ DenseSamples dense_samples_of_cloud(const Shape& cloud, Eigen::Index count) {
   DenseSamples samples;
   samples.points = cloud.vertices(order, Eigen::all);
   samples.areas = point_weights(samples.points);
-  if (!(samples.areas.sum() > 0)) throw InputError("a surface proxy needs points at two places at least");
+  if (!(samples.areas.sum() > 0)) throw InputError("a surface proxy needs at least two distinct points");
   samples.normals = unsigned_point_normals(samples.points);
   samples.sheets.assign(order.size(), -1);
   return samples;

@@ -18,8 +18,8 @@ void check(const RenderOptions& options) {
   if (options.width < 1 || options.height < 1 || options.width > largest_side || options.height > largest_side ||
       options.rays_per_side < 1 || options.rays_per_side > 16 || !(options.margin >= 0 && options.margin < 0.5)) {
     throw InputError(
-        fmt::format("an image of {} x {} pixels with {} rays per side and a margin of {} cannot be made; "
-                    "the limits are 1 to {}, 1 to 16, and 0 to less than 0.5",
+        fmt::format("an image of {} x {} pixels with {} rays per side and a margin of {} is out of range; the limits "
+                    "are 1 to {}, 1 to 16, and 0 to less than 0.5",
                     options.width, options.height, options.rays_per_side, options.margin, largest_side));
   }
   const double sine = options.up.normalized().cross(options.towards_viewer.normalized()).norm();

@@ -14,7 +14,7 @@ namespace {
 void check(const ConeSdfOptions& options) {
   check_options("cone_sdf", cone_sdf_table, options);
   if (options.postprocess && options.engine != ConeSdfEngine::cgal) {
-    throw InputError("the post-processing of the conventional SDF is CGAL's: choose the cgal engine, or do without it");
+    throw InputError("the post-processing of the conventional SDF requires the cgal engine");
   }
 }
 
@@ -26,15 +26,14 @@ void check(const Shape& shape, const Samples& samples, ConeSdfEngine engine) {
   }
   const bool at_faces = samples.site == SampleSite::faces;
   if (engine == ConeSdfEngine::cgal && !at_faces) {
-    throw InputError(
-        "the cgal engine of the conventional SDF answers at faces only: choose faces, or the embree engine");
+    throw InputError("the cgal engine of the conventional SDF supports faces only; use faces, or the embree engine");
   }
   const bool at_surface = samples.site == SampleSite::surface;
   const Eigen::Index sites = at_faces     ? shape.triangles.rows()
                              : at_surface ? std::ssize(samples.triangles)
                                           : shape.vertices.rows();
   if (samples.points.rows() != sites || samples.normals.rows() != sites) {
-    throw InputError(fmt::format("the samples are not those of the shape: {} points and {} normals for {} {}",
+    throw InputError(fmt::format("the samples do not match the shape: {} points and {} normals for {} {}",
                                  samples.points.rows(), samples.normals.rows(), sites,
                                  at_faces     ? "faces"
                                  : at_surface ? "triangles of the samples"

@@ -29,11 +29,10 @@ Mesh mesh_of(const Shape& shape) {
     const Mesh::Vertex_index b(static_cast<Mesh::size_type>(shape.triangles(f, 1)));
     const Mesh::Vertex_index c(static_cast<Mesh::size_type>(shape.triangles(f, 2)));
     if (a == b || b == c || c == a || mesh.add_face(a, b, c) == Mesh::null_face()) {
-      throw InputError(
-          fmt::format("triangle {} (counted from 0) has a corner twice, meets the others in a non-manifold edge or "
-                      "vertex, or is oriented against a neighbour: the cgal engine cannot use such a mesh; choose the "
-                      "embree engine",
-                      f));
+      throw InputError(fmt::format(
+          "triangle {} (counted from 0) has a repeated corner, a non-manifold edge or vertex, or the opposite "
+          "orientation of a neighbour, which the cgal engine does not support; use the embree engine",
+          f));
     }
   }
   return mesh;

@@ -30,8 +30,8 @@ Eigen::VectorXd running_areas(const Shape& mesh) {
   const double total = areas.size() > 0 ? areas[areas.size() - 1] : 0;
   if (!std::isnormal(total)) {
     throw InputError(
-        fmt::format("no points can be taken of the surface: the area of its {} triangles is {}; it needs "
-                    "a triangle of positive, finite area",
+        fmt::format("the surface cannot be sampled: the area of its {} triangles is {}; it needs a triangle of "
+                    "positive, finite area",
                     areas.size(), total));
   }
   return areas;
@@ -259,7 +259,7 @@ SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumber
 Samples sample_shape(const Shape& shape, SampleSite site) {
   require_usable(shape);
   if (is_cloud(shape)) return sample_cloud(shape);
-  if (site == SampleSite::surface) throw InputError("samples of the surface need their number");
+  if (site == SampleSite::surface) throw InputError("sampling the surface requires a number of samples");
   return site == SampleSite::faces ? sample_faces(shape) : sample_vertices(shape);
 }
 

@@ -134,7 +134,7 @@ class ClassificationParser {
       parse_class(fmt::format("class {} of {}", i + 1, classes));
     }
     if (models_read_ != models_promised_) {
-      words_.fail(fmt::format("the classes have {} models together, but the head of the file says {}", models_read_,
+      words_.fail(fmt::format("the classes have {} models in total, but the header announces {}", models_read_,
                               models_promised_));
     }
     if (!words_.at_end()) {
@@ -152,7 +152,7 @@ class ClassificationParser {
     }
     const std::string_view version = words_.word("the version of the format");
     if (version != "1") {
-      words_.fail(fmt::format("version {} of the PSB format is not known, only 1 is", quoted_word(version)));
+      words_.fail(fmt::format("version {} of the PSB format is not supported, only 1", quoted_word(version)));
     }
   }
 
@@ -162,13 +162,14 @@ class ClassificationParser {
     if (read.name == no_parent) words_.fail("a class cannot be named 0, which stands for \"no parent\"");
     const auto [earlier, is_new] = line_of_class_.emplace(read.name, words_.line());
     if (!is_new) {
-      words_.fail(fmt::format("class {} occurs twice, first in line {}", quoted_word(read.name), earlier->second));
+      words_.fail(
+          fmt::format("class {} is repeated; it was first in line {}", quoted_word(read.name), earlier->second));
     }
     read.parent = parse_parent(read.name);
     const std::size_t count = words_.count(fmt::format("the number of models of class {}", quoted_word(read.name)));
     models_read_ += count;
     if (models_read_ > models_promised_) {
-      words_.fail(fmt::format("up to class {} there are {} models, but the head of the file says {} in all",
+      words_.fail(fmt::format("there are {1} models up to class {0}, but the header announces {2} in total",
                               quoted_word(read.name), models_read_, models_promised_));
     }
     // No room is reserved for `count` models: the number is only a claim until they are there.

@@ -55,15 +55,16 @@ std::size_t most_unpacked_bytes(std::size_t packed) {
 }
 
 void fail_unpacking(const std::string& source, std::size_t packed) {
-  throw InputError(fmt::format(
-      "{}: its {} bytes unpack to more than {} MiB, too much for a table of numbers; if it is one, unpack it first",
-      source, packed, most_unpacked_bytes(packed) >> 20U));
+  throw InputError(
+      fmt::format("{}: its {} bytes unpack to more than {} MiB, too much for a table of numbers; if that is correct, "
+                  "unpack it first",
+                  source, packed, most_unpacked_bytes(packed) >> 20U));
 }
 
 std::string read_plain_bytes(const std::filesystem::path& path) {
   std::string bytes = read_file_bytes(path);
   if (lower_case(path.extension().string()) != ".gz") return bytes;
-  constexpr std::string_view what = "this is no gzip file, or a damaged one";
+  constexpr std::string_view what = "not a gzip file, or damaged";
   const Archive opened(archive_read_new());
   archive_read_support_filter_gzip(opened.get());
   archive_read_support_format_raw(opened.get());
@@ -77,7 +78,7 @@ std::string read_plain_bytes(const std::filesystem::path& path) {
 }
 
 std::string array_in_npz(std::string_view bytes, const std::string& source) {
-  constexpr std::string_view what = "this is no .npz archive, or a damaged one";
+  constexpr std::string_view what = "not a .npz archive, or damaged";
   const Archive opened(archive_read_new());
   archive_read_support_format_zip(opened.get());
   if (archive_read_open_memory(opened.get(), bytes.data(), bytes.size()) != ARCHIVE_OK) {

@@ -72,7 +72,7 @@ DistanceMatrix read_mat(const std::filesystem::path& path) {
   read_file_bytes(path, 1);  // says why where it cannot be read at all
   Mat_LogInitFunc("shapegauge", [](int, char*) {});
   const std::unique_ptr<mat_t, CloseFile> file(Mat_Open(path.c_str(), MAT_ACC_RDONLY));
-  if (file == nullptr) throw InputError(fmt::format("{}: this is no .mat file, or a damaged one", path.string()));
+  if (file == nullptr) throw InputError(fmt::format("{}: not a .mat file, or damaged", path.string()));
   std::vector<std::string> names;
   double bytes = 0;
   while (const Variable variable{Mat_VarReadNextInfo(file.get())}) {
@@ -91,7 +91,7 @@ DistanceMatrix read_mat(const std::filesystem::path& path) {
   if (bytes > static_cast<double>(most_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
   const Variable variable{Mat_VarRead(file.get(), names.front().c_str())};
   if (variable == nullptr || variable->data == nullptr) {
-    throw InputError(fmt::format("{}: the matrix {} cannot be read; the file is cut off or damaged", path.string(),
+    throw InputError(fmt::format("{}: the matrix {} cannot be read; the file is truncated or damaged", path.string(),
                                  printable(names.front(), 60)));
   }
   DistanceMatrix matrix(static_cast<Eigen::Index>(variable->dims[0]), static_cast<Eigen::Index>(variable->dims[1]));

@@ -35,13 +35,13 @@ Eigen::Index psb_matrix_size(std::size_t bytes, const std::string& source) {
   // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
   if (const auto size_in_doubles = size_of_square(bytes, sizeof(double))) {
     throw InputError(
-        fmt::format("{}: {} bytes are no square matrix of float32, which the format has; this looks like "
-                    "float64 ({} x {}): convert it, or save it as .npy",
+        fmt::format("{}: {} bytes do not form a square matrix of float32, as the format requires; they match float64 "
+                    "({} x {}); convert it, or save it as .npy",
                     source, bytes, *size_in_doubles, *size_in_doubles));
   }
-  throw InputError(
-      fmt::format("{}: {} bytes are no square matrix of float32 (4 N^2 bytes); the file is cut off or another format",
-                  source, bytes));
+  throw InputError(fmt::format(
+      "{}: {} bytes do not form a square matrix of float32 (4 N^2 bytes); the file is truncated or of another format",
+      source, bytes));
 }
 
 DistanceMatrix parse_psb_matrix(std::string_view bytes, const std::string& source) {
@@ -81,8 +81,8 @@ LabelledTable npz_table(const std::filesystem::path& path) {
 DistanceMatrix read_square_mat(const std::filesystem::path& path) {
   DistanceMatrix matrix = read_mat(path);
   if (matrix.rows() == matrix.cols()) return matrix;
-  throw InputError(fmt::format("{}: a distance matrix is square, but this one is {} x {}", path.string(), matrix.rows(),
-                               matrix.cols()));
+  throw InputError(
+      fmt::format("{}: expected a square distance matrix, found {} x {}", path.string(), matrix.rows(), matrix.cols()));
 }
 
 LabelledTable mat_table(const std::filesystem::path& path) {
@@ -125,8 +125,7 @@ const Format& format_of(const std::filesystem::path& path) {
   if (found != formats.end()) return *found;
   std::string known;
   for (const Format& format : formats) known.append(known.empty() ? "" : ", ").append(format.extension);
-  throw InputError(fmt::format("{}: the extension does not tell the format of a distance matrix; known are {}",
-                               path.string(), known));
+  throw InputError(fmt::format("{}: unknown extension of a distance matrix; known are {}", path.string(), known));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ NpyHeader parse_npy_header(std::string_view bytes, const std::string& source) {
   std::uint16_t short_length = 0;
   bool complete = scanner.read(major) && scanner.read(minor);
   if (complete && (major < 1 || major > 3)) {
-    throw InputError(fmt::format("{}: version {}.{} of .npy is not known, only 1 to 3 are", source, major, minor));
+    throw InputError(fmt::format("{}: version {}.{} of .npy is not supported, only 1 to 3", source, major, minor));
   }
   if (complete && major == 1) {
     complete = scanner.read(short_length);
@@ -244,7 +244,7 @@ NumberFormat number_format_of(const NpyHeader& header, const std::string& source
   }
   if (type.ends_with('O')) {
     throw InputError(
-        fmt::format("{}: the array holds Python objects, which are not read; save numbers as float64, and labels as "
+        fmt::format("{}: arrays of Python objects are not supported; save numbers as float64, and labels as "
                     "numpy.array(labels, dtype=str)",
                     source));
   }
@@ -255,13 +255,13 @@ NumberFormat number_format_of(const NpyHeader& header, const std::string& source
 void check_shape(const NpyHeader& header, bool square, const std::string& source) {
   const std::vector<std::uint64_t>& shape = header.shape;
   if (square && (shape.size() != 2 || shape[0] != shape[1] || shape[0] == 0)) {
-    throw InputError(
-        fmt::format("{}: a distance matrix is square, but this array has the shape {}", source, shape_as_text(header)));
+    throw InputError(fmt::format("{}: expected a square distance matrix, found an array of shape {}", source,
+                                 shape_as_text(header)));
   }
   const bool table = shape.size() == 1 || shape.size() == 2;
   if (!table || std::ranges::find(shape, std::uint64_t{0}) != shape.end()) {
-    throw InputError(fmt::format("{}: expected a matrix of numbers, but this array has the shape {}", source,
-                                 shape_as_text(header)));
+    throw InputError(
+        fmt::format("{}: expected a matrix of numbers, found an array of shape {}", source, shape_as_text(header)));
   }
 }
 
@@ -273,10 +273,9 @@ void check_data_size(const NpyHeader& header, std::size_t item, std::size_t file
   const std::uint64_t columns = columns_of(header);
   // Compared by division: the claimed size may be so large that the product does not fit into a number.
   if (rows <= data_bytes / item / columns && rows * columns * item == data_bytes) return;
-  throw InputError(
-      fmt::format("{}: {} bytes of data follow the header, which is not what an array of shape {} and "
-                  "type {} has; the file is cut off or damaged",
-                  source, data_bytes, shape_as_text(header), printable(header.type, 40)));
+  throw InputError(fmt::format(
+      "{}: {} bytes of data do not match an array of shape {} and type {}; the file is truncated or damaged", source,
+      data_bytes, shape_as_text(header), printable(header.type, 40)));
 }
 
 /// How the strings of an array lie in its file.
@@ -371,7 +370,7 @@ std::optional<std::vector<std::string>> parse_npy_strings(std::string_view bytes
   if (!format) return std::nullopt;
   check_shape(header, false, source);
   if (header.shape[0] != 1 && columns_of(header) != 1) {
-    throw InputError(fmt::format("{}: expected strings in one dimension, but this array has the shape {}", source,
+    throw InputError(fmt::format("{}: expected a one-dimensional array of strings, found the shape {}", source,
                                  shape_as_text(header)));
   }
   const std::size_t item = format->length * (format->unicode ? 4 : 1);

@@ -37,7 +37,7 @@ class OpenFile {
       const ssize_t count = ::pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
       if (count < 0 && errno == EINTR) continue;
       if (count < 0) fail();
-      if (count == 0) throw InputError(fmt::format("{}: the file became shorter while it was read", path_.string()));
+      if (count == 0) throw InputError(fmt::format("{}: the file was truncated while it was read", path_.string()));
       bytes = bytes.subspan(static_cast<std::size_t>(count));
       offset += static_cast<std::size_t>(count);
     }

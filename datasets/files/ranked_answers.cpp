@@ -40,13 +40,13 @@ std::vector<WordLine> word_lines(std::string_view text, const std::string& sourc
     std::vector<std::string_view> words = words_of(line, separators);
     if (!words.empty()) lines.push_back({std::move(words), fmt::format("{}:{}", source, number)});
   }
-  if (lines.empty()) throw InputError(fmt::format("{}: there are no lines to read", source));
+  if (lines.empty()) throw InputError(fmt::format("{}: the file has no lines", source));
   return lines;
 }
 
 void expect_words(const WordLine& line, std::size_t count, std::string_view form) {
   if (line.words.size() == count) return;
-  throw InputError(fmt::format("{}: {} words where a line is \"{}\"", line.where, line.words.size(), form));
+  throw InputError(fmt::format("{}: found {} words; a line must be \"{}\"", line.where, line.words.size(), form));
 }
 
 // Whether the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
@@ -66,7 +66,7 @@ class Queries {
   void add_model(std::size_t place, std::string_view model, const std::string& where) {
     if (place >= models_.size()) models_.resize(place + 1);
     if (models_[place].emplace(model).second) return;
-    throw InputError(fmt::format("{}: the model {} occurs twice for this query", where, quoted_word(model)));
+    throw InputError(fmt::format("{}: repeated model {} for this query", where, quoted_word(model)));
   }
 
  private:
@@ -84,7 +84,7 @@ RankedAnswers parse_trec_run(std::string_view text, const std::string& source) {
     expect_words(line, 6, "query Q0 model rank score tag");
     const auto score = parse_number(line.words[4]);
     if (!score || !std::isfinite(*score)) {
-      throw InputError(fmt::format("{}: the score {} is no finite number", line.where, quoted_word(line.words[4])));
+      throw InputError(fmt::format("{}: the score {} is not a finite number", line.where, quoted_word(line.words[4])));
     }
     const std::size_t place = queries.place_of(line.words[0]);
     queries.add_model(place, line.words[2], line.where);
@@ -103,7 +103,7 @@ RankedAnswers parse_ranked_lists(std::string_view text, const std::string& sourc
     if (line.words.size() < 2) throw InputError(fmt::format("{}: the query has no models", line.where));
     const std::size_t place = queries.place_of(line.words[0]);
     if (place < result.answers.size()) {
-      throw InputError(fmt::format("{}: the query {} has a line already", line.where, quoted_word(line.words[0])));
+      throw InputError(fmt::format("{}: repeated query {}", line.where, quoted_word(line.words[0])));
     }
     result.answers.push_back({std::string(line.words[0]), {}});
     for (std::size_t rank = 1; rank < line.words.size(); ++rank) {
@@ -123,7 +123,7 @@ Judgements parse_qrels(std::string_view text, const std::string& source) {
     const std::string_view digits = line.words[3];
     const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), grade);
     if (error != std::errc() || stop != digits.data() + digits.size()) {
-      throw InputError(fmt::format("{}: the grade {} is no whole number", line.where, quoted_word(digits)));
+      throw InputError(fmt::format("{}: the grade {} is not an integer", line.where, quoted_word(digits)));
     }
     const std::size_t place = queries.place_of(line.words[0]);
     queries.add_model(place, line.words[2], line.where);

@@ -40,11 +40,11 @@ class NumberRows {
       first_line_ = line;
     }
     if (length != columns_) {
-      throw InputError(fmt::format("{}:{}: the row has {} numbers, but the one in line {} has {}", *source_, line,
-                                   length, first_line_, columns_));
+      throw InputError(fmt::format("{0}:{1}: expected {4} numbers as in line {3}, found {2}", *source_, line, length,
+                                   first_line_, columns_));
     }
     if (shape_ == TableShape::square && rows_ == columns_) {
-      throw InputError(fmt::format("{}:{}: a distance matrix is square, but this is row {} and rows have {} numbers",
+      throw InputError(fmt::format("{}:{}: expected a square distance matrix, found row {} with rows of {} numbers",
                                    *source_, line, rows_ + 1, columns_));
     }
     ++rows_;
@@ -55,8 +55,7 @@ class NumberRows {
     if (rows_ == 0) throw InputError(fmt::format("{}: the file has no numbers", *source_));
     if (shape_ == TableShape::square && rows_ != columns_) {
       throw InputError(
-          fmt::format("{}: a distance matrix is square, but the file has {} rows of {} numbers; it may be "
-                      "cut off",
+          fmt::format("{}: expected a square distance matrix, found {} rows of {} numbers; the file may be truncated",
                       *source_, rows_, columns_));
     }
     return Eigen::Map<const DistanceMatrix>(numbers_.data(), static_cast<Eigen::Index>(rows_),
@@ -77,7 +76,7 @@ void check_ids(const std::vector<std::string>& ids, const std::string& where) {
   std::unordered_set<std::string_view> seen;
   for (const std::string& id : ids) {
     if (id.empty()) throw InputError(fmt::format("{}: an id is empty", where));
-    if (!seen.insert(id).second) throw InputError(fmt::format("{}: the id {} occurs twice", where, quoted_word(id)));
+    if (!seen.insert(id).second) throw InputError(fmt::format("{}: repeated id {}", where, quoted_word(id)));
   }
 }
 
@@ -96,8 +95,8 @@ void check_row_id(const CsvRow& row, std::size_t index, const std::vector<std::s
   }
   if (row.cells.front() == ids[index]) return;
   throw InputError(
-      fmt::format("{}:{}: the row is of {}, but the column of the same number is of {}; rows and columns "
-                  "must have the same ids in the same order",
+      fmt::format("{}:{}: the row has the id {}, but the corresponding column has {}; rows and columns must have the "
+                  "same ids in the same order",
                   source, row.line, quoted_word(row.cells.front()), quoted_word(ids[index])));
 }
 

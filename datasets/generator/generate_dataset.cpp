@@ -117,7 +117,7 @@ void prepare_folder(const std::filesystem::path& folder, bool force) {
       if (belongs_to_dataset(entry.path())) old_files.push_back(entry.path());
     }
     if (!old_files.empty() && !force) {
-      throw InputError(fmt::format("{} holds a data set already ({}); choose another folder, or --force to replace it",
+      throw InputError(fmt::format("{} already has a data set ({}); use another folder, or --force to replace it",
                                    folder.string(),
                                    std::min_element(old_files.begin(), old_files.end())->filename().string()));
     }
@@ -234,7 +234,7 @@ std::span<const Parameter> generated_model_parameters() {
 Shape generate_model(const GeneratedModel& wanted) {
   const auto found = std::ranges::find(class_names(), wanted.model_class);
   if (found == class_names().end()) {
-    throw InputError(fmt::format("there is no class \"{}\" to generate", wanted.model_class));
+    throw InputError(fmt::format("unknown class \"{}\" of generated models", wanted.model_class));
   }
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);

@@ -49,7 +49,7 @@ int label_in(std::vector<std::string>& classes, const std::string& name) {
 // Adds a model; throws InputError where the data set has one of that id.
 void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
   if (!ids.insert(model.id).second) {
-    throw InputError(fmt::format("{}: another file is the model {} already; keep one", model.file.string(), model.id));
+    throw InputError(fmt::format("{}: another file is also model {}; keep one", model.file.string(), model.id));
   }
   dataset.models.push_back(std::move(model));
 }
@@ -101,7 +101,7 @@ Dataset find_psb_dataset(const DatasetLocation& location) {
     const std::string name = ids[i].starts_with('m') ? ids[i].substr(1) : ids[i];
     const std::optional<int> number = name == "0" ? std::optional(0) : number_of(name);
     if (!number) {
-      throw InputError(fmt::format("{}: model {} is no number, as the layout \"psb\" has it",
+      throw InputError(fmt::format("{}: model {} is not a number, as the layout \"psb\" requires",
                                    location.classification.string(), quoted_word(ids[i])));
     }
     const fs::path folder = location.root / "db" / fmt::format("{}", *number / 100) / fmt::format("m{}", *number);
@@ -118,10 +118,8 @@ Dataset find_named_dataset(const DatasetLocation& location) {
   for (const fs::path& file : model_files(location.root)) {
     const std::string name = name_before_number(file);
     if (name.empty()) {
-      throw InputError(
-          fmt::format("{}: the name is not a class and a number, as in cat0.off, which the layout "
-                      "\"named\" needs",
-                      file.string()));
+      throw InputError(fmt::format(
+          "{}: expected a class and a number such as cat0.off, as the layout \"named\" requires", file.string()));
     }
     add_model({.id = id_of(file), .file = file, .label = label_in(dataset.classes, name)}, ids, dataset);
   }

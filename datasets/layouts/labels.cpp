@@ -34,14 +34,14 @@ class Collector {
 
   void add(const std::string& id, const std::string& class_name, const std::string& where) {
     const auto [known, added] = class_of_model_.emplace(canonical_model_id(id), class_name);
-    if (!added) throw InputError(fmt::format("{}: the model {} occurs twice", where, quoted_word(id)));
+    if (!added) throw InputError(fmt::format("{}: repeated model {}", where, quoted_word(id)));
     const auto [position, is_new] = positions_.emplace(class_name, classes_.classes.size());
     if (is_new) classes_.classes.push_back({.name = class_name, .parent = std::nullopt, .models = {}});
     classes_.classes[position->second].models.push_back(id);
   }
 
   [[nodiscard]] Classification result() const {
-    if (classes_.classes.empty()) throw InputError(fmt::format("{}: there are no models", where_));
+    if (classes_.classes.empty()) throw InputError(fmt::format("{}: no models", where_));
     return classes_;
   }
 
@@ -107,7 +107,7 @@ void check_cells(const CsvRow& row, const LabelColumns& where_is, const std::str
 }
 
 ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string& source) {
-  if (rows.empty()) throw InputError(fmt::format("{}: there are no models", source));
+  if (rows.empty()) throw InputError(fmt::format("{}: no models", source));
   const LabelColumns columns = columns_of(rows.front(), source);
   Collector collector(source);
   ModelLabels labels;
@@ -147,8 +147,8 @@ ModelLabels labels_in_order(const std::vector<std::string>& names, const std::st
 ModelLabels string_labels(const std::vector<std::string>& names, const std::string& source) {
   const auto empty = std::ranges::find(names, std::string());
   if (empty != names.end()) {
-    throw InputError(
-        fmt::format("{}: entry {} (counted from 0) is empty: every model has a class", source, empty - names.begin()));
+    throw InputError(fmt::format("{}: entry {} (counted from 0) is empty; every model needs a class", source,
+                                 empty - names.begin()));
   }
   return labels_in_order(names, source);
 }
@@ -158,15 +158,15 @@ ModelLabels read_label_array(const fs::path& path) {
   if (const auto names = parse_npy_strings(bytes, path.string())) return string_labels(*names, path.string());
   const DistanceMatrix numbers = parse_npy_table(bytes, path.string());
   if (numbers.rows() != 1 && numbers.cols() != 1) {
-    throw InputError(fmt::format("{}: labels are an array of one dimension, not {} x {}", path.string(), numbers.rows(),
-                                 numbers.cols()));
+    throw InputError(fmt::format("{}: expected a one-dimensional array of labels, found {} x {}", path.string(),
+                                 numbers.rows(), numbers.cols()));
   }
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < numbers.size(); ++i) {
     const double number = numbers.data()[i];
     if (!(std::abs(number) < 1e15) || number != std::floor(number)) {
       throw InputError(
-          fmt::format("{}: entry {} (counted from 0) is {}: labels are whole numbers", path.string(), i, number));
+          fmt::format("{}: entry {} (counted from 0) is {}; labels must be integers", path.string(), i, number));
     }
     names.push_back(fmt::format("{:.0f}", number));
   }
@@ -236,7 +236,7 @@ Classification at_level(const Classification& classification, std::size_t level,
   const bool hierarchy =
       std::ranges::any_of(classification.classes, [](const ModelClass& known) { return known.parent.has_value(); });
   if (!hierarchy) {
-    throw InputError(fmt::format("{}: no class has a parent, so there is no level {} to take", source, level));
+    throw InputError(fmt::format("{}: no level {}, because no class has a parent", source, level));
   }
   Collector collector(source);
   for (std::size_t i = 0; i < classification.classes.size(); ++i) {
@@ -304,7 +304,7 @@ ModelLabels read_query_and_target_labels(const fs::path& queries, const fs::path
         same.models.push_back(model);
         labels.models.push_back(model);
       } else if (known->second != added.name) {
-        throw InputError(fmt::format("{}: model {} is of class {} here and of {} in {}", targets.string(),
+        throw InputError(fmt::format("{}: model {} has the class {} here and {} in {}", targets.string(),
                                      quoted_word(model), quoted_word(added.name), quoted_word(known->second),
                                      queries.string()));
       }

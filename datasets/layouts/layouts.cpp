@@ -76,8 +76,8 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
                 .label = label_of(cell(row, columns.name, "class", source), dataset)};
     const auto [earlier, added] = lines.emplace(model.id, row.line);
     if (!added) {
-      throw InputError(
-          fmt::format("{}:{}: the model {} stands in line {} already", source, row.line, model.id, earlier->second));
+      throw InputError(fmt::format("{}:{}: repeated model {}; it was first in line {}", source, row.line, model.id,
+                                   earlier->second));
     }
     dataset.models.push_back(std::move(model));
   }
@@ -124,14 +124,14 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
       const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
       const std::string id = named.lexically_relative(location.root).generic_string();
       if (!ids.insert(id).second) {
-        throw InputError(fmt::format("{}: another file is the model {} already; keep one", file.string(), id));
+        throw InputError(fmt::format("{}: another file is also model {}; keep one", file.string(), id));
       }
       dataset.models.push_back({.id = id, .file = file, .label = label});
     }
   }
   if (dataset.classes.empty()) {
     throw InputError(
-        fmt::format("{}: the layout \"folders\" needs a folder for each class, there is none", location.root.string()));
+        fmt::format("{}: the layout \"folders\" needs a folder for each class; found none", location.root.string()));
   }
   std::ranges::sort(dataset.models, natural_less, &Model::id);
   return dataset;
@@ -173,7 +173,7 @@ Dataset find_shrec11_dataset(const DatasetLocation& location) {
 void require_folder(const fs::path& folder) {
   std::error_code ignored;
   if (fs::is_directory(folder, ignored)) return;
-  throw InputError(fmt::format("{}: {}; give the folder that holds the data set", folder.string(),
+  throw InputError(fmt::format("{}: {}; expected the folder of the data set", folder.string(),
                                fs::exists(folder, ignored) ? "is not a folder" : "no such folder"));
 }
 

@@ -68,7 +68,7 @@ void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& 
   try {
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
-    if (failure) throw InputError(fmt::format("cannot make {}: {}", path.parent_path().string(), failure.message()));
+    if (failure) throw InputError(fmt::format("cannot create {}: {}", path.parent_path().string(), failure.message()));
     write_cache_tag(folder_);
     // Only what takes long to compute is worth waiting for the disk; all else is soon made of it again.
     const Flush flush = kind == EntryKind::field || kind == EntryKind::samples ? Flush::yes : Flush::no;
@@ -101,11 +101,10 @@ std::vector<std::string> Cache::warnings() const {
   std::vector<std::string> warnings;
   if (damaged_ > 0) {
     const std::string others = damaged_ > 1 ? fmt::format(" and {} others", damaged_ - 1) : "";
-    warnings.push_back(fmt::format("damaged in the cache and computed anew: {}{}", first_damaged_.string(), others));
+    warnings.push_back(fmt::format("damaged cache entry, recomputed: {}{}", first_damaged_.string(), others));
   }
   if (!writing_error_.empty()) {
-    warnings.push_back(
-        fmt::format("the cache is not written to any more: {}; the results are complete without it", writing_error_));
+    warnings.push_back(fmt::format("cache disabled for writing: {}; the results are complete", writing_error_));
   }
   return warnings;
 }

@@ -16,7 +16,7 @@
 namespace shapegauge {
 
 double weighted_quantile(const Eigen::VectorXd& values, const Eigen::VectorXd& weights, double fraction) {
-  if (values.size() != weights.size()) throw ArgumentError("as many weights as values are needed");
+  if (values.size() != weights.size()) throw ArgumentError("the numbers of values and weights must be equal");
   const double total = weights.sum();
   if (!(total > 0)) return std::numeric_limits<double>::quiet_NaN();
   std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
@@ -38,7 +38,7 @@ double degrees_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool 
 }
 
 const Shape& required_mesh(const Shape& shape) {
-  if (is_cloud(shape)) throw ArgumentError("a point cloud has no triangles to take true normals from");
+  if (is_cloud(shape)) throw ArgumentError("ground-truth normals need triangles, and the shape is a point cloud");
   return shape;
 }
 

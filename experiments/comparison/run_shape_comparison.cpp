@@ -108,7 +108,7 @@ std::vector<std::size_t> measuring_order(const ShapeComparison& comparison) {
 /// Why a shape failed; throws where the comparison cannot go on without it.
 std::string failure_of(const ShapeComparison& comparison, std::size_t index, const std::exception& error) {
   const std::string what = fmt::format("shape \"{}\": {}", comparison.shapes[index].name, error.what());
-  if (comparison.reference == index) throw InputError(what + "; it is the reference: repair it or name another");
+  if (comparison.reference == index) throw InputError(what + "; it is the reference: repair it or choose another");
   if (comparison.on_error == OnError::skip) return error.what();
   throw InputError(what + R"(; repair or remove it, or set "on_error" to "skip")");
 }

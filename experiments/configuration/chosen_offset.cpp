@@ -54,8 +54,8 @@ std::optional<std::string> two_sided_warning(const Shape& shape, const Eigen::Ve
   const Eigen::Index count = (values.array() < 0.5 * offset * bounding_box_diagonal(shape)).count();
   if (count == 0 || is_watertight(shape)) return std::nullopt;
   return fmt::format(
-      "{} of {} samples have the outside about as near on both sides: which way their normals point is left to the "
-      "input's orientation or to chance",
+      "{} of {} samples are about equally far from the outside on both sides; the direction of their normals depends "
+      "on the input's orientation or on chance",
       count, values.size());
 }
 

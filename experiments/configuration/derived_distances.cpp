@@ -39,7 +39,7 @@ DerivedDistances sum_of(const Json& signature) {
     derived.settings["sum"].push_back({{"of", derived.names.back()}, {"weight", weight}});
   }
   if (std::ranges::all_of(weights, [](double weight) { return weight == 0; })) {
-    throw ConfigurationError{"sum", "one of the weights at least must be positive"};
+    throw ConfigurationError{"sum", "at least one weight must be positive"};
   }
   const ParameterValues values = read_parameters(derived_parameters(), signature);
   for (const char* setting : {"scale", "weights"}) derived.settings[setting] = values.word(setting);
@@ -128,7 +128,7 @@ DerivedDistances make_derived(const std::string& key, const Json& signature) {
   for (const Parameter& parameter : derived_parameters()) {
     const std::string_view belongs_to = parameter.name == "score" ? kinds_of_derived[1] : kinds_of_derived[0];
     if (signature.contains(parameter.name) && key != belongs_to) {
-      throw ConfigurationError{std::string(parameter.name), fmt::format("goes with \"{}\" only", belongs_to)};
+      throw ConfigurationError{std::string(parameter.name), fmt::format("requires \"{}\"", belongs_to)};
     }
   }
   if (key == kinds_of_derived[0]) return sum_of(signature);

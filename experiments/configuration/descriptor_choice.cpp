@@ -28,7 +28,7 @@ std::string fields_taken(const Descriptor& descriptor) {
 
 std::vector<Field> fields_of(const Json& list, const Descriptor& descriptor) {
   if (list.size() < descriptor.fewest_fields || list.size() > descriptor.most_fields) {
-    throw ConfigurationError{"fields", fmt::format("the descriptor {} takes {}, not {}", descriptor.name,
+    throw ConfigurationError{"fields", fmt::format("the descriptor {} needs {}, not {}", descriptor.name,
                                                    fields_taken(descriptor), list.size())};
   }
   std::vector<Field> fields;

@@ -43,12 +43,12 @@ class Strictness {
 
   bool operator()(int depth, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
-    if (depth > deepest) throw InputError(fmt::format("{}: values are nested more than {} deep", source_, deepest));
+    if (depth > deepest) throw InputError(fmt::format("{}: values are nested deeper than {} levels", source_, deepest));
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second) {
-      throw InputError(fmt::format("{}: the key {} stands twice in the same object; remove one", source_,
-                                   printable(parsed.dump(), 60)));
+      throw InputError(
+          fmt::format("{}: the key {} is repeated in an object; remove one", source_, printable(parsed.dump(), 60)));
     }
     return true;
   }
@@ -82,7 +82,7 @@ nlohmann::json& element(nlohmann::json& array, std::string_view index, std::stri
   std::size_t position = 0;
   const auto [end, failure] = std::from_chars(index.data(), index.data() + index.size(), position);
   if (failure != std::errc() || end != index.data() + index.size() || position >= array.size()) {
-    fail(assignment, fmt::format("\"{}\" is not an index of an array of {} values (the first is 0)",
+    fail(assignment, fmt::format("\"{}\" is not an index of an array of {} values (counted from 0)",
                                  printable(index, 60), array.size()));
   }
   return array[position];
@@ -98,7 +98,7 @@ nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std
       names.push_back(one["name"]);
     }
   }
-  fail(assignment, fmt::format("nothing there is called \"{}\"{}", printable(name, 60),
+  fail(assignment, fmt::format("no element has the name \"{}\"{}", printable(name, 60),
                                names.empty() ? "" : fmt::format("; there are: {}", fmt::join(names, ", "))));
 }
 
@@ -151,8 +151,8 @@ nlohmann::json& child(nlohmann::json& parent, std::string_view key, std::string_
   if (parent.is_array()) return element(parent, key, assignment);
   if (parent.is_null()) parent = nlohmann::json::object();
   if (!parent.is_object()) {
-    fail(assignment, fmt::format("there is no \"{}\" in {}, which is a {}", printable(key, 60),
-                                 printable(parent.dump(), 60), parent.type_name()));
+    fail(assignment, fmt::format("no key \"{}\" in {}, which is a {}", printable(key, 60), printable(parent.dump(), 60),
+                                 parent.type_name()));
   }
   return parent[std::string(key)];
 }

@@ -39,7 +39,7 @@ std::size_t signature_named(const std::string& name, const std::vector<Signature
   }
   if (!has_field(*found)) {
     throw ConfigurationError{"pictures.of",
-                             fmt::format("the signature \"{}\" has no field of its own: name one that has", name)};
+                             fmt::format("the signature \"{}\" has no field of its own; choose one that has", name)};
   }
   return static_cast<std::size_t>(found - signatures.begin());
 }
@@ -74,7 +74,7 @@ HistogramConfiguration histogram_of(const Json& settings) {
   histogram.options.smoothing_bins = values.number("smoothing_bins");
   if (histogram.options.smoothing_bins > histogram.options.bins) {
     throw ConfigurationError{"smoothing_bins",
-                             fmt::format("the smoothing must be at most the number of bins ({}), not {}",
+                             fmt::format("the smoothing must not exceed the number of bins ({}), not {}",
                                          histogram.options.bins, histogram.options.smoothing_bins)};
   }
   const Json& range = settings.at("range");
@@ -144,12 +144,13 @@ std::optional<std::string> kind_of(const Json& settings) {
   std::optional<std::string> kind;
   for (const std::string& key : keys_of_kinds()) {
     if (!settings.contains(key)) continue;
-    if (kind) throw ConfigurationError{key, fmt::format("does not go with \"{}\"; remove one of the two", *kind)};
+    if (kind)
+      throw ConfigurationError{key, fmt::format("cannot be combined with \"{}\"; remove one of the two", *kind)};
     kind = key;
   }
   for (const char* key : {"field", "histogram"}) {
     if (kind && settings.contains(key)) {
-      throw ConfigurationError{key, fmt::format("does not go with \"{}\"; remove one of the two", *kind)};
+      throw ConfigurationError{key, fmt::format("cannot be combined with \"{}\"; remove one of the two", *kind)};
     }
   }
   return kind;
@@ -293,7 +294,7 @@ DatasetLocation read_location(const Json& dataset, const fs::path& folder) {
 GeneratorOptions read_generator(const Json& dataset) {
   for (const auto& [key, value] : dataset.items()) {
     if (key != "generate") {
-      throw ConfigurationError{key, "does not go with \"generate\"; remove one of the two"};
+      throw ConfigurationError{key, "cannot be combined with \"generate\"; remove one of the two"};
     }
   }
   return at("generate", [&] {

@@ -145,15 +145,15 @@ SegmentationMethod segmentation_method(const Json& settings) {
   const Names foreign = method.paper ? Names(settings_of_best) : Names(settings_of_paper);
   for (const std::string_view key : foreign) {
     if (!settings.contains(key)) continue;
-    throw ConfigurationError{std::string(key), fmt::format("goes with the method \"{}\" only; remove it",
-                                                           algorithms.at(method.paper ? 0 : 1))};
+    throw ConfigurationError{std::string(key),
+                             fmt::format("requires the method \"{}\"; remove it", algorithms.at(method.paper ? 0 : 1))};
   }
   method.patches = static_cast<int>(values.integer("patches"));
   method.least_probability = values.number("least_probability");
   method.border_width = values.number("border_width");
   method.offset_field = values.word("field") == "offset";
   if (!method.offset_field && settings.contains("offset")) {
-    throw ConfigurationError{"offset", "does not go with the field \"cone\"; remove it"};
+    throw ConfigurationError{"offset", "cannot be combined with the field \"cone\"; remove it"};
   }
   method.offset = values.number("offset");
   if (settings.contains("perturbations")) method.perturbations = make_perturbations(settings["perturbations"]);

@@ -51,7 +51,7 @@ ComparedShape shape_of(const Json& settings, const fs::path& folder) {
   shape.name = settings.at("name");
   if (settings.contains("generate")) {
     if (settings.contains("file"))
-      throw ConfigurationError{"file", "does not go with \"generate\"; remove one of the two"};
+      throw ConfigurationError{"file", "cannot be combined with \"generate\"; remove one of the two"};
     shape.generated = at("generate", [&] { return generated_of(settings.at("generate")); });
   } else {
     shape.file = path_value(settings, "file", folder);

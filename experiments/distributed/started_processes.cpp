@@ -46,7 +46,7 @@ fs::path module_file() {
 
 [[noreturn]] void fail(int processes, std::string_view reason) {
   throw InputError(
-      fmt::format("started as one of {} processes, which takes MPI, but {}; without mpirun or srun it runs alone",
+      fmt::format("started as one of {} processes, which requires MPI, but {}; without mpirun or srun it runs alone",
                   processes, reason));
 }
 
@@ -61,7 +61,7 @@ std::unique_ptr<Communicator> load_mpi(int processes) {
   if (module == nullptr) fail(processes, fmt::format("{} cannot be loaded: {}", file.string(), ::dlerror()));
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): that is how dlsym gives functions
   const auto join = reinterpret_cast<JoinMpi*>(::dlsym(module, join_mpi_name));
-  if (join == nullptr) fail(processes, fmt::format("{} is of no use: {}", file.string(), ::dlerror()));
+  if (join == nullptr) fail(processes, fmt::format("{} is unusable: {}", file.string(), ::dlerror()));
   std::unique_ptr<Communicator> ranks(join(fmt::format("{} {}", version(), commit()).c_str()));
   if (!ranks) fail(processes, fmt::format("{} belongs to another build of shapegauge", file.string()));
   return ranks;
@@ -76,8 +76,7 @@ std::unique_ptr<Communicator> started_processes() {
   if (ranks->size() != processes) {
     const int joined = ranks->size();
     ranks.reset();
-    fail(processes,
-         fmt::format("MPI knows of {} only; under Slurm, start it with srun --mpi=pmix, pmi2 or by mpirun", joined));
+    fail(processes, fmt::format("MPI reports {} only; under Slurm, use srun --mpi=pmix, pmi2 or mpirun", joined));
   }
   return ranks;
 }

@@ -27,7 +27,7 @@ void publish(StagedResults& staged, const nlohmann::json& configuration, const R
 void compare_configurations(const nlohmann::json& configuration, Communicator& ranks) {
   const std::string own = configuration.dump();
   const std::string first = ranks.broadcast(own);
-  agree_on(own == first ? "" : fmt::format("rank {} reads another configuration than rank 0", ranks.rank()), ranks);
+  agree_on(own == first ? "" : fmt::format("rank {} has another configuration than rank 0", ranks.rank()), ranks);
 }
 
 }  // namespace

@@ -76,8 +76,7 @@ Json read_manifest(const fs::path& path) {
   for (const char* key : {"configuration", "inputs", "outputs"}) {
     if (!manifest.is_object() || !manifest.contains(key) || !manifest.at(key).is_object()) {
       throw InputError(
-          fmt::format("{}: has no \"{}\": it is not the manifest of a run of this version; name the {} among "
-                      "the results of a run",
+          fmt::format("{}: missing \"{}\"; expected the manifest of a run of this version ({} among its results)",
                       path.string(), key, manifest_name));
     }
   }
@@ -108,11 +107,11 @@ std::vector<std::string> changed_inputs(const Json& recorded, const Json& now) {
     if (found == after.end()) {
       changes.push_back(name + " is absent");
     } else if (found->second != hash) {
-      changes.push_back(name + " is not the recorded one: its file holds other bytes");
+      changes.push_back(name + " differs from the recorded one");
     }
   }
   for (const auto& [name, hash] : after) {
-    if (!before.contains(name)) changes.push_back(name + " was not among them");
+    if (!before.contains(name)) changes.push_back(name + " was not recorded");
   }
   return changes;
 }

@@ -141,9 +141,8 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-loc
     const int error = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 ? 0 : errno;
     if (error == EWOULDBLOCK) {
       ::close(descriptor_);
-      throw InputError(
-          fmt::format("another run is under way in {}; wait until it has ended, or give another folder with --output",
-                      folder.string()));
+      throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with --output",
+                                   folder.string()));
     }
     // Whoever had it before removes the file at last: a lock on a file that is gone keeps nobody out.
     if (error != 0 || is_file_of(descriptor_, path_)) return;
@@ -165,8 +164,8 @@ void make_folder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure || !fs::is_directory(folder)) {
-    throw InputError(fmt::format("cannot make the folder {} for the results: {}", folder.string(),
-                                 failure ? failure.message() : "there is a file of that name"));
+    throw InputError(fmt::format("cannot create the result folder {}: {}", folder.string(),
+                                 failure ? failure.message() : "a file has that name"));
   }
 }
 
@@ -179,10 +178,8 @@ void prepare_result_folder(const fs::path& folder, const nlohmann::json& configu
   fs::remove(probe, ignored);
 
   if (replace || !has_results(folder) || earlier_configuration(folder) == configuration) return;
-  throw InputError(
-      fmt::format("{} holds the results of another configuration; give another folder with --output, or replace them "
-                  "with --replace",
-                  folder.string()));
+  throw InputError(fmt::format(
+      "{} has results of another configuration; use another folder with --output, or --replace", folder.string()));
 }
 
 StagedResults::StagedResults(fs::path destination)

@@ -111,13 +111,13 @@ void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, Evaluation
   const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
   const MatrixIds otherwise = labelled_ids(labels, {data.distances.rows, data.distances.columns}, other);
   if (taken.rows == otherwise.rows && taken.columns == otherwise.columns) return;
-  data.task.warnings.push_back(
-      labels.listed ? fmt::format("row i is taken for the i-th model of {}, which is not in natural order of the ids; "
-                                  "--order natural takes it for the i-th in natural order (2 before 10)",
-                                  labels.source)
-                    : fmt::format("row i is taken for the i-th model in natural order (2 before 10), in which {} is "
-                                  "not; --order file takes it for the i-th model of the file",
-                                  labels.source));
+  data.task.warnings.push_back(labels.listed
+                                   ? fmt::format("rows are assumed to be in the order of {}, which differs from the "
+                                                 "natural order of ids (2 before 10); for that use --order natural",
+                                                 labels.source)
+                                   : fmt::format("rows are assumed to be in natural order of ids (2 before 10), which "
+                                                 "differs from the order of {}; for that use --order file",
+                                                 labels.source));
 }
 
 EvaluationData open_labelled(const EvaluationFiles& files) {
@@ -160,8 +160,8 @@ EvaluationData open_judged(const EvaluationFiles& files) {
   }
   if (judgements.graded) {
     data.task.warnings.emplace_back(
-        "the judgements have grades above 1: nDCG looks at them, for all other measures every grade above 0 is "
-        "relevant alike");
+        "the judgements have grades above 1, which only nDCG uses; for all other measures, every positive grade means "
+        "relevant");
   }
   return data;
 }
@@ -177,14 +177,13 @@ std::string name_of_row(std::span<const std::string> ids, Eigen::Index row) {
 
 void warn_of_entries(const MatrixFindings& found, bool negated, Audience audience, std::vector<std::string>& warnings) {
   if (found.negative > 0 && !negated) {
-    warnings.push_back(
-        fmt::format("{} negative: taken as nearer than 0, in their order; if larger means more alike, use {}",
-                    counted(found.negative, "distance is", "distances are"), setting_on(audience, "similarity")));
+    warnings.push_back(fmt::format("{} negative, which ranks before 0; if larger means more similar, use {}",
+                                   counted(found.negative, "distance is", "distances are"),
+                                   setting_on(audience, "similarity")));
   }
   if (found.infinite > 0) {
     warnings.push_back(
-        fmt::format("{} infinite: such models are tied at the end of the list (or, minus infinity, at its "
-                    "beginning)",
+        fmt::format("{} infinite: these models are tied at the end of the list (minus infinity: at the beginning)",
                     counted(found.infinite, "distance is", "distances are")));
   }
 }
@@ -199,13 +198,11 @@ void warn_of_square(const MatrixFindings& found, Eigen::Index rows, bool negated
         setting_on(audience, "similarity")));
   }
   if (found.asymmetric_pairs > 0) {
-    warnings.push_back(fmt::format("{}; row i, not column i, is the answer to query i", asymmetry_text(found)));
+    warnings.push_back(fmt::format("{}; query i is answered by row i, not by column i", asymmetry_text(found)));
   }
   if (found.nonzero_diagonal > 0 && !negated) {
-    warnings.push_back(
-        fmt::format("{} not 0 on the diagonal, which plays no part, because a query is left out of "
-                    "its answer by its index",
-                    counted(found.nonzero_diagonal, "entry is", "entries are")));
+    warnings.push_back(fmt::format("{} not 0 on the diagonal, which is ignored",
+                                   counted(found.nonzero_diagonal, "entry is", "entries are")));
   }
 }
 
@@ -216,14 +213,15 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
   if (!repeated.empty()) {
     const auto& [row, earlier] = repeated.front();
     warnings.push_back(fmt::format(
-        "{} an earlier one (first: {} repeats {}): duplicates in the data set find each other, "
-        "which makes all scores larger",
+        "{} an earlier one (first: {} repeats {}): duplicates in the data set retrieve each other, which increases all "
+        "scores",
         counted(std::ssize(repeated), "row repeats", "rows repeat"), name_of_row(ids, row), name_of_row(ids, earlier)));
   }
   if (!found.constant_rows.empty()) {
-    warnings.push_back(fmt::format("{} all distances equal (first: {}): their answers have no order but that of ties",
-                                   counted(std::ssize(found.constant_rows), "row has", "rows have"),
-                                   name_of_row(ids, found.constant_rows.front())));
+    warnings.push_back(
+        fmt::format("{} all distances equal (first: {}): the order of their answers depends on --ties only",
+                    counted(std::ssize(found.constant_rows), "row has", "rows have"),
+                    name_of_row(ids, found.constant_rows.front())));
   }
 }
 
@@ -287,21 +285,22 @@ std::optional<std::string> ties_warning(const Evaluation& evaluation, const Matr
       setting_with_word(audience, "ties", name_of(evaluation.ties)),
       pessimistic == optimistic
           ? ""
-          : fmt::format("; FT is {:.1f} to {:.1f} by their order", 100 * pessimistic, 100 * optimistic));
+          : fmt::format("; FT ranges from {:.1f} to {:.1f} with their order", 100 * pessimistic, 100 * optimistic));
 }
 
 std::optional<std::string> left_out_warning(const Evaluation& evaluation, const RetrievalTask& task,
                                             const EvaluationOptions& options) {
   if (evaluation.models_left_out == 0) return std::nullopt;
-  return task.judged.empty() ? fmt::format("{} models are never queries, as their classes have fewer than {} models",
-                                           evaluation.models_left_out, options.minimum_class_size)
-                             : fmt::format("{} queries have fewer than {} relevant models: left out of all scores",
-                                           evaluation.models_left_out, options.minimum_class_size - 1);
+  return task.judged.empty()
+             ? fmt::format("{} models are not queries, because their classes have fewer than {} models",
+                           evaluation.models_left_out, options.minimum_class_size)
+             : fmt::format("{} queries have fewer than {} relevant models and are omitted from all scores",
+                           evaluation.models_left_out, options.minimum_class_size - 1);
 }
 
 EvaluationData open_evaluation_files(const EvaluationFiles& files) {
   if (files.labels.empty() == files.qrels.empty()) {
-    throw InputError("give either --labels (classes of the models) or --qrels (judgements), and one of them only");
+    throw InputError("exactly one of --labels (classes of the models) and --qrels (judgements) is required");
   }
   return files.qrels.empty() ? open_labelled(files) : open_judged(files);
 }

@@ -101,7 +101,7 @@ DistanceMatrix nothing_found(std::size_t rows, std::size_t columns) {
 }
 
 void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& task) {
-  if (count > 0) task.warnings.push_back(fmt::format("{} {}: left out of all scores", count, what));
+  if (count > 0) task.warnings.push_back(fmt::format("{} {}; omitted from all scores", count, what));
 }
 
 // Warns where some queries have no list, or lists are too short for the best score.
@@ -121,8 +121,8 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
                                     ? fmt::format("lists of {} models", coverage.longest)
                                     : fmt::format("lists of {} to {} models", coverage.shortest, coverage.longest);
     task.warnings.push_back(
-        fmt::format("{} of {} lists have fewer models than are relevant ({}): relevant models that are not "
-                    "in a list count as not found, so that no order of such a list reaches the best score",
+        fmt::format("{} of {} lists have fewer models than are relevant ({}); missing relevant models count as not "
+                    "found, and even the best order of such a list scores below 1",
                     coverage.incomplete, coverage.answered, lengths));
   }
 }
@@ -271,7 +271,7 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
     const LabelledModels::Known& known = models.at(answer.query);
     const std::string query = canonical_model_id(answer.query);
     if (!answered.insert(query).second) {
-      throw InputError(fmt::format("the query {} occurs under two spellings", quoted_word(answer.query)));
+      throw InputError(fmt::format("the query {} has two spellings", quoted_word(answer.query)));
     }
     const auto row = static_cast<Eigen::Index>(task.query_ids.size());
     const auto own = columns.find(query);
@@ -280,8 +280,8 @@ RankedTask task_of_answers(const RankedAnswers& answers, const ModelLabels& labe
     task.retrieval.own_column.push_back(own == columns.end() ? -1 : own->second);
     for (const auto& [model, distance] : answer.models) {
       if (!models.at(model).target) {
-        throw InputError(fmt::format("the answer to {} has the model {}, which is no target", quoted_word(answer.query),
-                                     quoted_word(model)));
+        throw InputError(fmt::format("the answer to {} has the model {}, which is not a target",
+                                     quoted_word(answer.query), quoted_word(model)));
       }
       ranked.distances(row, columns.at(canonical_model_id(model))) = distance;
     }

@@ -27,8 +27,8 @@ void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
                      std::equal(words.begin(), words.end(), rows[0].cells.begin());
   if (known) return;
   throw InputError(
-      fmt::format("{}: expected scores of each query, a table that begins with method,protocol,id,class; it is what "
-                  "'run' and 'evaluate --per-query' write",
+      fmt::format("{}: expected a table of scores by query, beginning with method,protocol,id,class, as written by "
+                  "'run' and 'evaluate --per-query'",
                   source));
 }
 
@@ -41,15 +41,15 @@ std::optional<double> fraction_of_percent(const std::string& cell) {
 
 Eigen::RowVectorXd scores_of(const CsvRow& row, std::size_t measures, const std::string& source) {
   if (row.cells.size() != first_measure + measures) {
-    throw InputError(fmt::format("{}:{}: {} cells where the first row has {}", source, row.line, row.cells.size(),
-                                 first_measure + measures));
+    throw InputError(fmt::format("{0}:{1}: expected {3} cells as in the first row, found {2}", source, row.line,
+                                 row.cells.size(), first_measure + measures));
   }
   Eigen::RowVectorXd scores(static_cast<Eigen::Index>(measures));
   for (std::size_t i = 0; i < measures; ++i) {
     const std::string& cell = row.cells[first_measure + i];
     const auto fraction = fraction_of_percent(cell);
     if (!fraction || !(*fraction >= 0 && *fraction <= 1)) {
-      throw InputError(fmt::format("{}:{}: {} is no number from 0 to 100", source, row.line, quoted_word(cell)));
+      throw InputError(fmt::format("{}:{}: {} is not a number from 0 to 100", source, row.line, quoted_word(cell)));
     }
     scores[static_cast<Eigen::Index>(i)] = *fraction;
   }
@@ -62,8 +62,8 @@ QueryPlaces places_of(const MethodScores& method) {
   QueryPlaces places;
   for (const std::string& query : method.queries) {
     if (places.emplace(canonical_model_id(query), places.size()).second) continue;
-    throw InputError(fmt::format("{}: the query {} occurs twice for {}", method.source, quoted_word(query),
-                                 quoted_word(method.method)));
+    throw InputError(
+        fmt::format("{}: repeated query {} for {}", method.source, quoted_word(query), quoted_word(method.method)));
   }
   return places;
 }
@@ -71,9 +71,9 @@ QueryPlaces places_of(const MethodScores& method) {
 void check_protocols(std::span<const MethodScores> methods) {
   for (const MethodScores& method : methods) {
     if (method.protocol == methods[0].protocol) continue;
-    throw InputError(fmt::format("{} is judged under {} but {} under {}; scores of two protocols cannot be compared",
-                                 quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method),
-                                 method.protocol));
+    throw InputError(
+        fmt::format("{} has the protocol {} but {} has {}; scores of different protocols cannot be compared",
+                    quoted_word(methods[0].method), methods[0].protocol, quoted_word(method.method), method.protocol));
   }
 }
 
@@ -134,7 +134,7 @@ std::vector<std::string> measures_to_compare(std::span<const MethodScores> metho
 Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
   const auto found = std::ranges::find(method.measures, measure);
   if (found != method.measures.end()) return found - method.measures.begin();
-  throw InputError(fmt::format("{}: there is no measure {} for {}; there are {}", method.source, quoted_word(measure),
+  throw InputError(fmt::format("{}: no measure {} for {}; available are {}", method.source, quoted_word(measure),
                                quoted_word(method.method), fmt::join(method.measures, ", ")));
 }
 
@@ -145,9 +145,9 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
   for (std::size_t i = 0; i < first.queries.size(); ++i) {
     const auto found = places.find(canonical_model_id(first.queries[i]));
     if (found == places.end()) {
-      throw InputError(fmt::format(
-          "{}: {} has no query {}, which {} has; only scores of the same queries can be compared", method.source,
-          quoted_word(method.method), quoted_word(first.queries[i]), quoted_word(first.method)));
+      throw InputError(fmt::format("{}: {} lacks the query {} of {}; only scores of the same queries can be compared",
+                                   method.source, quoted_word(method.method), quoted_word(first.queries[i]),
+                                   quoted_word(first.method)));
     }
     if (method.classes[found->second] != first.classes[i]) {
       throw InputError(fmt::format("{}: the query {} is of class {} for {} and of {} for {}", method.source,
@@ -162,7 +162,7 @@ std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& 
   const auto more = std::ranges::find_if(
       method.queries, [&](const std::string& query) { return !known.contains(canonical_model_id(query)); });
   throw InputError(
-      fmt::format("{}: {} has the query {}, which {} has not; only scores of the same queries can be compared",
+      fmt::format("{}: {} has the query {}, which {} lacks; only scores of the same queries can be compared",
                   method.source, quoted_word(method.method), quoted_word(*more), quoted_word(first.method)));
 }
 
@@ -237,7 +237,7 @@ MethodScores method_scores(const std::string& method, const std::string& source,
 
 AlignedMethods align_methods(std::span<const MethodScores> methods, std::span<const std::string> wanted_measures,
                              std::span<const std::string> names) {
-  if (methods.size() < 2) throw InputError("there is one method only; a comparison needs two or more");
+  if (methods.size() < 2) throw InputError("a comparison needs at least two methods");
   check_protocols(methods);
   AlignedMethods aligned{.methods = checked_names(methods, names),
                          .protocol = methods[0].protocol,

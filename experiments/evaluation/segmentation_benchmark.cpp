@@ -84,10 +84,9 @@ std::vector<MeshEdge> edges_of(const Shape& mesh, const std::vector<std::int32_t
 SegmentationBenchmark find_segmentation_benchmark(const fs::path& root) {
   for (const char* folder : {"off", "seg"}) {
     if (is_folder(root / folder)) continue;
-    throw InputError(
-        fmt::format("{}: there is no folder {}; a segmentation benchmark has meshes off/N.off and people's "
-                    "segmentations seg/N/*.seg",
-                    root.string(), folder));
+    throw InputError(fmt::format(
+        "{}: no folder {}; a segmentation benchmark has meshes off/N.off and human segmentations seg/N/*.seg",
+        root.string(), folder));
   }
   SegmentationBenchmark benchmark;
   std::array<int, psb_classes.size()> labels = {};
@@ -107,7 +106,7 @@ SegmentationBenchmark find_segmentation_benchmark(const fs::path& root) {
     benchmark.models.push_back(std::move(model));
   }
   if (benchmark.models.empty()) {
-    throw InputError(fmt::format("{}: there is no mesh off/N.off with a segmentation seg/N/*.seg", root.string()));
+    throw InputError(fmt::format("{}: no mesh off/N.off has a segmentation seg/N/*.seg", root.string()));
   }
   return benchmark;
 }

@@ -125,7 +125,7 @@ std::optional<std::string> depth_remark(const EvaluationTask& task) {
   const auto targets = std::ssize(task.retrieval.target_classes);
   if (task.coverage->shortest + 1 >= targets) return std::nullopt;
   const auto [shortest, longest] = std::pair(task.coverage->shortest, task.coverage->longest);
-  return fmt::format("the lists have {} of {} models; what a list does not have counts as not found",
+  return fmt::format("the lists have {} of {} models; missing models count as not found",
                      shortest == longest ? fmt::format("{}", longest) : fmt::format("{} to {}", shortest, longest),
                      targets);
 }
@@ -176,7 +176,7 @@ class Judging {
     const std::string bytes = sha256_of_file(files.matrix);
     JudgedFile judged = through_cache(files, bytes);
     if (!judged.wrong_kind.empty() && !submission.similarity) {
-      throw InputError(fmt::format("{}: {}; say \"similarity\": true or false in {}", submission.file.string(),
+      throw InputError(fmt::format("{}: {}; set \"similarity\": true or false in {}", submission.file.string(),
                                    judged.wrong_kind, description_of(submission.file).filename().string()));
     }
     warn_of_repetition(bytes, judged.warnings);
@@ -287,7 +287,7 @@ void order_by_rank(Leaderboard& board) {
 }
 
 std::string all_refused(const std::vector<RefusedSubmission>& refused) {
-  std::string message = fmt::format("none of {} submissions can be judged", refused.size());
+  std::string message = fmt::format("none of {} submissions can be evaluated", refused.size());
   for (const RefusedSubmission& one : refused) message += fmt::format("; {}: {}", one.file.string(), one.reason);
   return message;
 }

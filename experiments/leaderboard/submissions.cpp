@@ -84,7 +84,8 @@ void read_description(const fs::path& file, Submission& submission) {
     set_described(key, value, submission);
   }
   if (submission.similarity.value_or(false) && !submission.distance.empty()) {
-    throw InputError("\"distance\" is of features, which are no similarities: leave out one of both");
+    throw InputError(
+        "\"distance\" applies to features, which are not similarities; remove \"distance\" or \"similarity\"");
   }
 }
 
@@ -133,14 +134,14 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
     add_submission(file, found);
   }
   if (found.submissions.size() + found.refused.size() == before) {
-    throw InputError(fmt::format("{}: no submissions in this folder; expected are files {}, also with .gz",
+    throw InputError(fmt::format("{}: no submissions in this folder; expected files {}, optionally with .gz",
                                  folder.string(), fmt::join(submission_extensions, ", ")));
   }
   for (const fs::path& file : files_in(folder)) {
     if (is_submission_file(file) || described.contains(file) || is_one_of(file, others)) continue;
     if (lower_case(file.extension().string()) == ".json") {
       found.refused.push_back(
-          {.file = file, .reason = "describes no submission: there is no matrix or list of that name beside it"});
+          {.file = file, .reason = "describes no submission: no matrix or list beside it has that name"});
     } else {
       found.skipped.push_back(file);
     }

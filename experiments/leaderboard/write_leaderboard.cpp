@@ -134,10 +134,9 @@ void check_site_folder(const fs::path& folder) {
     const auto json = nlohmann::json::parse(read_file_bytes(folder / site_data), nullptr, false);
     if (json.is_object() && json.value("format", nlohmann::json()) == format_of_site) return;
   }
-  throw InputError(
-      fmt::format("{}: holds files, and they are no site of a leaderboard; name a new folder, or a page "
-                  "that ends in .html",
-                  folder.string()));
+  throw InputError(fmt::format(
+      "{}: the folder has files and is not a leaderboard site; use a new folder, or a page that ends in .html",
+      folder.string()));
 }
 
 SiteUpdate write_site(const fs::path& folder, const std::string& title, const Leaderboard& board,
@@ -149,7 +148,7 @@ SiteUpdate write_site(const fs::path& folder, const std::string& title, const Le
   std::error_code failure;
   fs::create_directories(folder / site_methods, failure);
   if (failure) {
-    throw InputError(fmt::format("cannot make {}: {}", (folder / site_methods).string(), failure.message()));
+    throw InputError(fmt::format("cannot create {}: {}", (folder / site_methods).string(), failure.message()));
   }
   SiteUpdate update;
   std::map<std::string, std::string> keys;

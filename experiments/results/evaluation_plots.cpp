@@ -20,7 +20,7 @@ namespace {
 double cell_number(const std::filesystem::path& path, const CsvRow& row, std::size_t column) {
   const std::optional<double> number = parse_number(row.cells[column]);
   if (number) return *number;
-  throw InputError(fmt::format("{}:{}: {} is no number", path.string(), row.line, quoted_word(row.cells[column])));
+  throw InputError(fmt::format("{}:{}: {} is not a number", path.string(), row.line, quoted_word(row.cells[column])));
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ Drawing class_plot(std::span<const NamedEvaluation> evaluations, std::span<const
   const Evaluation& first = *evaluations.front().evaluation;
   const auto found = std::ranges::find(first.measures, measure);
   if (found == first.measures.end()) {
-    throw InputError(fmt::format("the measure {} was not computed; there are {}", quoted_word(measure),
+    throw InputError(fmt::format("the measure {} was not computed; available are {}", quoted_word(measure),
                                  fmt::join(first.measures, ", ")));
   }
   const auto column = found - first.measures.begin();

@@ -21,8 +21,7 @@ std::string evaluation_report_page(const std::vector<ReportedEvaluation>& method
   for (const auto& [named, data] : methods) {
     if (data->task.query_ids != task.query_ids || data->task.retrieval.query_classes != task.retrieval.query_classes) {
       throw InputError(
-          fmt::format("a report takes matrices of the same models in the same order, which those of {} and "
-                      "{} are not",
+          fmt::format("a report requires matrices of the same models in the same order, unlike those of {} and {}",
                       methods.front().named.method, named.method));
     }
     overviews.push_back(overview_of(whole_matrix(data->distances), data->task.retrieval.query_classes));

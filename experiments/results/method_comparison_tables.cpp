@@ -139,7 +139,7 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
   const bool few_resamples = smallest * (1.0 + options.resampling.resamples) <= 1;
   const std::string more_blocks =
       options.blocks == Blocks::classes
-          ? fmt::format(" or {} (which calls too much significant)", setting_with_word(audience, "blocks", "queries"))
+          ? fmt::format(" or {} (which is too liberal)", setting_with_word(audience, "blocks", "queries"))
           : "";
   const std::string advice =
       few_resamples
@@ -147,7 +147,7 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
           : fmt::format("more {} can, {} (which assumes normally distributed differences){}", name_of(options.blocks),
                         setting_with_word(audience, "test", "t"), more_blocks);
   return fmt::format(
-      "over {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}), so no "
+      "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}); no "
       "difference can be significant at {:.4g}; {}",
       comparison.units, name_of(options.blocks), name_of(options.test), smallest, std::min(1.0, pairs * smallest),
       comparison.pairs.size(), comparison.pairs.size() == 1 ? "pair" : "pairs", alpha, advice);

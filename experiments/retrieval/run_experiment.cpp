@@ -112,8 +112,8 @@ class MethodsRun {
     const auto derived = std::ranges::find(in_derived_, true);
     if (ranks_->size() == 1 || models <= most_models_of_derived_distances || derived == in_derived_.end()) return;
     throw SharedError(fmt::format(
-        "sum, fuse_ranks and rerank take whole distance matrices, which several processes hold of up to {} models, not "
-        "of {}; leave out signature \"{}\" and others like it, or run in one process with enough memory",
+        "sum, fuse_ranks and rerank need whole distance matrices, which several processes support for up to {} models, "
+        "not {}; remove the signature \"{}\" and others like it, or run in one process with enough memory",
         most_models_of_derived_distances, models,
         configuration_->signatures[static_cast<std::size_t>(derived - in_derived_.begin())].name));
   }
@@ -314,7 +314,7 @@ std::string effect_on_first_tier(const MethodResults& method) {
     parts.push_back(
         fmt::format("{:.1f} to {:.1f} ({})", 100 * pessimistic, 100 * optimistic, name_of(evaluation.protocol)));
   }
-  return parts.empty() ? "" : fmt::format("; FT is {} by their order", fmt::join(parts, ", "));
+  return parts.empty() ? "" : fmt::format("; FT ranges from {} with their order", fmt::join(parts, ", "));
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ Collection files_of_dataset(const DatasetLocation& location) {
 DatasetLocation location_in(const fs::path& configuration) {
   const nlohmann::json document = read_json(configuration);
   if (!document.is_object() || !document.contains("dataset") || document["dataset"].contains("generate")) {
-    throw InputError(fmt::format("{}: a collection takes a configuration with the \"dataset\" of files on disk",
+    throw InputError(fmt::format("{}: a collection needs a configuration with a \"dataset\" of files on disk",
                                  configuration.string()));
   }
   try {

@@ -141,7 +141,7 @@ std::optional<ShapeIndex> read_index(const fs::path& file, const std::string& ke
     if (auto index = decode_index(read_file_bytes(file), key, fault)) return index;
   } catch (const InputError&) {  // empty, or not to be read
   }
-  notes.push_back(fmt::format("{} is {}; it is made anew", file.string(),
+  notes.push_back(fmt::format("{} is {} and is rebuilt", file.string(),
                               fault == IndexFault::damaged ? "damaged" : "of another method or program"));
   return std::nullopt;
 }
@@ -152,7 +152,7 @@ void write_index(const OpenIndex& index, std::vector<std::string>& notes) {
   try {
     write_file_atomically(index.file, encode_index(index.contents, index.method.key()));
   } catch (const InputError& error) {
-    notes.push_back(fmt::format("the index is not kept: {}; name another place for it", error.what()));
+    notes.push_back(fmt::format("the index could not be written: {}; choose another file with --index", error.what()));
   }
 }
 
@@ -161,7 +161,7 @@ OpenIndex open_index(SearchMethod method, const fs::path& collection, const fs::
   OpenIndex index{.method = std::move(method), .collection = find_collection(collection), .file = file, .contents = {}};
   std::error_code absent;
   if (fs::is_directory(file, absent))
-    throw InputError(fmt::format("{} is a folder; an index is a file", file.string()));
+    throw InputError(fmt::format("{} is a folder; the index must be a file", file.string()));
   std::optional<ShapeIndex> before = read_index(file, index.method.key(), update.notes);
   with_threads(control, [&] {
     std::vector<IndexedFile> files = states_of(index.collection, before ? &*before : nullptr);
@@ -184,7 +184,7 @@ OpenIndex open_index_as_it_is(SearchMethod method, const fs::path& collection, c
   IndexFault fault = IndexFault::damaged;
   std::optional<ShapeIndex> contents = decode_index(read_file_bytes(file), index.method.key(), fault);
   if (!contents) {
-    throw InputError(fmt::format("{} is {}; let it be made anew", file.string(),
+    throw InputError(fmt::format("{} is {}; rebuild it by searching without --no-update", file.string(),
                                  fault == IndexFault::damaged ? "damaged" : "of another method or program"));
   }
   index.contents = std::move(*contents);

@@ -37,7 +37,7 @@ bool is_reranked(const SignatureConfiguration& signature) {
 std::string why_not_searchable(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   const SignatureConfiguration& signature = signatures[chosen];
   if (!signature.derived) return "";
-  if (is_reranked(signature)) return "it is re-ranked; search by what it is made from, with re-ranking";
+  if (is_reranked(signature)) return "it is re-ranked; use the signature that it re-ranks, with --rerank";
   if (signature.derived->key != "sum") return "it is a fusion of ranks";
   for (const std::size_t part : signature.parts) {
     if (!signatures[part].derived) continue;
@@ -57,7 +57,7 @@ std::size_t named_signature(const std::vector<SignatureConfiguration>& signature
   const auto chosen = static_cast<std::size_t>(found - names.begin());
   const std::string why = why_not_searchable(signatures, chosen);
   if (why.empty()) return chosen;
-  throw InputError(fmt::format("{}: a search cannot compare by the signature \"{}\": {}", source, wanted, why));
+  throw InputError(fmt::format("{}: the signature \"{}\" is not suitable for searches: {}", source, wanted, why));
 }
 
 /// The one of that name; of none, the last that can be searched by.
@@ -67,7 +67,7 @@ std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatur
   for (std::size_t i = signatures.size(); i-- > 0;) {
     if (why_not_searchable(signatures, i).empty()) return i;
   }
-  throw InputError(fmt::format("{}: there is no signature that a search can compare by", source));
+  throw InputError(fmt::format("{}: no signature is suitable for searches", source));
 }
 
 /// Adds the signature, and those that it is made from.

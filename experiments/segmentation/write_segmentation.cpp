@@ -110,8 +110,8 @@ std::vector<std::string> notes_of(const SegmentationResults& results) {
   const auto count = std::ranges::count_if(results.shapes, &SegmentedShape::has_polygons);
   if (count == 0) return notes;
   notes.push_back(
-      fmt::format("{} of {} shapes have polygons for faces, which became triangles; their .seg files have a line for "
-                  "each face of the file, the part with most of its area",
+      fmt::format("{} of {} shapes have polygonal faces, which were triangulated; their .seg files have one line a "
+                  "face of the file, with the part that covers most of its area",
                   count, results.shapes.size()));
   return notes;
 }

@@ -119,7 +119,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
 }
 
 ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
-  return ArgumentError(fmt::format("a descriptor gives {} features of one model, {} of another", one, other));
+  return ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", one, other));
 }
 
 /// The features of one descriptor of all models.

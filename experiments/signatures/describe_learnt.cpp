@@ -105,13 +105,12 @@ Learnt learn_together(const Lessons& own, const std::string& name, const Descrip
     all += Unpacker(count).take_value<std::size_t>();
   }
   if (ranks.rank() == 0 && all <= most_bytes_to_learn_from) all = 0;
-  agree_on(
-      ranks.rank() == 0 && all > 0
-          ? fmt::format("the signature \"{}\" learns from the fields of all models, which are {:.1f} GB, more than "
-                        "one of several processes takes; run it in one process, or without that signature",
-                        name, static_cast<double>(all) / 1e9)
-          : "",
-      ranks);
+  agree_on(ranks.rank() == 0 && all > 0
+               ? fmt::format("the signature \"{}\" learns from the fields of all models, whose {:.1f} GB exceed the "
+                             "limit with several processes; run in one process, or without that signature",
+                             name, static_cast<double>(all) / 1e9)
+               : "",
+           ranks);
   const std::vector<std::string> parts = ranks.gather(std::move(bytes));
   const std::string told = on_first_rank(ranks, [&] {
     Lessons lessons;

@@ -104,7 +104,7 @@ class SamplesByPlan {
 /// The values' range, which also says whether there are any.
 Interval range_of(const ScalarField& field, const Field& what) {
   if (const std::optional<Interval> range = value_range(field)) return *range;
-  throw InputError(fmt::format("no sample has a value of the field {}", to_json(what.settings).dump()));
+  throw InputError(fmt::format("the field {} has no value at any sample", to_json(what.settings).dump()));
 }
 
 }  // namespace

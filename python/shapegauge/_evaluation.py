@@ -239,7 +239,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
               distance: Optional[str] = None, targets: Any = None, relevance: Any = None, curve: str = "") -> Scores:
     similarity = switch(similarity, "similarity")
     if distance is not None and similarity:
-        raise InputError("distance goes with features, which are no similarities: leave similarity out")
+        raise InputError("distance applies to features, which are not similarities; omit similarity")
     if labels is None and relevance is None:
         raise InputError("labels are None; give them, or relevance in their place")
     if labels is not None and relevance is not None:

@@ -161,7 +161,7 @@ def _wanted_method(method: Any, signature: str) -> tuple[_native.WantedMethod, s
     """The method, and the file whose name its index has."""
     if method is None:
         if signature:
-            raise InputError("signature goes with a method")
+            raise InputError("signature requires a method")
         return _native.WantedMethod("", "", ""), ""
     if isinstance(method, _abc.Mapping):
         document = plain(method, "method")

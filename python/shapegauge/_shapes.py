@@ -133,7 +133,7 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
     for name in given:
         if name not in own:
             other = "cone" if method == "offset" else "offset"
-            raise InputError(f'{name} goes with method="{other}" only, not with "{method}"')
+            raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset":
         given.setdefault("offset", 0.05)
     try:

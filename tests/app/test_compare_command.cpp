@@ -152,7 +152,7 @@ TEST_F(CompareCommand, WhatCannotBeComparedIsOneClearLine) {
   write_text(at("one.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,y,0\n");
   write_text(at("class.csv"), "method,protocol,id,class,NN\nm,psb,1,x,100\nm,psb,2,x,0\nn,psb,1,x,100\nn,psb,2,x,0\n");
   const std::vector<std::pair<Outcome, std::string>> cases{
-      {compare("one.csv"), "one method only"},
+      {compare("one.csv"), "two methods"},
       {compare("good.npy bad.npy"), "good.npy"},
       {compare("nowhere"), "nowhere"},
       {compare("class.csv"), "needs at least two of them"},

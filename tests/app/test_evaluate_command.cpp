@@ -65,10 +65,10 @@ TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
     }
     EXPECT_TRUE(json.contains("micro"));
   }
-  expect_error_lines({{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
-                      {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'", "standard input:2: "},
-                      {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy",
-                       "goes with standard input"}});
+  expect_error_lines(
+      {{"evaluate - --labels '" + at("toy.cla") + "' < /dev/null", "standard input is empty"},
+       {"evaluate - --labels '" + at("toy.cla") + "' < '" + at("toy.cla") + "'", "standard input:2: "},
+       {"evaluate '" + at("toy.npy") + "' --labels '" + at("toy.cla") + "' --input-format npy", "standard input (-)"}});
 }
 
 TEST_F(EvaluateCommand, KnownAnswersFromEveryFormat) {
@@ -154,7 +154,7 @@ TEST_F(EvaluateCommand, SmallClassesAreLeftOutAndTold) {
   const Outcome outcome = evaluate_toy("--format json --min-class-size 4");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["queries"], 4);
-  EXPECT_THAT(outcome.errors, HasSubstr("warning: 3 models are never queries"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: 3 models are not queries"));
 }
 
 TEST_F(EvaluateCommand, CurvesOfAnyKindAndTablesGoToTheirFiles) {
@@ -237,7 +237,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
   const std::string toy = "evaluate '" + at("toy.npy") + "' ";
   const std::string labels = "--labels '" + at("toy.cla") + "' ";
   const std::vector<UnusableCall> cases{
-      {toy, "give either --labels"},
+      {toy, "--labels"},
       {toy + "--labels /nowhere.cla", "/nowhere.cla"},
       {toy + "--labels '" + at("empty.cla") + "'", "empty.cla"},
       {"evaluate /nowhere.npy " + labels, "/nowhere.npy"},

@@ -80,7 +80,7 @@ TEST_F(PerturbCommand, DefaultsAreThoseOfConfigurations) {
 }
 
 TEST_F(PerturbCommand, RefusesWhatItCannotDo) {
-  EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("nothing to do"));
+  EXPECT_THAT(perturb("x.off", "").errors, HasSubstr("no perturbation given"));
   EXPECT_THAT(perturb("x.xlsx", "--noise 0.1").errors, HasSubstr("cannot write"));
   EXPECT_THAT(perturb("x.off", "--noise -1").errors, HasSubstr("--noise is -1"));
   EXPECT_EQ(perturb("x.off", "--remove-faces 1").status, 2);

@@ -42,7 +42,7 @@ TEST_F(ReplayReport, TheSameInputsGiveTheSameBytes) {
   EXPECT_THAT(outcome.output, HasSubstr("same          summary.csv\n"));
   EXPECT_THAT(outcome.output, HasSubstr("same          distances/fixed.npy\n"));
   EXPECT_THAT(outcome.output, HasSubstr("not compared  shape_seconds.csv\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are the same bytes as recorded.\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are identical"));
   EXPECT_EQ(text_of(at("again/per_query.csv")), text_of(at("out/per_query.csv")));
 }
 
@@ -73,7 +73,7 @@ TEST_F(ReplayReport, TheDataSetMayBeElsewhere) {
   EXPECT_EQ(replay().status, 2);
   const Outcome outcome = replay("--dataset-root " + quoted("moved"));
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are the same bytes"));
+  EXPECT_THAT(outcome.output, HasSubstr("All 14 outputs are identical"));
 }
 
 TEST_F(ReplayReport, NothingComesFromTheCache) {
@@ -86,12 +86,11 @@ TEST_F(ReplayReport, AChangedInputIsNamedAndSoAreTheOutputsThatDiffer) {
   fs::copy_file(at("data/T3.off"), at("data/T4.off"), fs::copy_options::overwrite_existing);
   const Outcome outcome = replay();
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.errors,
-              HasSubstr("shapegauge: warning: input: model 4 is not the recorded one: its file holds other bytes\n"));
+  EXPECT_THAT(outcome.errors, HasSubstr("shapegauge: warning: input: model 4 differs from the recorded one\n"));
   EXPECT_THAT(outcome.output, HasSubstr("DIFFERENT     distances/fixed.npy\n"));
-  EXPECT_THAT(outcome.output, HasSubstr("input         model 4 is not the recorded one"));
-  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 14 outputs are not the same bytes as recorded; 1 of its "
-                                           "inputs are not those recorded\\.\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("input         model 4 differs from the recorded one"));
+  EXPECT_THAT(outcome.output, MatchesRegex("(.|\n)*[0-9]+ of 14 outputs differ from the recorded ones; 1 of its "
+                                           "inputs differ as well\\.\n"));
 }
 
 TEST_F(ReplayReport, AnotherSettingGivesOtherOutputs) {
@@ -124,7 +123,7 @@ TEST_F(ReplayReport, UnusableArgumentsAreOneClearLine) {
   write_text(at("text.json"), "{}");
   expect_error_lines(
       {{manifest + " " + quoted("small.json"), "excludes --replay"},
-       {"run " + quoted("small.json") + " --dataset-root x", "--dataset-root goes with --replay"},
+       {"run " + quoted("small.json") + " --dataset-root x", "--dataset-root requires --replay"},
        {"run --replay " + quoted("text.json"), "has no \"configuration\""},
        {"run --replay /nowhere/manifest.json", "no such file"},
        {manifest + " --output " + quoted("again") + " --dataset-root /nowhere", "/nowhere: no such folder"},

@@ -147,7 +147,7 @@ TEST_F(RunProcesses, AFolderInUseIsRefusedOnce) {
   write_text(at("out/summary.csv"), "of something else");
   const Outcome outcome = run_ranks(2, "out");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.errors, HasSubstr("holds the results of another configuration"));
+  EXPECT_THAT(outcome.errors, HasSubstr("results of another configuration"));
   EXPECT_THAT(outcome.errors, Not(HasSubstr("rank")));
 }
 
@@ -184,8 +184,8 @@ TEST_F(RunProcesses, AProcessThatIsTerminatedSaysHowToGoOn) {
   ASSERT_TRUE(run.wait_until([&] { return run.children().size() == 2 && fields_kept() >= 1; }));
   ::kill(run.children().front(), SIGTERM);  // mpirun itself, terminated, would pass nothing on
   EXPECT_NE(run.wait(), 0);
-  EXPECT_THAT(text_of(at("errors")), HasSubstr("interrupted; no results were written. The shapes that were done are in "
-                                               "the cache: the same run goes on from there"));
+  EXPECT_THAT(text_of(at("errors")),
+              HasSubstr("interrupted; no results were written. Completed shapes are in the cache"));
 }
 
 TEST_F(RunProcesses, WithoutTheModuleItSaysWhatIsMissing) {
@@ -194,7 +194,7 @@ TEST_F(RunProcesses, WithoutTheModuleItSaysWhatIsMissing) {
                               quoted("out") + " 2>" + quoted("errors");
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 2);
   EXPECT_THAT(text_of(at("errors")),
-              testing::MatchesRegex("shapegauge: error: started as one of 2 processes, which takes MPI, but "
+              testing::MatchesRegex("shapegauge: error: started as one of 2 processes, which requires MPI, but "
                                     "[^\n]*none.so[^\n]*; without mpirun or srun it runs alone\n"));
   EXPECT_FALSE(fs::exists(at("out")));
 }

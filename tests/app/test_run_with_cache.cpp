@@ -155,7 +155,7 @@ TEST_F(RunWithCache, ASecondRunIntoTheSameFolderIsRefused) {
   const Outcome second = run("out", "--force --no-cache");
   first.send(SIGCONT);
   EXPECT_EQ(second.status, 2);
-  EXPECT_THAT(second.errors, MatchesRegex("shapegauge: error: another run is under way in [^\n]*--output\n"));
+  EXPECT_THAT(second.errors, MatchesRegex("shapegauge: error: another run is writing to [^\n]*--output\n"));
   EXPECT_EQ(first.wait(), 0) << "and does the first no harm";
   EXPECT_EQ(text_of(at("errors")), "");
 }
@@ -174,7 +174,7 @@ TEST_F(RunWithCache, AFileInPlaceOfTheCacheIsOneWarning) {
   write_text(at("cache"), "a file");
   const Outcome outcome = run_with_cache("out");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: the cache is not written to any more: [^\n]*\n"));
+  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: cache disabled for writing: [^\n]*\n"));
   EXPECT_THAT(outcome.output, HasSubstr("Results in "));
 }
 
@@ -186,7 +186,7 @@ TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {
   }
   const Outcome outcome = run_with_cache("out");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: damaged in the cache and computed anew: [^\n]* and 17 "
+  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: damaged cache entry, recomputed: [^\n]* and 17 "
                                            "others\n"));
   EXPECT_EQ(results_in(at("out")), fresh);
 }
@@ -217,7 +217,7 @@ TEST_F(RunWithCache, AFullDiskUnderTheCacheIsOneWarningAndTheRunGoesOn) {
   if (!disk.mounted()) GTEST_SKIP() << "only root may mount a small disk";
   const Outcome outcome = run_with_cache("out");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: the cache is not written to any more: [^\n]*No space "
+  EXPECT_THAT(outcome.errors, MatchesRegex("shapegauge: warning: cache disabled for writing: [^\n]*No space "
                                            "left on device[^\n]*\n"));
   ASSERT_EQ(run("fresh", "--no-cache").status, 0);
   EXPECT_EQ(results_in(at("out")), results_in(at("fresh")));

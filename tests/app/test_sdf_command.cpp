@@ -227,9 +227,9 @@ TEST_F(SdfCommand, UnusableInputIsOneClearLine) {
       {good + "--method cone_sdf --rays 0" + out, "rays"},
       {good + "--method cone_sdf --opening-angle-degrees 400" + out, "angle"},
       {good + "--method cone_sdf --engine cgal --at vertices" + out, "faces only"},
-      {good + "--method cone_sdf --accuracy fine" + out, "--accuracy does not go with --method cone_sdf"},
-      {good + "--method cone_sdf --offset 0.1" + out, "--offset does not go with --method cone_sdf"},
-      {good + "--method offset_sdf --rays 3" + out, "--rays does not go with --method offset_sdf"}};
+      {good + "--method cone_sdf --accuracy fine" + out, "--accuracy does not apply to --method cone_sdf"},
+      {good + "--method cone_sdf --offset 0.1" + out, "--offset does not apply to --method cone_sdf"},
+      {good + "--method offset_sdf --rays 3" + out, "--rays does not apply to --method offset_sdf"}};
   expect_error_lines(cases);
 }
 

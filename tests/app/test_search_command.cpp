@@ -47,7 +47,7 @@ TEST_F(SearchCommand, NamesTheNearestShapes) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_THAT(outcome.output, HasSubstr("rank"));
   for (const char* box : {"T1.off", "T4.off", "T7.off"}) EXPECT_THAT(outcome.output, HasSubstr(box));
-  EXPECT_THAT(outcome.errors, HasSubstr("9 of 9 shapes are described in"));
+  EXPECT_THAT(outcome.errors, HasSubstr("9 of 9 shapes indexed"));
   const Outcome again = search("query.off", "-k 3");
   EXPECT_EQ(again.output, outcome.output);
   EXPECT_EQ(again.errors, "");
@@ -131,7 +131,7 @@ TEST_F(SearchCommand, WritesAPageThatIsTheSameOnAnyNumberOfThreads) {
   EXPECT_THAT(page, HasSubstr("Thickness"));
   expect_error_line(search("query.off", "-o " + quoted("one.html")), "one.html exists");
   expect_error_line(search("query.off", "-o " + quoted("page.txt")), "page.txt");
-  expect_error_line(search(quoted("models") + " -o " + quoted("new.html")), "--output goes with queries");
+  expect_error_line(search(quoted("models") + " -o " + quoted("new.html")), "--output requires queries");
 }
 
 TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
@@ -142,7 +142,7 @@ TEST_F(SearchCommand, UnusableArgumentsAreErrors) {
   expect_error_line(search("query.off", "--signature d3"), "did you mean");
   expect_error_line(search("query.off", "--index " + quoted("query.off")), "--index");
   expect_error_line(run_executable("search " + quoted("query.off") + " " + quoted("models") + " --signature d2"),
-                    "go with --method");
+                    "require --method");
 }
 
 TEST_F(SearchCommand, ReRanksAndUsesTheRecommendedMethodByDefault) {

@@ -125,7 +125,7 @@ TEST_F(SegmentCommands, MeshesWithoutPeopleAreLeftOutWithAWarning) {
   write_off(folder_.path() / "psb/off/2.off", two_balls());
   const Outcome outcome = run_executable(fmt::format("evaluate-segmentation --benchmark '{}'", at("psb")));
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_THAT(outcome.errors, HasSubstr("1 of the meshes (2"));
+  EXPECT_THAT(outcome.errors, HasSubstr("1 meshes without human segmentations (2"));
 }
 
 TEST_F(SegmentCommands, UnusableCallsOfEvaluateSegmentation) {

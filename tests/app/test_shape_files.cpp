@@ -76,8 +76,8 @@ TEST_F(ShapeFiles, NothingIsWrittenTwiceOrOverAnInput) {
   fs::create_directory(at("other"));
   fs::copy_file(at("box.off"), at("other/box.off"));
   expect_error_line(run("convert @box.off @other/box.off -o @out/"), "would both be written to");
-  expect_error_line(run("convert @box.off @sphere.off -o @x.ply"), "need a folder");
-  expect_error_line(run("convert @box.off @sphere.off -o -"), "need a folder");
+  expect_error_line(run("convert @box.off @sphere.off -o @x.ply"), "need a result folder");
+  expect_error_line(run("convert @box.off @sphere.off -o -"), "need a result folder");
   const std::string before = text_of(at("box.off"));
   expect_error_line(run("perturb @box.off -o @box.off --noise 0.1"), "--replace");
   expect_error_line(run("perturb @box.off -o @other/../box.off --noise 0.1"), "--replace");

@@ -154,13 +154,13 @@ TEST_F(ViewCommand, UnusableInputIsOneClearLine) {
   const std::vector<UnusableCall> cases{
       {"view /nowhere.off" + out, "/nowhere.off"},
       {good, "--output is required"},
-      {good + "-o x.png", "its name must end in .html"},
+      {good + "-o x.png", "must end in .html"},
       {good + "--field cone" + out, "--field cone"},
       {good + "--field offset_sdf,ofset=0.1" + out, "offset"},
       {good + "--field offset_sdf,offset=0" + out, "offset"},
       {good + "--field cone_sdf --field cone_sdf" + out, "given twice"},
       {good + "--field cone_sdf,at=vertices" + out, "at the faces of a mesh"},
-      {good + "--field cone_sdf --offset 0.1" + out, "--offset goes with"},
+      {good + "--field cone_sdf --offset 0.1" + out, "--offset requires"},
       {good + "--parts 3 --no-parts" + out, "--no-parts"},
       {good + "--max-faces 3" + out, "--max-faces"},
       {"view '" + at("cloud.xyz") + "' --field cone_sdf" + out, "cloud.xyz: the conventional SDF needs triangles"}};

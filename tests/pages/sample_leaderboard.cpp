@@ -52,7 +52,7 @@ SampleLeaderboard made_leaderboard() {
                             .file = fmt::format("m{}.npy", method),
                             .page = method % 2 == 0 ? fmt::format("methods/m{}.html", method) : "",
                             .warnings = {}});
-    if (method < 2) page.entries.back().warnings = {"row i is taken for the i-th model"};
+    if (method < 2) page.entries.back().warnings = {"rows are assumed to be in natural order"};
   }
   for (std::size_t i = 0; i < page.entries.size(); ++i) page.entries[i].evaluation = &sample.evaluations[i];
   for (std::size_t measure = 0; measure < sample.evaluations[0].measures.size(); ++measure) {

@@ -95,7 +95,7 @@ def test_features_are_compared_by_a_distance():
     assert sg.distances(features, "d2").shape == (7, 7)
     with pytest.raises(sg.InputError, match="l3"):
         sg.distances(features, "l3")
-    with pytest.raises(sg.InputError, match="leave similarity out"):
+    with pytest.raises(sg.InputError, match="similarity"):
         sg.evaluate(features, labels, distance="l1", similarity=True)
 
 

@@ -128,7 +128,7 @@ def test_wrong_collections_and_methods_are_errors(models, tmp_path):
     for arguments, words in [((tmp_path / "absent", ), "absent"), ((models / "flat0.off", ), "is not a collection")]:
         with pytest.raises(sg.InputError, match=words):
             sg.Index(*arguments)
-    with pytest.raises(sg.InputError, match="signature goes with a method"):
+    with pytest.raises(sg.InputError, match="signature requires a method"):
         sg.Index(models, signature="d2")
     with pytest.raises(sg.InputError, match="signatures"):
         sg.Index(models, method={"name": "x", "signatures": 3})

@@ -96,8 +96,7 @@ TEST(ReadObj, IndexOutOfRange) {
 
 TEST(ReadObj, IndexThatIsNoNumber) {
   for (const std::string word : {"x", "1.5", "/1", "1x/2", "99999999999999999999"}) {
-    expect_obj_error(obj_vertices + "f 1 2 " + word + "\n",
-                     "t.obj:5: expected a vertex's index, found \"" + word + "\"");
+    expect_obj_error(obj_vertices + "f 1 2 " + word + "\n", "t.obj:5: expected a vertex index, found \"" + word + "\"");
   }
 }
 
@@ -109,7 +108,7 @@ TEST(ReadObj, UnusableCoordinates) {
 }
 
 TEST(ReadObj, NothingUsableIsAnError) {
-  expect_obj_error("# nothing\n", "t.obj: it holds no vertex");
+  expect_obj_error("# nothing\n", "t.obj: no vertices");
   expect_obj_error(obj_vertices + "f 1 2\n", "t.obj: none of its 1 faces has three vertices");
 }
 

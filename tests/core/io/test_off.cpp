@@ -205,23 +205,21 @@ TEST(ReadOff, BinaryTruncated) {
 TEST(ReadOff, OtherDimensionsAreAnError) {
   for (const std::string keyword : {"4OFF", "nOFF", "C4nOFF"}) {
     expect_off_error(keyword + "\n4\n4 4 6\n" + off_vertices + off_faces,
-                     "t.off:1: 4OFF and nOFF files hold points of other than three dimensions; convert it to OFF");
+                     "t.off:1: 4OFF and nOFF files have points of other than three dimensions; convert it to OFF");
   }
 }
 
 TEST(ReadOff, SomethingElseIsAnError) {
   for (const std::string text : {"ply\nformat ascii 1.0\n", "solid x\n", "OFFX 1 2 3\n", "-4 4 6\n", "\xFF\xFEO\n"}) {
-    expect_off_error("\n" + text,
-                     "t.off:2: not an OFF file: it begins neither with the keyword OFF nor with the number of "
-                     "vertices");
+    expect_off_error("\n" + text, "t.off:2: not an OFF file: expected the keyword OFF or the number of vertices");
   }
-  expect_off_error("# nothing\n\n", "t.off: holds nothing but white space and comments");
+  expect_off_error("# nothing\n\n", "t.off: contains only white space and comments");
 }
 
 TEST(ReadOff, UnusableCountsAreAnError) {
   expect_off_error("OFF\n", "t.off: ends before the numbers of vertices and faces");
   expect_off_error("OFF\n4", "t.off: ends before the numbers of vertices and faces");
-  expect_off_error("OFF\n4 -1 6\n", "t.off:2: 4 vertices and -1 faces: neither can be negative");
+  expect_off_error("OFF\n4 -1 6\n", "t.off:2: 4 vertices and -1 faces: numbers must not be negative");
   expect_off_error("OFF\n3000000000 1 0\n",
                    "t.off:2: 3000000000 vertices and 1 faces: at most 2147483647 of each can be read");
   expect_off_error("OFF\nfour 4 6\n", "t.off:2: expected the number of vertices (a whole number), found \"four\"");

@@ -146,7 +146,7 @@ TEST(ReadPly, UnusableHeaders) {
   expect_ply_error("ply\nformat ascii 1.0\nelement vertex 4\n", "t.ply: ends within its header");
   expect_ply_error("ply\nformat binary 1.0\n", "t.ply:2: \"binary\" is not a PLY format");
   expect_ply_error("ply\n" + vertex_header + "end_header\n", "t.ply:6: the header names no format");
-  expect_ply_error(ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\" is not a type that PLY knows");
+  expect_ply_error(ascii("element vertex 4\nproperty real x\n", ""), "t.ply:4: \"real\" is not a type of PLY");
   expect_ply_error(ascii("property float x\n", ""), "t.ply:3: a property before the first element");
   expect_ply_error(ascii("element vertex -4\n", ""), "t.ply:3: the number of elements cannot be -4");
   expect_ply_error(ascii("hello\n", ""), "t.ply:3: \"hello\" does not belong in a PLY header");
@@ -170,7 +170,7 @@ TEST(ReadPly, UnusableFaces) {
                    "t.ply:8: the length of a list must be of an integer type");
   expect_ply_error(
       ascii(vertex_header + "element tristrips 1\nproperty list int int vertex_indices\n", ply_vertices + "1 0\n"),
-      "t.ply: it holds triangle strips, which are not read; convert them to faces");
+      "t.ply: triangle strips are not supported; convert them to faces");
   expect_ply_error(
       ascii(vertex_header + "element face 1\nproperty list uchar int vertex_indices\n", ply_vertices + "2 0 1\n"),
       "t.ply:14: none of its 1 faces has three vertices");

@@ -135,7 +135,7 @@ TEST(ReadShape, FileWithoutVerticesIsAnError) {
         {"t.stl", "solid x\nendsolid x\n"},
         {"s.stl", std::string(84, '\0')}}) {
     const auto path = folder.file(name, bytes);
-    EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(StrEq(path.string() + ": it holds no vertex")));
+    EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(StrEq(path.string() + ": no vertices")));
   }
 }
 

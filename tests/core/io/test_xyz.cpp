@@ -93,7 +93,7 @@ TEST(ReadXyz, UnusableLinesAreNamed) {
     expect_xyz_error("0 0 0\n0 0 " + word + "\n",
                      "c.xyz:2: a coordinate is not a finite number: \"" + word + "\"; repair or remove the file");
   }
-  expect_xyz_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: 4 columns, where the first point has 5");
+  expect_xyz_error("0 0 0 1 2\n0 0 0 1\n", "c.xyz:2: expected 5 columns as in the first point, found 4");
   for (const std::string normal : {"0 0 nan", "inf 0 0", "0 x 0"}) {
     expect_xyz_error("0 0 0 0 0 1\n0 0 0 " + normal + "\n0 0 0 0 0 nan\n",
                      "c.xyz:2: the normal is not three finite numbers; repair or remove the file");
@@ -109,8 +109,8 @@ TEST(ReadXyz, DecimalCommasAreToldFromSeparators) {
 TEST(ReadXyz, NumberOfPointsMustBeRight) {
   expect_xyz_error("3\n0 0 0\n1 0 0\n",
                    "c.xyz: ends after 2 of 3 points; the file is truncated or its header is wrong");
-  expect_xyz_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: 3 points follow its first line, which says 1");
-  expect_xyz_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: 2 points follow its first line, which says 1");
+  expect_xyz_error("1\n0 0 0\n1 0 0\n0 0 0\n", "c.xyz: found 3 points, but the first line announces 1");
+  expect_xyz_error("1\n0 0 0 1\n1 0 0 1\n", "c.xyz: found 2 points, but the first line announces 1");
   expect_xyz_error("-1\n0 0 0\n", "c.xyz:1: -1 points cannot be read");
   expect_xyz_error("1.5\n0 0 0\n",
                    "c.xyz:1: expected the number of points, or a point's three coordinates (a whole number), found "
@@ -118,7 +118,7 @@ TEST(ReadXyz, NumberOfPointsMustBeRight) {
 }
 
 TEST(ReadXyz, NothingUsableIsAnError) {
-  expect_xyz_error("# nothing\n\n", "c.xyz: holds nothing but white space and comments");
+  expect_xyz_error("# nothing\n\n", "c.xyz: contains only white space and comments");
   EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // what read_shape() refuses
 }
 

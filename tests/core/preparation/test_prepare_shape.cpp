@@ -44,7 +44,7 @@ TEST(ScaledToUnitArea, RefusesACloudWithoutArea) {
         [&] {
           prepare_shape({Points::Ones(points, 3), {}, {}}, {}).shape;
         },
-        ThrowsMessage<InputError>(HasSubstr("needs points at different places")));
+        ThrowsMessage<InputError>(HasSubstr("needs distinct points")));
   }
   Points huge = Points::Random(20, 3) * 1e200;
   EXPECT_THROW(prepare_shape({huge, {}, {}}, {}).shape, InputError);

@@ -100,10 +100,9 @@ TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(csv_error("id,a,b\nb,0,1\na,1,0\n"), HasSubstr("m.csv:2: the row is of \"b\", but the column"));
   EXPECT_THAT(csv_error("id,a,a\na,0,1\na,1,0\n"), HasSubstr("m.csv:1: the id \"a\" occurs twice"));
   EXPECT_THAT(csv_error("id,a,\na,0,1\n,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
-  EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: the row has 1 numbers, but the one in line 2"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: expected 2 numbers as in line 2, found 1"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1,0\nc,1,1\n"), HasSubstr("m.csv:4: there are more rows than the 2 ids"));
-  EXPECT_THAT(csv_error("id,a,b\na,0,1\n"),
-              HasSubstr("m.csv: a distance matrix is square, but the file has 1 rows of 2"));
+  EXPECT_THAT(csv_error("id,a,b\na,0,1\n"), HasSubstr("m.csv: expected a square distance matrix, found 1 rows of 2"));
   EXPECT_THAT(csv_error("id,a,b\na,0\n"), HasSubstr("m.csv: the header row has 2 ids, but there are 1 rows of 1"));
   EXPECT_THAT(csv_error("id,a\na\n"), HasSubstr("m.csv:2: the row has no numbers"));
   EXPECT_THAT(csv_error("id\n"), HasSubstr("m.csv: the file has no numbers"));
@@ -149,10 +148,10 @@ TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
   const auto error_for = [&](std::size_t bytes) {
     return test::input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
   };
-  EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("looks like float64 (3 x 3)")));
+  EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("float64 (3 x 3)")));
   EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("cut off")));
-  EXPECT_THAT(error_for(4 * 10), HasSubstr("no square matrix"));
-  EXPECT_THAT(error_for(3), HasSubstr("no square matrix"));
+  EXPECT_THAT(error_for(4 * 10), HasSubstr("square matrix"));
+  EXPECT_THAT(error_for(3), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
   EXPECT_THAT(test::input_error_of([&] { read_psb_matrix(folder.path() / "none.matrix"); }), HasSubstr("none.matrix"));
 }
@@ -207,11 +206,10 @@ TEST(TextMatrix, OneNumberIsAMatrix) { EXPECT_EQ(read_text("0"), DistanceMatrix:
 
 TEST(TextMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(text_error("0 1\n1 x\n"), HasSubstr("m.txt:2: \"x\" is not a number (number 2 of the row)"));
-  EXPECT_THAT(text_error("0 1\n\n1\n"), HasSubstr("m.txt:3: the row has 1 numbers, but the one in line 1 has 2"));
+  EXPECT_THAT(text_error("0 1\n\n1\n"), HasSubstr("m.txt:3: expected 2 numbers as in line 1, found 1"));
   EXPECT_THAT(text_error("0 1\n1 0 2\n"), HasSubstr("m.txt:2: the row has 3 numbers"));
-  EXPECT_THAT(text_error("0 1\n1 0\n2 3\n"), HasSubstr("m.txt:3: a distance matrix is square, but this is row 3"));
-  EXPECT_THAT(text_error("0 1 2\n1 0 2\n"),
-              HasSubstr("m.txt: a distance matrix is square, but the file has 2 rows of 3"));
+  EXPECT_THAT(text_error("0 1\n1 0\n2 3\n"), HasSubstr("m.txt:3: expected a square distance matrix, found row 3"));
+  EXPECT_THAT(text_error("0 1 2\n1 0 2\n"), HasSubstr("m.txt: expected a square distance matrix, found 2 rows of 3"));
   EXPECT_THAT(text_error("# nothing\n"), HasSubstr("m.txt: the file has no numbers"));
   EXPECT_THAT(text_error(""), HasSubstr("empty"));
 }
@@ -308,9 +306,9 @@ TEST(OpenMatrix, RefusesFilesOfAnotherSizeAndFilesThatShrink) {
   write_npy(folder.path() / "m.npy", DistanceMatrix::Ones(40, 40));
   const OpenMatrix opened = open_matrix(folder.path() / "m.npy", TableShape::square);
   std::filesystem::resize_file(folder.path() / "m.npy", 5000);
-  EXPECT_THAT(test::input_error_of([&] { whole_matrix(opened); }), HasSubstr("became shorter"));
+  EXPECT_THAT(test::input_error_of([&] { whole_matrix(opened); }), HasSubstr("truncated"));
   EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "m.npy", TableShape::square); }),
-              HasSubstr("cut off or damaged"));
+              HasSubstr("truncated or damaged"));
   write_npy(folder.path() / "n.npy", DistanceMatrix::Ones(2, 3));
   EXPECT_EQ(open_matrix(folder.path() / "n.npy", TableShape::any).columns, 3);
   EXPECT_THAT(test::input_error_of([&] { open_matrix(folder.path() / "n.npy", TableShape::square); }),

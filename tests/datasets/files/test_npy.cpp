@@ -51,7 +51,7 @@ TEST(NpyHeader, ASizeThatOverflowsIsNoSize) {
   // 2^61 numbers of 8 bytes are 2^64 bytes, which a 64-bit count holds as 0.
   const std::string bytes = version_1("{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693952, 1), }");
   EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), false, "x.npy"); }),
-              StartsWith("x.npy: 0 bytes of data follow the header"));
+              StartsWith("x.npy: 0 bytes of data"));
 }
 
 TEST(NpyHeader, AFaultIsOneErrorWithItsByte) {
@@ -178,8 +178,7 @@ TEST(Npy, OtherTypesAndShapesAreErrors) {
                 AllOf(HasSubstr("x.npy: numbers of type \""s + type), HasSubstr("float64")));
   }
   for (const char* const shape : {"(4, 1)", "(1, 4)", "(4,)  ", "(    )", "(0, 0)"}) {
-    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", shape)),
-                HasSubstr("a distance matrix is square"));
+    EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", shape)), HasSubstr("square distance matrix"));
   }
 }
 
@@ -191,10 +190,10 @@ TEST(Npy, DataOfAnotherLengthIsAnError) {
   // 2^32 squared is 0 in 64 bits, and 2^64 - 1 the largest number of all.
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(22, ' '),
                                         "(4294967296, 4294967296), }    ")),
-              HasSubstr("is not what an array of shape"));
+              HasSubstr("do not match an array of shape"));
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(40, ' '),
                                         "(18446744073709551615, 18446744073709551615), }  ")),
-              HasSubstr("is not what an array of shape"));
+              HasSubstr("do not match an array of shape"));
 }
 
 TEST(Npy, EveryPrefixIsAnInputError) {

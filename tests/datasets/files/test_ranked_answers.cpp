@@ -39,8 +39,8 @@ TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
   const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
   EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: 5 words where a line is \"query Q0 model rank score tag\""));
   EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\" is no finite number"));
-  EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: the model \"a\" occurs twice for this query"));
-  EXPECT_THAT(run("\n \n"), HasSubstr("r: there are no lines"));
+  EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: repeated model \"a\""));
+  EXPECT_THAT(run("\n \n"), HasSubstr("r: the file has no lines"));
   const auto lists = [](const std::string& text) {
     return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
   };

@@ -122,7 +122,7 @@ TEST_F(CacheTest, ADamagedEntryIsOneWarningAndIsReplaced) {
     EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
     EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), std::nullopt);
     EXPECT_THAT(cache.warnings(),
-                ElementsAre("damaged in the cache and computed anew: " + entry().string() + " and 1 others"));
+                ElementsAre("damaged cache entry, recomputed: " + entry().string() + " and 1 others"));
     cache.store(EntryKind::field, entry_key, "value");
     EXPECT_EQ(Cache(folder()).lookup(EntryKind::field, entry_key, same), "value");
   }
@@ -133,7 +133,7 @@ TEST_F(CacheTest, ARecordOfAnotherFormIsDamagedToo) {
   Cache cache(folder());
   EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, [](const json& value) { return value.get<double>(); }),
             std::nullopt);
-  EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged in the cache")));
+  EXPECT_THAT(cache.warnings(), ElementsAre(HasSubstr("damaged cache entry")));
 }
 
 TEST_F(CacheTest, UsesAreCounted) {
@@ -158,7 +158,8 @@ TEST_F(CacheTest, AFullDiskIsOneWarning) {
   cache.store(EntryKind::field, std::string(64, '2'), "small");
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
-  EXPECT_THAT(cache.warnings(), ElementsAre(testing::AllOf(HasSubstr("File too large"), HasSubstr("not written to"))));
+  EXPECT_THAT(cache.warnings(),
+              ElementsAre(testing::AllOf(HasSubstr("File too large"), HasSubstr("cache disabled for writing"))));
   EXPECT_EQ(cache.lookup(EntryKind::field, entry_key, same), "small") << "what is there is still found";
   EXPECT_EQ(cache_contents(folder()).total().entries, 1U) << "nothing half-written, nothing more";
 }

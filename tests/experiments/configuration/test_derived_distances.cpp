@@ -133,7 +133,7 @@ TEST(Derived, MistakesGiveThePlace) {
           {{"rerank", {{"of", "a"}, {"method", "k_reciprocal"}, {"neighbours", 3}, {"expansion_neighbours", 4}}}}),
       HasSubstr("signatures.2.rerank: "));
   EXPECT_THAT(derived_error_with({{"sum", {{{"of", "a"}}}}, {"fuse_ranks", {"a"}}}),
-              HasSubstr("does not go with \"sum\""));
+              HasSubstr("cannot be combined with \"sum\""));
   EXPECT_THAT(derived_error_with(Json::object()), HasSubstr("\"field\" is missing"));
 }
 

@@ -41,9 +41,10 @@ TEST(ParseJson, AKeyThatStandsTwiceIsAnError) {
 TEST(ParseJson, ValuesNestedTooDeepAreAnError) {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   EXPECT_NO_THROW(parse_json(nested(100), "x.json"));
-  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(102), "x.json"); }), HasSubstr("nested more than 100 deep"));
+  EXPECT_THAT(test::input_error_of([&] { parse_json(nested(102), "x.json"); }),
+              HasSubstr("nested deeper than 100 levels"));
   EXPECT_THAT(test::input_error_of([&] { parse_json(nested(1'000'000), "x.json"); }),
-              HasSubstr("nested more than 100 deep"));
+              HasSubstr("nested deeper than 100 levels"));
   EXPECT_THAT(test::input_error_of([&] { parse_json(std::string(1'000'000, '{'), "x.json"); }),
               HasSubstr("not valid JSON"));
 }
@@ -58,7 +59,7 @@ TEST(ParseJson, MessagesAreShort) {
 TEST(ParseIfJson, GivesNothingForOtherText) {
   EXPECT_EQ(parse_if_json("[1]", "x").value()[0], 1);
   EXPECT_FALSE(parse_if_json("per-shape", "x").has_value());
-  EXPECT_THAT(test::input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("stands twice"));
+  EXPECT_THAT(test::input_error_of([] { parse_if_json(R"({"a": 1, "a": 2})", "x"); }), HasSubstr("is repeated"));
 }
 
 TEST(ReadJson, AnAbsentFileAndAFolderAreErrors) {
@@ -153,8 +154,8 @@ TEST(ApplyOverride, WhatNoConfigurationCanHoldIsAnError) {
   EXPECT_THAT(test::input_error_of([] { overridden("name=\xFF"); }), HasSubstr("not UTF-8"));
   EXPECT_THAT(test::input_error_of([] { overridden("na\xC3me=x"); }), HasSubstr("not UTF-8"));
   EXPECT_THAT(test::input_error_of([] { overridden("name=" + std::string(200, '[') + std::string(200, ']')); }),
-              HasSubstr("nested more than 100 deep"));
-  EXPECT_THAT(test::input_error_of([] { overridden(R"(name={"a": 1, "a": 2})"); }), HasSubstr("stands twice"));
+              HasSubstr("nested deeper than 100 levels"));
+  EXPECT_THAT(test::input_error_of([] { overridden(R"(name={"a": 1, "a": 2})"); }), HasSubstr("is repeated"));
   std::string deep = "a";
   for (int i = 0; i < 100; ++i) deep += ".a";
   EXPECT_THAT(test::input_error_of([&] { overridden(deep + "=1"); }), HasSubstr("more than 100 keys"));

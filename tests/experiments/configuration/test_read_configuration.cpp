@@ -170,17 +170,18 @@ TEST(Configuration, SettingsThatContradictEachOther) {
               HasSubstr("signatures.1.field: \"postprocess\" needs"));
   EXPECT_THAT(experiment_error_with("/signatures/1/field",
                                     Json::parse(R"({"type": "cone_sdf", "engine": "cgal", "at": "vertices"})")),
-              HasSubstr("answers at faces only"));
+              HasSubstr("supports faces only"));
   EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {0.6, 0.6}),
               HasSubstr("signatures.1.histogram.range.fixed: the first value must be less"));
   EXPECT_THAT(experiment_error_with("/signatures/1/histogram/range/fixed", {-1e308, 1e308}),
               HasSubstr("signatures.1.histogram.range.fixed: the values are too far apart"));
   EXPECT_THAT(
       experiment_error_with("/signatures/1/histogram/smoothing_bins", 41),
-      HasSubstr("signatures.1.histogram.smoothing_bins: the smoothing must be at most the number of bins (40)"));
+      HasSubstr("signatures.1.histogram.smoothing_bins: the smoothing must not exceed the number of bins (40)"));
   EXPECT_THAT(experiment_error_with("/signatures/2/field", Json::parse(R"({"type": "cone_sdf"})")),
-              HasSubstr("signatures.2.field: does not go with \"concatenate\""));
-  EXPECT_THAT(experiment_error_with("/dataset/generate", Json::object()), HasSubstr("does not go with \"generate\""));
+              HasSubstr("signatures.2.field: cannot be combined with \"concatenate\""));
+  EXPECT_THAT(experiment_error_with("/dataset/generate", Json::object()),
+              HasSubstr("cannot be combined with \"generate\""));
   EXPECT_THAT(experiment_error_with("/dataset/split", "train"), HasSubstr("dataset.split: the layout \"shrec11\""));
   EXPECT_THAT(
       experiment_error_with("/dataset", Json::parse(R"({"layout": "folders", "root": "x", "classification": "y"})")),

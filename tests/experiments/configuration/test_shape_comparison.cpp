@@ -66,7 +66,7 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
   EXPECT_THAT(comparison_error_with("/shapes/2/generate/class", "hose"),
               HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
   EXPECT_THAT(comparison_error_with("/shapes/2/file", "c.off"),
-              HasSubstr("shapes.2.file: does not go with \"generate\""));
+              HasSubstr("shapes.2.file: cannot be combined with \"generate\""));
   EXPECT_THAT(comparison_error_with("/shapes/0/fiel", "c.off"),
               HasSubstr("shapes.0: unknown key \"fiel\"; did you mean \"file\"?"));
   EXPECT_THAT(comparison_error_with("/shapes/0", {{"name", "none"}}),

@@ -65,9 +65,8 @@ TEST(Replay, ChangedInputsAreNamed) {
   EXPECT_THAT(changed_inputs(recorded, recorded), IsEmpty());
   const Json now{{"models", {{"1", "aa"}, {"2", "xx"}, {"4", "ee"}}}, {"classification", "yy"}};
   EXPECT_THAT(changed_inputs(recorded, now),
-              ElementsAre("model 2 is not the recorded one: its file holds other bytes", "model 3 is absent",
-                          "the classification is not the recorded one: its file holds other bytes",
-                          "model 4 was not among them"));
+              ElementsAre("model 2 differs from the recorded one", "model 3 is absent",
+                          "the classification differs from the recorded one", "model 4 was not recorded"));
   EXPECT_THAT(changed_inputs({{"shapes", {{"cat", "aa"}}}}, {{"shapes", Json::object()}}),
               ElementsAre("shape cat is absent"));
 }

@@ -47,7 +47,7 @@ TEST(FolderLock, KeepsASecondOneOutWhileItLives) {
   const test::TemporaryFolder folder;
   {
     const FolderLock lock(folder.path() / "a/b");
-    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is under way in"));
+    EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run is writing to"));
     EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("--output"));
     EXPECT_EQ(lock_error(folder.path() / "a"), "no error");
     EXPECT_THAT(lock_error(folder.path() / "a/b"), HasSubstr("another run")) << "the refused one has not unlocked it";
@@ -95,7 +95,7 @@ TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
   for (const std::string manifest : {R"({"configuration": {"name": "other"}})", "[]", "{"}) {
     const test::TemporaryFolder folder;
     write_text(folder.path() / "manifest.json", manifest);
-    EXPECT_THAT(error_for(folder.path()), HasSubstr("holds the results of another configuration")) << manifest;
+    EXPECT_THAT(error_for(folder.path()), HasSubstr("results of another configuration")) << manifest;
     EXPECT_EQ(error_for(folder.path(), true), "no error");
   }
   const test::TemporaryFolder folder;
@@ -106,8 +106,8 @@ TEST(ResultFolder, ResultsOfAnotherConfigurationAreKeptUnlessForced) {
 TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
   const test::TemporaryFolder folder;
   write_text(folder.path() / "x", "a file");
-  EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot make the folder"));
-  EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot make the folder"));
+  EXPECT_THAT(error_for(folder.path() / "x"), HasSubstr("cannot create the "));
+  EXPECT_THAT(error_for(folder.path() / "x/y"), HasSubstr("cannot create the "));
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
 

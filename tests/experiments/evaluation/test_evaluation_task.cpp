@@ -148,8 +148,8 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
     return test::input_error_of([&] { open_evaluation_files(files); });
   };
   EXPECT_THAT(error({.matrix = three, .labels = labels}), HasSubstr("d.txt has 3 rows, but there are 4 models in"));
-  EXPECT_THAT(error({.matrix = three}), HasSubstr("give either --labels"));
-  EXPECT_THAT(error({.matrix = three, .labels = labels, .qrels = labels}), HasSubstr("give either --labels"));
+  EXPECT_THAT(error({.matrix = three}), HasSubstr("--labels"));
+  EXPECT_THAT(error({.matrix = three, .labels = labels, .qrels = labels}), HasSubstr("--labels"));
   const auto ids = file("ids.txt", "1\n2\n3\n");
   EXPECT_THAT(error({.matrix = three, .labels = labels, .ids = ids}), HasSubstr("model \"3\" is in no class"));
   const auto twice = file("twice.txt", "1\n2\nT2\n");

@@ -65,15 +65,15 @@ TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
   EXPECT_THAT(align_error("method,protocol,id,class,ST\nc,psb,1,ant,1\nc,psb,2,ant,1\n"),
               HasSubstr("no measure in common"));
   const std::vector<MethodScores> one = {read(table)[0]};
-  EXPECT_THAT(test::input_error_of([&] { align_methods(one, {}); }), HasSubstr("one method only"));
+  EXPECT_THAT(test::input_error_of([&] { align_methods(one, {}); }), HasSubstr("two methods"));
 }
 
 TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
-  EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected scores of each query"));
+  EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected a table of scores by query"));
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"), HasSubstr("per_query.csv:2: 4 cells"));
   for (const char* figure : {"x", "nan", "-1", "101"}) {
     EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant," + std::string(figure) + "\n"),
-                HasSubstr("per_query.csv:2: \"" + std::string(figure) + "\" is no number from 0 to 100"));
+                HasSubstr("per_query.csv:2: \"" + std::string(figure) + "\" is not a number from 0 to 100"));
   }
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"), HasSubstr("occurs twice"));
 }

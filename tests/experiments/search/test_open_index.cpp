@@ -119,7 +119,7 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
     IndexUpdate update;
     folder.open(update);
     EXPECT_TRUE(update.rebuilt);
-    EXPECT_THAT(update.notes, ElementsAre(HasSubstr("is damaged; it is made anew")));
+    EXPECT_THAT(update.notes, ElementsAre(HasSubstr("is damaged and is rebuilt")));
     EXPECT_EQ(test::bytes_of(folder.index()), bytes);
   }
   IndexUpdate update;
@@ -172,7 +172,7 @@ TEST(OpenIndex, AnswersWithoutAnIndexThatCannotBeWritten) {
   IndexUpdate update;
   const OpenIndex index = open_index(folder.method(), folder.models(), folder.at("absent") / "index", {}, none, update);
   EXPECT_EQ(index.contents.models.size(), 9U);
-  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("the index is not kept: cannot write")));
+  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("the index could not be written: cannot write")));
 }
 
 TEST(ShapeIndex, ComesBackFromItsBytes) {

@@ -278,7 +278,7 @@ TEST_F(DescribeThroughCache, DamagedEntriesAreComputedAnew) {
   ASSERT_GT(damaged, 5U);
   Cache used(cache());
   EXPECT_EQ(files_of(run(document(), used)), fresh);
-  EXPECT_THAT(used.warnings(), ElementsAre(testing::AllOf(HasSubstr("damaged in the cache and computed anew: "),
+  EXPECT_THAT(used.warnings(), ElementsAre(testing::AllOf(HasSubstr("damaged cache entry, recomputed: "),
                                                           HasSubstr(std::to_string(damaged - 1) + " others"))));
   EXPECT_EQ(uses_of(run(document())), all_taken);
 }
