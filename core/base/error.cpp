@@ -6,7 +6,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Length of the UTF-8 character at the beginning of the text; 0 for an invalid one.
+/// Returns the length of the UTF-8 character at the beginning of the text; 0 for an invalid one.
 std::size_t length_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
   const unsigned lead = byte(0);
@@ -21,7 +21,7 @@ std::size_t length_of_character(std::string_view text) {
   return wrong ? 0 : length;
 }
 
-/// Whether a character of UTF-8 is a control character: C0, delete, or C1.
+/// Returns true for a UTF-8 control character: C0, delete, or C1.
 bool is_control(std::string_view character) {
   const auto lead = static_cast<unsigned char>(character[0]);
   return lead < 0x20 || lead == 0x7F || (lead == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);

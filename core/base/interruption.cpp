@@ -4,7 +4,7 @@
 
 namespace shapegauge {
 
-/// Lets cancel() reach a context while this lives.
+/// Makes a context reachable by cancel() while the object lives.
 class Cancellation::Registration {
  public:
   Registration(Cancellation& cancellation, tbb::task_group_context& context)

@@ -33,10 +33,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates) {
-  // Comparing takes time and memory by the product of the lengths, and nobody means words so long.
+  // Time and memory grow with the product of the lengths; realistic words are short.
   constexpr std::size_t longest = 100;
   std::optional<std::string> nearest;
-  // A third of the letters may be wrong, and always two: "offst", "rays_count" for "rays" no more.
+  // Tolerates a third of the letters, and at least two errors: "offst", but not "rays_count" for "rays".
   std::size_t fewest = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
     if (std::max(word.size(), candidate.size()) > longest) continue;

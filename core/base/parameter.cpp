@@ -39,7 +39,7 @@ std::string bounded(std::string_view kind, const Bounds& bounds) {
   return unlimited ? fmt::format("a finite {}", kind) : fmt::format("a {} {}", kind, to_string(bounds));
 }
 
-/// Whole numbers between commas, at most as many as a list takes; none for other text.
+/// Parses integers separated by commas, at most as many as a list takes; nothing for other text.
 std::optional<std::vector<std::int64_t>> whole_numbers(std::string_view text) {
   std::vector<std::int64_t> numbers;
   const char* const end = text.data() + text.size();

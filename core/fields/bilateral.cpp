@@ -22,7 +22,7 @@ namespace shapegauge {
 
 namespace {
 
-/// By sample, the samples next to it.
+/// By sample: its adjacent samples.
 using Adjacency = std::vector<std::vector<std::int32_t>>;
 
 void join(Adjacency& adjacency, std::int32_t a, std::int32_t b) {
@@ -59,13 +59,13 @@ Adjacency adjacency_of(const Shape& shape, const Samples& samples) {
   return adjacency;
 }
 
-/// Dijkstra's algorithm, ended where paths get longer than the reach.
+/// Dijkstra's algorithm, limited to paths within reach.
 class Vicinity {
  public:
   Vicinity(const Points& points, const Adjacency& adjacency)
       : points_(points), adjacency_(adjacency), distance_(adjacency.size(), infinity) {}
 
-  /// Calls visit(sample, distance) for the sample itself and each within reach.
+  /// Calls visit(sample, distance) for the sample itself and all samples within reach.
   template <typename Visit>
   void around(std::int32_t sample, double reach, Visit visit) {
     using Entry = std::pair<double, std::int32_t>;
@@ -99,7 +99,7 @@ class Vicinity {
   std::vector<std::int32_t> touched_;
 };
 
-/// The standard deviation of the values that count, by weight.
+/// Returns the weighted standard deviation of the valid values.
 double deviation_of(const ScalarField& field) {
   const Eigen::ArrayXd counts = field.values.array().isFinite().select(field.weights.array(), 0.0);
   const Eigen::ArrayXd values = field.values.array().isFinite().select(field.values.array(), 0.0);
@@ -126,7 +126,7 @@ ScalarField bilateral_smoothing(const Shape& shape, const Samples& samples, Scal
   const double spatial_width = options.spatial_width * std::sqrt(field.weights.sum());
   if (options.iterations == 0 || !(value_width > 0) || !(spatial_width > 0)) return field;
   const Adjacency adjacency = adjacency_of(shape, samples);
-  // Doubled triangles have no neighbours; each gets the value of the first of its set.
+  // Duplicate triangles have no neighbours; each gets the value of its first.
   const std::vector<std::int32_t> doubles_of_faces =
       samples.site == SampleSite::faces && !is_cloud(shape)
           ? first_duplicates(shape.triangles, welded_vertices(shape.vertices))

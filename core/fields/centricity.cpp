@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The vertices of positive area and their areas.
+/// Vertices of positive area with their areas.
 struct Sites {
   std::vector<std::int32_t> vertices;
   Eigen::VectorXd areas;
@@ -30,7 +30,7 @@ Sites sites_of(const Samples& at_vertices) {
   return sites;
 }
 
-/// The site farthest from the centroid, a place that depends on the shape alone.
+/// Returns the site farthest from the centroid, which depends on the shape only.
 std::int32_t outermost(const Points& points, const Sites& sites) {
   const Points of_sites = points(sites.vertices, Eigen::all);
   const Eigen::RowVector3d centroid = sites.areas.transpose() * of_sites / sites.areas.sum();
@@ -39,7 +39,7 @@ std::int32_t outermost(const Points& points, const Sites& sites) {
   return sites.vertices[static_cast<std::size_t>(farthest)];
 }
 
-/// Distances from farthest points, one source a column, and the area nearest to each.
+/// Distances from landmarks in farthest-point order, one landmark a column, with their Voronoi areas.
 struct Landmarks {
   Eigen::MatrixXd distances;
   Eigen::VectorXd areas;
@@ -83,7 +83,7 @@ Landmarks landmarks_of(const Shape& shape, const CentricityOptions& options) {
   return landmarks;
 }
 
-/// Barycentric coordinates of a triangle's point; the centroid's where the triangle has no area.
+/// Returns the barycentric coordinates of a triangle's point; those of the centroid for a degenerate triangle.
 Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const Eigen::RowVector3d& point) {
   const Eigen::RowVector3d a = shape.vertices.row(shape.triangles(triangle, 0));
   const Eigen::RowVector3d ab = shape.vertices.row(shape.triangles(triangle, 1)) - a;
@@ -103,7 +103,7 @@ Eigen::RowVector3d barycentric(const Shape& shape, Eigen::Index triangle, const 
                                samples.points.rows(), expected, shape.vertices.rows()));
 }
 
-/// The same at some of a cloud's points.
+/// Interpolates values to samples at a cloud's points.
 Eigen::MatrixXd at_points(const Shape& cloud, const Samples& samples, const Eigen::MatrixXd& at_vertices) {
   const std::vector<std::int32_t> points = nearest_points(samples.points, cloud.vertices);
   if (cloud.vertices(points, Eigen::all) != samples.points) refuse(cloud, samples, cloud.vertices.rows());

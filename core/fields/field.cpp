@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The field, smoothed.
+/// Adds smoothing to a field.
 FieldComputation smoothed(FieldComputation field, const BilateralOptions& options) {
   field.versions["bilateral"] = bilateral_version;
   field.compute = [compute = std::move(field.compute), options](FieldSource& source, const Samples& samples,
@@ -48,7 +48,7 @@ void check_field_type(const FieldType& type) {
   }
 }
 
-/// The function, with what every field tells: its own outcomes and seconds, or those that can be counted.
+/// Adds outcomes and run times to a field's function: its own, or counted and measured ones.
 FieldFunction with_outcomes(FieldFunction compute) {
   return [compute = std::move(compute)](FieldSource& source, const Samples& samples, bool parallel) {
     const Stopwatch stopwatch;

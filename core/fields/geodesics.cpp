@@ -28,11 +28,11 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The distinct used places of a shape's vertices: the nodes of a graph.
+/// Distinct positions of a shape's used vertices: the nodes of a graph.
 struct Nodes {
   Points points;
   std::vector<std::int32_t> vertices;  ///< the first vertex at each node
-  std::vector<std::int32_t> of;        ///< the node of each vertex; -1: unused
+  std::vector<std::int32_t> of;        ///< node of each vertex; -1 for unused
 };
 
 Nodes nodes_of(const Shape& shape, std::span<const std::int32_t> merged) {
@@ -54,8 +54,8 @@ Nodes nodes_of(const Shape& shape, std::span<const std::int32_t> merged) {
   return nodes;
 }
 
-/// The length of the straight segment between the corners opposite an edge, in the unfolded plane of the edge's two
-/// triangles; nothing (infinity) where it does not cross the edge.
+/// Returns the length of the straight segment between the corners opposite an edge, in the unfolded plane of its two
+/// triangles; infinity if the segment does not cross the edge.
 double across(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Eigen::RowVector3d& p,
               const Eigen::RowVector3d& q) {
   const double length = (b - a).norm();
@@ -71,7 +71,7 @@ double across(const Eigen::RowVector3d& a, const Eigen::RowVector3d& b, const Ei
   return std::hypot(along_p - along_q, height_p + height_q);
 }
 
-/// The edges of a mesh and the segments across them.
+/// Returns the edges of a mesh and the segments across them.
 std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int32_t> merged, const Nodes& nodes) {
   std::vector<Segment> segments;
   const std::vector<HalfEdge> uses = half_edges(shape.triangles, merged);
@@ -90,7 +90,7 @@ std::vector<Segment> mesh_segments(const Shape& shape, std::span<const std::int3
   return segments;
 }
 
-/// The nodes with the segments that leave each, in one array.
+/// Adjacency of nodes in one array.
 class Graph {
  public:
   Graph(Nodes nodes, const std::vector<Segment>& segments) : nodes_(std::move(nodes)) {

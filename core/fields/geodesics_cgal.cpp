@@ -24,7 +24,7 @@ using Exact = CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_
 
 constexpr std::int32_t unused = -1;
 
-/// The used vertices of a shape as a mesh.
+/// Used vertices of a shape as a mesh.
 struct ConnectedMesh {
   Mesh mesh;
   std::vector<std::int32_t> mesh_vertex;  ///< of each of the shape's vertices, or `unused`

@@ -25,7 +25,7 @@ void check(const ScaleInvariantOptions& options) {
   }
 }
 
-/// The heat kernel signature, one column for each time, evenly spaced by their logarithm.
+/// Computes the heat kernel signature, one column for each time, evenly spaced by logarithm.
 Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, const ScaleInvariantOptions& options) {
   const Eigen::ArrayXd t =
       Eigen::ArrayXd::LinSpaced(options.times, std::log(options.first_time), std::log(options.last_time)).exp() * area;
@@ -33,7 +33,7 @@ Eigen::MatrixXd heat_kernel(const Spectrum& spectrum, double area, const ScaleIn
   return area * (spectrum.eigenvectors.cwiseAbs2() * decay);
 }
 
-/// Eigenvalues below this share of the last are zeros up to rounding.
+/// Eigenvalues below this fraction of the last one are zero up to rounding.
 constexpr double zero = 1e-9;
 
 }  // namespace
@@ -74,7 +74,7 @@ Eigen::MatrixXd wave_kernel_signature(const Spectrum& spectrum, double area, con
   const Eigen::VectorXd energy = all.tail(positive).array().log();
   const double lowest = energy[0];
   const double highest = energy[positive - 1];
-  // Aubry et al. take a hundred energies and a width of 7 of their steps; the outer ones keep two widths from the ends.
+  // Aubry et al. use a hundred energies and a width of 7 steps; the outer energies keep two widths from the ends.
   const double width = std::max(options.width_steps * (highest - lowest) / 100, 1e-12);
   Eigen::MatrixXd filters(positive, options.energies);
   for (Eigen::Index k = 0; k < filters.cols(); ++k) {

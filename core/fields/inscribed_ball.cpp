@@ -21,19 +21,20 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Squared distance within which a point is the sample, where the shape's diagonal is 1.
+/// Squared distance below which a point coincides with the sample, for a shape of diagonal 1.
 constexpr double at_sample = 1e-18;
 
-/// Radius of the ball that touches a plane at the origin, and the point q; infinity where q is not above the plane.
+/// Returns the radius of the ball that touches a plane at the origin, and the point q; infinity if q is not above the
+/// plane.
 double radius_through(const Eigen::Vector3d& q, const Eigen::Vector3d& normal) {
   const double height = q.dot(normal);
   const double square = q.squaredNorm();
   return height > 0 && square > at_sample ? square / (2 * height) : infinity;
 }
 
-/// The same for a segment: at the place where the ball touches its line, or at an end.
+/// Returns the same for a segment: for the point where the ball touches its line, or for an end.
 double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& normal) {
-  const double at_end = radius_through(from, normal);  // the other end is the next segment's
+  const double at_end = radius_through(from, normal);  // the other end belongs to the next segment
   const Eigen::Vector3d side = to - from;
   const double length = side.norm();
   if (!(length > 0)) return at_end;
@@ -49,14 +50,14 @@ double radius_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
   return along > 0 && along < length ? std::min(at_end, radius_through(from + along * direction, normal)) : at_end;
 }
 
-/// Unit normal by the order of the corners; zero where there is no area.
+/// Returns the unit normal by the order of the corners; zero for a degenerate triangle.
 Eigen::Vector3d normal_of(const Triangle& triangle) {
   const Eigen::Vector3d area = (triangle.b - triangle.a).cross(triangle.c - triangle.a);
   const double size = area.norm();
   return size > 0 ? Eigen::Vector3d(area / size) : Eigen::Vector3d::Zero();
 }
 
-/// A triangle relative to an origin, and its plane.
+/// Triangle relative to an origin, with its plane.
 struct FacingTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   Eigen::Vector3d normal;  ///< by the order of the corners; zero where it has no area
@@ -67,14 +68,14 @@ struct FacingTriangle {
         normal(unit_normal),
         distance(unit_normal.dot(corners[0])) {}
 
-  /// The normal that points away from the origin.
+  /// Returns the normal that points away from the origin.
   [[nodiscard]] Eigen::Vector3d away() const { return distance < 0 ? Eigen::Vector3d(-normal) : normal; }
 
   [[nodiscard]] bool has_corner_at_origin() const {
     return std::ranges::any_of(corners, [](const Eigen::Vector3d& corner) { return corner.squaredNorm() < at_sample; });
   }
 
-  /// Whether a point of the plane is in the triangle.
+  /// Returns true if a point of the plane is inside the triangle.
   [[nodiscard]] bool contains(const Eigen::Vector3d& q) const {
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector3d side = corners[(k + 1) % 3] - corners[k];
@@ -84,12 +85,12 @@ struct FacingTriangle {
   }
 };
 
-/// touching_ball_radius() where that is below the limit, else infinity or any radius that is not.
+/// Returns touching_ball_radius() if it is below the limit, otherwise any value that is not.
 double radius_to(const FacingTriangle& triangle, const Eigen::Vector3d& inward, double limit) {
   if (!triangle.normal.isZero(0)) {
     const Eigen::Vector3d away = triangle.away();
     const double radius = std::abs(triangle.distance) / (1 + away.dot(inward));
-    // With room for rounding: which radius is the least may not depend on the order of the triangles.
+    // With a margin for rounding: the minimum must not depend on the order of the triangles.
     if (!(radius < limit * (1 + 1e-12))) return infinity;
     const Eigen::Vector3d contact = radius * (inward + away);
     if (contact.squaredNorm() > at_sample && triangle.contains(contact)) return radius;
@@ -101,7 +102,7 @@ double radius_to(const FacingTriangle& triangle, const Eigen::Vector3d& inward, 
   return least;
 }
 
-/// Of balls in a shape of diagonal 1. No ball inside a closed shape is larger.
+/// Upper bound of the radius of a ball inside a closed shape of diagonal 1.
 constexpr double largest_radius = 0.5;
 
 void check(const Shape& shape, const Samples& samples, const InscribedBallOptions& options) {
@@ -145,7 +146,8 @@ Eigen::VectorXd inscribed_ball(const Shape& shape, const Samples& samples, const
     const bool separate = -inward.dot(facing.away()) <= most_cosine;
     return separate && !facing.has_corner_at_origin() ? radius_to(facing, inward, limit) : infinity;
   };
-  // `hint`: a triangle that is likely to stop the ball; then the one that does. It saves time and changes no value.
+  // `hint` is a triangle that probably stops the ball, replaced by the one that does. It saves time and changes no
+  // value.
   const auto diameter_at = [&](Eigen::Index i, std::int32_t& hint) {
     const Eigen::Vector3d inward = -samples.normals.row(i).transpose();
     if (inward.isZero(0)) return std::numeric_limits<double>::quiet_NaN();

@@ -16,7 +16,7 @@ namespace shapegauge {
 
 namespace {
 
-/// What a field along the surface is computed on.
+/// Surface on which a field is computed.
 enum class FieldSurface { mesh, proxy };
 
 }  // namespace
@@ -43,7 +43,7 @@ constexpr std::array centricity_field_table = {
     option_of<&CentricityField::on>("on", meaning_of_on),
 };
 
-/// Geodesic distances to all of the surface.
+/// Computes a field of geodesic distances to the whole surface.
 FieldComputation centricity_field(const ParameterValues& values, const SamplePlan& /*samples*/) {
   const auto [options, on] = options_from(centricity_field_table, values);
   if (on == FieldSurface::proxy) {
@@ -62,7 +62,7 @@ FieldComputation centricity_field(const ParameterValues& values, const SamplePla
           }};
 }
 
-/// The spectrum that heat kernels and their like are summed over.
+/// Spectrum for heat kernels and related signatures.
 struct SpectrumChoice {
   int eigenvalues = 100;
   FieldSurface on = FieldSurface::mesh;
@@ -74,8 +74,8 @@ constexpr std::array spectrum_table = {
     option_of<&SpectrumChoice::on>("on", meaning_of_on),
 };
 
-/// A field that a spectrum's function of vertices, one column of it, gives (heat_kernel.h).
-/// - `column`: from a spectrum and the shape's area to values at the vertices.
+/// Makes a field from one column of a spectral function (heat_kernel.h). `column` maps a spectrum and the shape's area
+/// to values at the vertices.
 FieldComputation spectral_field(const SpectrumChoice& choice,
                                 std::function<Eigen::VectorXd(const Spectrum&, double area)> column) {
   if (choice.on == FieldSurface::proxy) {

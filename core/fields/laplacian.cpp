@@ -24,10 +24,10 @@ namespace shapegauge {
 
 namespace {
 
-/// Each of a mesh's components adds an eigenvalue 0, which all take time.
+/// Every component of a mesh adds a zero eigenvalue, and each takes time.
 constexpr int most_components = 1000;
 
-/// What a triangle contributes.
+/// Contribution of a triangle.
 struct Element {
   double area;
   std::array<double, 3> cotangents;  ///< of the angle at each corner
@@ -45,7 +45,7 @@ std::optional<Element> element_of(const Shape& mesh, Eigen::Index triangle) {
     element.cotangents[k] = (corners[(k + 1) % 3] - corner).dot(corners[(k + 2) % 3] - corner) / twice_area;
     largest = std::max(largest, std::abs(element.cotangents[k]));
   }
-  // Scaled together, they keep the element's energy from becoming negative.
+  // Scaling all three together keeps the element's energy non-negative.
   constexpr double bound = 1e4;
   for (double& cotangent : element.cotangents) cotangent *= std::min(1.0, bound / largest);
   return element;
@@ -61,7 +61,7 @@ void factorise(const SparseMatrix& matrix, double shift, Cholesky& solver) {
   if (solver.info() != Eigen::Success) throw InputError("the mesh's Laplacian could not be factorised");
 }
 
-/// y = (A - shift)^-1 x, as Spectra asks for it, in the space across the eigenvectors that are known.
+/// y = (A - shift)^-1 x for Spectra, in the orthogonal complement of the known eigenvectors.
 class ShiftedInverse {
  public:
   using Scalar = double;
@@ -109,7 +109,7 @@ Eigenpairs merged(const Eigenpairs& a, const Eigenpairs& b) {
   return {both.values(order), both.vectors(Eigen::all, order)};
 }
 
-/// Lanczos iteration for the eigenvalues next above the shift.
+/// Computes the eigenvalues next above the shift by Lanczos iteration.
 Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift) {
   Spectra::SymEigsShiftSolver<ShiftedInverse> solver(inverse, count, 2 * count + 20, shift);
   solver.init();
@@ -125,15 +125,15 @@ Eigenpairs iterated(ShiftedInverse& inverse, Eigen::Index count, double shift) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-/// How many eigenvalues are below a value, by Sylvester's law of inertia.
+/// Counts the eigenvalues below a value by Sylvester's law of inertia.
 Eigen::Index count_below(const SparseMatrix& matrix, double value) {
   Cholesky solver;
   factorise(matrix, value, solver);
   return (solver.vectorD().array() < 0).count();
 }
 
-/// Eigenpairs of a symmetric matrix without negative eigenvalues. Lanczos iteration may pass over copies of a multiple
-/// eigenvalue, as symmetric shapes have: what is missing is counted, and sought across what is known.
+/// Computes eigenpairs of a positive semidefinite matrix. Lanczos iteration may miss copies of multiple eigenvalues,
+/// which symmetric shapes have. Missing ones are counted and computed in the complement of the known eigenvectors.
 Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, double shift) {
   if (matrix.rows() <= 2 * count + 20) {  // too few for Lanczos iterations
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver{Eigen::MatrixXd(matrix)};
@@ -153,7 +153,7 @@ Eigenpairs smallest_eigenpairs(const SparseMatrix& matrix, Eigen::Index count, d
   throw InputError("the eigenvalues of the mesh's Laplacian are too close to each other to be distinguished");
 }
 
-/// Of the mesh whose nodes the matrix has entries between.
+/// Returns the number of components of the mesh that the matrix belongs to.
 int component_count(const SparseMatrix& matrix) {
   DisjointSets sets;
   sets.grow_to(static_cast<std::size_t>(matrix.rows()));
@@ -229,7 +229,7 @@ Spectrum laplacian_spectrum(const Laplacian& laplacian, int count) {
   }
   const Eigen::VectorXd inverse_root = laplacian.mass.cwiseSqrt().cwiseInverse();
   SparseMatrix matrix = inverse_root.asDiagonal() * laplacian.stiffness * inverse_root.asDiagonal();
-  // In units in which the whole area is 1, the first eigenvalues other than 0 are about 10; the shift must not be one.
+  // With a total area of 1, the first non-zero eigenvalues are about 10; the shift must not be an eigenvalue.
   const double area = laplacian.mass.sum();
   matrix *= area;
   const Eigen::Index most = std::min<Eigen::Index>(components - 1 + count, matrix.rows());

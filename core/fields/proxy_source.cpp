@@ -31,7 +31,7 @@ const ProxyGeodesics& ProxySource::geodesics() {
 }
 
 Spectrum ProxySource::spectrum(int eigenvalues) {
-  // Numbers of their own, not the heads of whatever was computed before: values may not depend on the order of calls.
+  // A fixed number, not part of an earlier result: values must not depend on the order of calls.
   const int computed = std::max(eigenvalues, shared_eigenvalues);
   if (!spectra_.contains(computed)) spectra_.emplace(computed, laplacian_spectrum(laplacian_of(proxy()), computed));
   const Spectrum& all = spectra_.at(computed);
@@ -47,7 +47,7 @@ Eigen::VectorXd ProxySource::at_samples(const Samples& samples, const Eigen::Vec
   const Eigen::Index count = nearest.indices.cols();
   Eigen::VectorXd values(samples.points.rows());
   for (Eigen::Index i = 0; i < values.size(); ++i) {
-    // Weights fall to 0 at the farthest of the points considered, so that values do not jump where those change.
+    // Weights decrease to 0 at the farthest point considered, which makes values continuous where the set changes.
     const double reach = nearest.distances(i, count - 1) * (1 + 1e-9);
     double sum = 0;
     double weights = 0;

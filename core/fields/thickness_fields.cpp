@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> automatic{"auto"};
 
-/// The parameters of an offset SDF: the offset must be given, and may be automatic.
+/// Returns the parameters of an offset SDF: the offset is mandatory and may be automatic.
 std::vector<Parameter> offset_sdf_parameters() {
   constexpr auto options = parameters_of(offset_sdf_table);
   std::vector<Parameter> parameters(options.begin(), options.end());

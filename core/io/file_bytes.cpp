@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// An open file, closed at the end of the scope.
+/// Open file, closed on destruction.
 class Descriptor {
  public:
   explicit Descriptor(const fs::path& path) : value_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
@@ -48,8 +48,8 @@ class Descriptor {
   throw InputError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(error)));
 }
 
-/// Writes everything and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
-/// some errors only when the file is closed.
+/// Writes all bytes and closes the descriptor; returns 0 or the first error. Quotas and network file systems report
+/// some errors only on closing.
 int write_and_close(int descriptor, std::string_view bytes, Flush flush) {
   int error = 0;
   while (error == 0 && !bytes.empty()) {
@@ -70,7 +70,7 @@ struct NewFile {
   fs::path path;
 };
 
-/// A new file beside `path` under a name that nobody uses: other threads and processes may write to the same folder.
+/// Creates a new file beside `path` under a unique name: other threads and processes may write to the same folder.
 NewFile create_beside(const fs::path& path) {
   static std::atomic<unsigned> counter = 0;
   while (true) {

@@ -30,7 +30,7 @@ constexpr std::string_view glb_magic = "glTF";
   throw InputError(fmt::format("{}: {}", name, what));
 }
 
-/// What the library opens beside the file.
+/// Files that the library opens beside the file.
 struct GltfFiles {
   const ShapeSource* source = nullptr;
   std::vector<std::string> names = {};
@@ -44,7 +44,7 @@ bool is_picture(const std::string& file) {
   return std::ranges::count(extensions, extension) > 0;
 }
 
-/// The library's view of files: buffers through the source, which refuses what is not beside the file; no pictures.
+/// Returns the library's file callbacks: buffers through the source, which rejects files elsewhere; no images.
 tinygltf::FsCallbacks callbacks_for(GltfFiles& files) {
   tinygltf::FsCallbacks callbacks{};
   callbacks.FileExists = [](const std::string& file, void*) { return !is_picture(file); };
@@ -73,7 +73,7 @@ bool pass_over_picture(tinygltf::Image*, const int, std::string*, std::string*, 
   return true;
 }
 
-/// Throws InputError where brackets are nested deeper than the library can stand.
+/// Throws InputError if brackets are nested deeper than the library supports.
 void require_flat(std::string_view json, const std::string& name) {
   std::size_t depth = 0;
   bool in_string = false;
@@ -91,7 +91,7 @@ void require_flat(std::string_view json, const std::string& name) {
   }
 }
 
-/// The JSON of a GLB file; the length of the first chunk is in its bytes 12 to 15.
+/// Returns the JSON of a GLB file; the length of the first chunk is in its bytes 12 to 15.
 std::string_view json_of_glb(std::string_view bytes) {
   constexpr std::size_t header = 20;
   if (bytes.size() < header) return {};
@@ -146,7 +146,7 @@ const Item& item_at(const std::vector<Item>& items, int index, const char* what,
   return items[static_cast<std::size_t>(index)];
 }
 
-/// A number of a component type at a place. Whole numbers that are normalised become -1 to 1, or 0 to 1.
+/// Reads a number of a component type. Normalised integers become -1 to 1, or 0 to 1.
 template <typename Number>
 double number_at(const unsigned char* place, bool normalised) {
   Number number;
@@ -185,7 +185,7 @@ struct BufferItems {
   [[nodiscard]] const unsigned char* at(std::size_t i) const { return first + i * stride; }
 };
 
-/// The items in a part of a buffer. `stride`: 0 where they follow each other.
+/// Returns the items in a part of a buffer. A `stride` of 0 means contiguous items.
 BufferItems items_in(const tinygltf::Model& model, int view_index, std::size_t offset, std::size_t count,
                      std::size_t size, const std::string& name) {
   const tinygltf::BufferView& view = item_at(model.bufferViews, view_index, "buffer view", name);
@@ -207,7 +207,7 @@ std::size_t size_of_component(int type, const std::string& name) {
 
 using Positions = std::vector<Eigen::Vector3d>;
 
-/// Puts the positions that a sparse accessor replaces in their places.
+/// Applies the replacements of a sparse accessor.
 void replace_sparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, Positions& positions,
                     const std::string& name) {
   const auto& sparse = accessor.sparse;
@@ -248,7 +248,7 @@ Positions positions_of(const tinygltf::Model& model, int accessor_index, const s
   return positions;
 }
 
-/// The corners of a primitive: its indices, or all of its vertices in order.
+/// Returns the corners of a primitive: its indices, or all of its vertices in order.
 std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
                                      std::size_t vertices, const std::string& name) {
   std::vector<std::int32_t> corners;
@@ -272,7 +272,7 @@ std::vector<std::int32_t> corners_of(const tinygltf::Model& model, const tinyglt
   return corners;
 }
 
-/// The triangles of a primitive; none of points and lines.
+/// Returns the triangles of a primitive; none for points and lines.
 std::vector<std::array<std::int32_t, 3>> triangles_of(const std::vector<std::int32_t>& corners, int mode) {
   std::vector<std::array<std::int32_t, 3>> triangles;
   const std::size_t count = corners.size();
@@ -330,7 +330,7 @@ class GltfScene {
     Eigen::Affine3d transform;
   };
 
-  /// Of the scene that is shown or, without scenes, of all nodes.
+  /// Returns the roots of the default scene or, without scenes, of all nodes.
   [[nodiscard]] std::vector<int> roots() const {
     if (!model_.scenes.empty()) {
       return item_at(model_.scenes, std::max(0, model_.defaultScene), "scene", name_).nodes;

@@ -44,14 +44,14 @@ class ObjReader {
   }
 
  private:
-  /// A corner, and where it is: a face may come before its vertices.
+  /// Corner with its position in the text: a face may precede its vertices.
   struct Corner {
     std::int64_t vertex = -1;
     std::int64_t face = 0;
     std::size_t offset = 0;
   };
 
-  /// True where the statement has nothing more: a backslash at a line's end continues it on the next line.
+  /// Returns true at the end of a statement: a backslash at a line's end continues it on the next line.
   bool at_statement_end() {
     while (!scanner_.at_line_end()) {
       if (!is_continuation(scanner_.rest())) return false;
@@ -67,7 +67,7 @@ class ObjReader {
     while (!at_statement_end()) scanner_.read_word();
   }
 
-  /// Reads the `vn` statements. Only those of a point cloud are of interest, and what is one is known at the end.
+  /// Reads the `vn` statements, which are used by point clouds only; whether the file is one is known at the end.
   void read_normals() {
     scanner_ = beginning_;
     for (std::size_t normal = 1; !scanner_.at_end(); skip_statement()) {
@@ -102,7 +102,7 @@ class ObjReader {
     }
   }
 
-  /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`; the vertex's index from 0.
+  /// Reads `v`, `v/vt`, `v//vn` or `v/vt/vn`; returns the vertex index from 0.
   std::int32_t read_corner() {
     const std::string_view word = scanner_.read_word();
     std::int64_t index = 0;
@@ -131,7 +131,7 @@ class ObjReader {
   Corner largest_;
 };
 
-/// Whether the first statement is one of an OBJ file.
+/// Returns true if the first statement is one of an OBJ file.
 bool begins_like_obj(std::string_view bytes) {
   static constexpr std::array<std::string_view, 12> statements = {"v", "vn", "vt", "vp", "f",      "l",
                                                                   "p", "o",  "g",  "s",  "mtllib", "usemtl"};

@@ -24,14 +24,14 @@ namespace shapegauge {
 
 namespace {
 
-/// What an OFF file's keyword says of its body.
+/// Body format declared by an OFF file's keyword.
 struct OffHeader {
   bool binary = false;
   bool texture = false;  ///< ST: 2 numbers after each vertex
   bool colours = false;  ///< C: 4 numbers
   bool normals = false;  ///< N: 3 numbers
 
-  /// Numbers that follow each vertex's coordinates.
+  /// Returns the number of values that follow each vertex's coordinates.
   [[nodiscard]] std::size_t vertex_extras() const {
     return (texture ? 2U : 0U) + (colours ? 4U : 0U) + (normals ? 3U : 0U);
   }
@@ -43,14 +43,14 @@ struct OffCounts {
   std::int64_t faces = 0;
 };
 
-/// How the records of an ASCII OFF file are told apart. `lines`: each begins a line, and what follows it on the line is
-/// of no interest (colours, normals, with or without a keyword that announces them). `words`: they follow each other
-/// anyhow, as in a file that is a single line; then the keyword says how many numbers belong to a vertex.
+/// Separation of records in an ASCII OFF file. `lines`: each record begins a line, and further values on the line are
+/// ignored (colours, normals, declared or not). `words`: records follow each other anywhere, as in a file of a single
+/// line; the keyword then determines the number of values per vertex.
 enum class OffLayout { lines, words };
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// Takes the prefix off the front of the text, if it is there.
+/// Removes a prefix from the text, if present.
 bool consume(std::string_view& text, std::string_view prefix) {
   if (!text.starts_with(prefix)) return false;
   text.remove_prefix(prefix.size());
@@ -93,11 +93,11 @@ bool ends_keyword(std::string_view rest) {
          std::string_view(" \t\r\n#").find(rest.front()) != std::string_view::npos;
 }
 
-/// True where the next line that is not blank holds exactly one word.
+/// Returns true if the next non-blank line has exactly one word.
 bool single_word_on_line(TextScanner scanner) { return !scanner.read_word().empty() && scanner.at_line_end(); }
 
-/// Reads an OFF file's keyword, and `BINARY` behind it. A file without a keyword, but with a number in its place, is
-/// plain OFF. Throws InputError where it is something else, or where the points are not three-dimensional (4OFF, nOFF).
+/// Reads an OFF file's keyword and an optional `BINARY`. A file with a number in place of the keyword is plain OFF.
+/// Throws InputError for anything else, and for points that are not three-dimensional (4OFF, nOFF).
 OffHeader read_off_header(TextScanner& scanner) {
   if (scanner.at_end()) scanner.fail_whole("contains only white space and comments");
   const Keyword keyword = parse_keyword(scanner.rest());
@@ -117,7 +117,7 @@ OffHeader read_off_header(TextScanner& scanner) {
   return header;
 }
 
-/// Throws InputError where a count is negative or more than a triangle's indices can address.
+/// Throws InputError for a count that is negative or exceeds the range of triangle indices.
 void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
   constexpr std::int64_t largest = std::numeric_limits<std::int32_t>::max();
   if (counts.vertices < 0 || counts.faces < 0) {
@@ -129,7 +129,7 @@ void check_off_counts(const OffCounts& counts, const TextScanner& scanner) {
   }
 }
 
-/// Reads the line of counts of an ASCII OFF file. The number of edges, which is often wrong or missing, is passed over.
+/// Reads the line of counts of an ASCII OFF file. Ignores the number of edges, which is often wrong or missing.
 OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
   OffCounts counts;
   if (!scanner.read_integer(counts.vertices, "the number of vertices") ||
@@ -145,7 +145,7 @@ OffCounts read_off_counts(TextScanner& scanner, OffLayout layout) {
   return counts;
 }
 
-/// The bytes behind the header's line end.
+/// Returns the bytes after the header's line end.
 std::string_view body_of(std::string_view rest) {
   const std::size_t line_end = rest.find('\n');
   return line_end == std::string_view::npos ? std::string_view() : rest.substr(line_end + 1);
@@ -230,7 +230,7 @@ class BinaryOffBody {
   SoupBuilder soup_;
 };
 
-/// The shape in a binary OFF file's body, which the scanner has come to, after the header's line: big-endian, 32-bit.
+/// Reads a shape from the body of a binary OFF file after the header's line: big-endian, 32-bit.
 Shape read_off_binary(const TextScanner& scanner, const OffHeader& header) {
   return BinaryOffBody(scanner, header).read();
 }
@@ -243,7 +243,7 @@ class OffBody {
  public:
   OffBody(TextScanner& scanner, const OffHeader& header, OffLayout layout)
       : scanner_(scanner), header_(header), layout_(layout), counts_(read_off_counts(scanner, layout)) {
-    // What the file has room for, whatever its header claims.
+    // Limited by the size of the file, whatever its header announces.
     soup_.reserve(std::min<std::size_t>(counts_.vertices, scanner.remaining() / bytes_of_shortest_vertex + 1),
                   std::min<std::size_t>(counts_.faces, scanner.remaining() / bytes_of_shortest_triangle + 1));
   }
@@ -278,12 +278,12 @@ class OffBody {
     }
   }
 
-  /// Whether normals follow, the first vertex's position being read. Of interest are those of a point cloud only.
+  /// Returns true if normals follow the first vertex's position. Only those of point clouds are read.
   bool has_normals() {
     return header_.normals && counts_.faces == 0 && (layout_ == OffLayout::words || !scanner_.at_line_end());
   }
 
-  /// The first of the extras.
+  /// Reads the normal, the first of the extra values.
   void read_normal(std::int64_t i) {
     std::array<double, 3> normal;
     for (double& component : normal) {
@@ -326,8 +326,7 @@ class OffBody {
   SoupBuilder soup_;
 };
 
-/// The shape, if the file is one whose records do not keep to lines. All its words must fit, so that a truncated file
-/// is not taken for such.
+/// Reads a file whose records ignore lines. All words must be consumed; a truncated file is not accepted.
 std::optional<Shape> read_words(TextScanner scanner, const OffHeader& header) {
   try {
     return OffBody(scanner, header, OffLayout::words).read();
@@ -336,7 +335,7 @@ std::optional<Shape> read_words(TextScanner scanner, const OffHeader& header) {
   }
 }
 
-/// Whether the first line begins with a keyword.
+/// Returns true if the first line begins with a keyword.
 bool begins_like_off(std::string_view bytes) {
   const std::string_view line = bytes.substr(0, bytes.find_first_of("\r\n"));
   const std::size_t keyword = line.find("OFF");

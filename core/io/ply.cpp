@@ -49,7 +49,7 @@ struct PlyHeader {
   std::vector<PlyElement> elements;
 };
 
-/// The values of an ASCII PLY file's body, one after the other. Every reading function returns false at the end.
+/// Sequential values of an ASCII PLY file's body. Every reading function returns false at the end.
 class PlyTextSource {
  public:
   explicit PlyTextSource(const TextScanner& body) : body_(body) {}
@@ -58,14 +58,14 @@ class PlyTextSource {
   bool read_whole(std::int64_t& value, PlyType /*type*/) { return body_.read_integer(value, "an index or a length"); }
   bool skip(PlyType /*type*/, std::uint64_t count) { return body_.skip_words(count); }
   [[nodiscard]] std::size_t remaining() const { return body_.remaining(); }
-  /// Throws InputError about the value read last.
+  /// Throws InputError for the last value read.
   [[noreturn]] void fail(std::string_view message) const { body_.fail(message); }
 
  private:
   TextScanner body_;
 };
 
-/// The same for a binary body.
+/// Sequential values of a binary body.
 class PlyBinarySource {
  public:
   PlyBinarySource(const TextScanner& body, std::endian order) : text_(body), bytes_(body.rest(), order) {}
@@ -174,14 +174,14 @@ PlyProperty read_property(TextScanner& scanner) {
   return property;
 }
 
-/// Length of the line end that the text has next: a binary body's first byte may itself look like one.
+/// Returns the length of the next line end: a binary body's first byte may itself look like one.
 std::size_t length_of_line_end(std::string_view text) {
   const std::size_t start = text.find_first_of("\r\n");
   return start != std::string_view::npos && text.substr(start).starts_with("\r\n") ? 2 : 1;
 }
 
 /// Reads a PLY file's header (Greg Turk, "The PLY Polygon File Format") and leaves the scanner at the first byte of the
-/// body. Throws InputError, with the line, where it is not one.
+/// body. Throws InputError, with the line, for an invalid header.
 PlyHeader read_ply_header(TextScanner& scanner) {
   if (scanner.read_word() != "ply") scanner.fail("not a PLY file: it does not begin with \"ply\"");
   const std::size_t line_end = length_of_line_end(scanner.rest());
@@ -212,14 +212,14 @@ PlyHeader read_ply_header(TextScanner& scanner) {
   return header;
 }
 
-/// Number of the coordinate that a vertex's property is, 3 to 5 for the components of its normal, 6 for any other.
+/// Returns the index of a vertex property: 0 to 2 for coordinates, 3 to 5 for the normal, 6 for any other.
 std::size_t place_of(const PlyProperty& property) {
   constexpr std::array<std::string_view, 6> names = {"x", "y", "z", "nx", "ny", "nz"};
   if (property.list) return names.size();
   return static_cast<std::size_t>(std::ranges::find(names, property.name) - names.begin());
 }
 
-/// Whether every component of a vector has one property of the element, the first component's place being given.
+/// Returns true if all components of a vector, beginning at an index, have one property each.
 bool has_vector(const PlyElement& element, std::size_t first_place) {
   return std::ranges::all_of(std::array{0U, 1U, 2U}, [&](std::size_t axis) {
     return std::ranges::count(element.properties, first_place + axis, place_of) == 1;
@@ -284,16 +284,17 @@ PlyHeader read_checked_header(TextScanner& scanner) {
   return header;
 }
 
-/// Reads the body of a PLY file, whose values come from a PlyTextSource or a PlyBinarySource.
+/// Reads the body of a PLY file from a PlyTextSource or a PlyBinarySource.
 template <typename Source>
 class PlyBody {
  public:
   PlyBody(const PlyHeader& header, Source source)
       : header_(header), source_(std::move(source)), vertices_(find_element(header, "vertex")->count) {
-    // What the file has room for, whatever its header claims: a coordinate takes a byte and a separator, or more.
+    // Limited by the size of the file, whatever its header announces: a coordinate takes at least a byte and a
+    // separator.
     const PlyElement* const face = find_element(header, "face");
     const PlyElement& vertex = *find_element(header, "vertex");
-    // The normals of a mesh are of no interest, whatever they are.
+    // The normals of a mesh are ignored.
     places_read_ = (face == nullptr || face->count == 0) && has_vector(vertex, 3) ? 6 : 3;
     std::ranges::transform(vertex.properties, std::back_inserter(vertex_places_), place_of);
     soup_.reserve(std::min<std::size_t>(vertices_, source_.remaining() / 3),
@@ -373,12 +374,12 @@ class PlyBody {
   const PlyHeader& header_;
   Source source_;
   std::int64_t vertices_;
-  std::vector<std::size_t> vertex_places_;  ///< of the vertices' properties, see place_of()
-  std::size_t places_read_ = 3;             ///< the lower ones are read, the others skipped
+  std::vector<std::size_t> vertex_places_;  ///< place_of() of the vertices' properties
+  std::size_t places_read_ = 3;             ///< lower ones are read, the others skipped
   SoupBuilder soup_;
 };
 
-/// What the samples at a site have besides their places.
+/// Properties of samples at a site.
 struct SampleProperties {
   SampleSite site;
   std::string declaration;
@@ -408,7 +409,7 @@ void append_doubles(std::string& bytes, const Eigen::RowVector3d& vector) {
   for (const double component : vector) append_little_endian(bytes, component);
 }
 
-/// The file, with samples where there are any.
+/// Writes the file, with sample properties if there are any.
 void write(const std::filesystem::path& path, const Shape& shape, const SampleProperties* samples) {
   require_writable(path, shape);
   std::string bytes = header_of(shape, samples);

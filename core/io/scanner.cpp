@@ -14,8 +14,8 @@ namespace shapegauge {
 
 namespace {
 
-/// std::from_chars does not say whether a number out of range is too large or too small; a stream gives 0 for the
-/// latter.
+/// Parses a number out of range. std::from_chars does not distinguish overflow from underflow; a stream returns 0 for
+/// the latter.
 double value_out_of_range(const char* first, const char* last) {
   std::istringstream stream(std::string(first, last));
   stream.imbue(std::locale::classic());
@@ -23,10 +23,10 @@ double value_out_of_range(const char* first, const char* last) {
   return stream >> value ? value : std::numeric_limits<double>::infinity();
 }
 
-/// How much of a message is shown: it may hold a word of the file, which may be anything.
+/// Maximum length of a message, which may contain arbitrary words of the file.
 constexpr std::size_t longest_message = 300;
 
-/// Where the number begins: std::from_chars knows no plus sign.
+/// Returns the beginning of the number: std::from_chars does not accept a plus sign.
 const char* without_plus(const char* word) { return *word == '+' && word[1] != '-' ? word + 1 : word; }
 
 }  // namespace

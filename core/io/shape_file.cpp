@@ -33,7 +33,7 @@ std::vector<std::string_view> extensions_of(const ShapeFormat& format) {
   return all;
 }
 
-/// The extension is in lower case; null where no format has it.
+/// Returns the format of a lower-case extension; null if unknown.
 const ShapeFormat* format_by_extension(std::string_view extension) {
   const auto has_it = [&](const ShapeFormat& format) {
     return std::ranges::count(format.extensions, extension) +
@@ -50,7 +50,7 @@ const ShapeFormat* format_by_content(std::string_view bytes) {
 
 std::string extension_of(const fs::path& path) { return path.extension().string(); }
 
-/// The format by extension (in any case) and, failing that, by content; null for an unknown one.
+/// Returns the format by extension (ignoring case) or, failing that, by content; null if unknown.
 const ShapeFormat* find_format(std::string extension, std::string_view bytes) {
   const ShapeFormat* const by_extension = format_by_extension(lower_case(std::move(extension)));
   return by_extension != nullptr ? by_extension : format_by_content(bytes);

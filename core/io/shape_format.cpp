@@ -30,7 +30,7 @@ Matrix matrix_of(const std::vector<Row>& rows) {
 
 void SoupBuilder::add_normal(const std::array<double, 3>& normal) {
   Eigen::Vector3d direction(normal[0], normal[1], normal[2]);
-  // A length of 1 as far as rounding tells stays, so that a file that is read and written again is the same.
+  // A length of 1, up to rounding, stays: reading and writing must not change a file.
   const double length = direction.stableNorm();
   if (std::abs(length - 1) > 4 * std::numeric_limits<double>::epsilon()) direction.stableNormalize();
   normals_.push_back({direction[0], direction[1], direction[2]});

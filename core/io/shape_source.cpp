@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What keeps the name of a neighbour from being one; empty for a name that is in order.
+/// Returns why a name is not that of a neighbour; empty for a valid name.
 std::string_view objection_to(std::string_view file) {
   if (file.empty()) return "the name is empty";
   if (file.find('\0') != std::string_view::npos) return "the name has a zero byte";

@@ -37,7 +37,7 @@ struct PositionHash {
   }
 };
 
-/// A soup whose vertices are told apart by their coordinates.
+/// Builds a soup with vertices merged by coordinates.
 class MergingBuilder {
  public:
   void begin_face() { soup_.begin_face(); }
@@ -64,7 +64,7 @@ std::uint32_t number_of_facets(std::string_view bytes) {
   return facets;
 }
 
-/// ASCII begins with "solid", but so do the headers of many binary files: those have bytes that no text has.
+/// ASCII files begin with "solid", like many headers of binary files; those contain bytes that no text has.
 bool is_ascii(const std::string& bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string::npos || bytes.compare(start, 5, "solid") != 0) return false;
@@ -96,7 +96,7 @@ Shape read_binary(const std::string& bytes, const TextScanner& text) {
   return builder.shape();
 }
 
-/// Reads the facets of an ASCII file: a sequence of keywords, which need not keep to lines.
+/// Reads the facets of an ASCII file: a sequence of keywords, independent of lines.
 class AsciiReader {
  public:
   explicit AsciiReader(const TextScanner& scanner) : scanner_(scanner) {}
@@ -154,10 +154,10 @@ class AsciiReader {
   std::int64_t facets_ = 0;
 };
 
-/// The vertices in the format's precision.
+/// Vertices in the format's precision.
 using FloatPoints = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The unit normal by the corners' order; zero for a degenerate triangle.
+/// Returns the unit normal by the order of the corners; zero for a degenerate triangle.
 Eigen::RowVector3f facet_normal(const Shape& mesh, Eigen::Index triangle) {
   const Eigen::Vector3d a = mesh.vertices.row(mesh.triangles(triangle, 0));
   const Eigen::Vector3d b = mesh.vertices.row(mesh.triangles(triangle, 1));
@@ -170,7 +170,7 @@ void append_floats(std::string& bytes, const Eigen::RowVector3f& vector) {
   for (const float component : vector) append_little_endian(bytes, component);
 }
 
-/// Whether the file has exactly the size that a binary one of its number of facets has.
+/// Returns true if the file has the size of a binary file with its number of facets.
 bool has_size_of_binary(std::string_view bytes) {
   return bytes.size() >= header_size + 4 &&
          bytes.size() == header_size + 4 + facet_size * std::size_t{number_of_facets(bytes)};

@@ -9,13 +9,13 @@ namespace shapegauge {
 
 namespace {
 
-/// Areas up to this, of a polygon with an extent of 1, are attributed to rounding.
+/// Area attributed to rounding, for a polygon with an extent of 1.
 constexpr double negligible_area = 1e-11;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The corners relative to the first one, with an extent of 1, rounded to a grid that is finer than anything of
-/// interest: a polygon of another size, whose coordinates are rounded differently, has the same triangles.
+/// Returns the corners relative to the first one, with an extent of 1, rounded to a fine grid: scaled polygons, with
+/// other rounding errors, then have the same triangles.
 std::vector<Eigen::Vector3d> normalised(std::span<const Eigen::Vector3d> corners) {
   constexpr double cells = 0x1p40;
   double extent = 0;
@@ -31,14 +31,14 @@ std::vector<Eigen::Vector3d> normalised(std::span<const Eigen::Vector3d> corners
   return result;
 }
 
-/// Newell's normal; its length is the polygon's area.
+/// Returns Newell's normal; its length is the polygon's area.
 Eigen::Vector3d newell_normal(std::span<const Eigen::Vector3d> corners) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) sum += corners[i].cross(corners[i + 1]);  // the first is 0
   return sum / 2;
 }
 
-/// The axis along which the normal is longest. Of axes about as good the last one, so that rounding does not choose.
+/// Returns the axis along which the normal is longest. Of nearly equal axes it is the last one, whatever the rounding.
 Eigen::Index projection_axis(const Eigen::Vector3d& normal) {
   const double enough = 0.9 * normal.cwiseAbs().maxCoeff();
   for (const Eigen::Index axis : {2, 1}) {
@@ -47,7 +47,7 @@ Eigen::Index projection_axis(const Eigen::Vector3d& normal) {
   return 0;
 }
 
-/// The polygon without one coordinate, which keeps the others exact, seen from the side where its area is positive.
+/// Projects the polygon by dropping one coordinate, which keeps the others exact, with positive area.
 std::vector<Eigen::Vector2d> projected(std::span<const Eigen::Vector3d> corners, const Eigen::Vector3d& normal) {
   const Eigen::Index axis = projection_axis(normal);
   Eigen::Index u = (axis + 1) % 3;
@@ -59,7 +59,7 @@ std::vector<Eigen::Vector2d> projected(std::span<const Eigen::Vector3d> corners,
   return flat;
 }
 
-/// Whether the triangles about the first corner, which is the origin, lie side by side.
+/// Returns true if the triangles about the first corner, at the origin, do not overlap.
 bool fan_covers(std::span<const Eigen::Vector2d> corners) {
   double turned = 0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -70,7 +70,7 @@ bool fan_covers(std::span<const Eigen::Vector2d> corners) {
   return turned < 2 * std::numbers::pi * (1 + 1e-9);
 }
 
-/// Whether the triangles have the polygon's area. They have less where the polygon winds twice about a place.
+/// Returns true if the triangles have the polygon's area. It is less if the polygon winds twice about a point.
 bool have_area_of(std::span<const PolygonTriangle> triangles, std::span<const Eigen::Vector2d> corners) {
   double polygon = 0;
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) polygon += cross(corners[i], corners[i + 1]);
@@ -82,7 +82,7 @@ bool have_area_of(std::span<const PolygonTriangle> triangles, std::span<const Ei
   return std::abs(sum - polygon) <= 1e-9 * polygon + negligible_area;
 }
 
-/// Each triangle from its smallest corner on, then all in ascending order.
+/// Rotates each triangle to begin with its smallest corner, then sorts all in ascending order.
 void sort_triangles(std::vector<PolygonTriangle>& triangles) {
   for (PolygonTriangle& triangle : triangles) std::ranges::rotate(triangle, std::ranges::min_element(triangle));
   std::ranges::sort(triangles);

@@ -37,7 +37,7 @@ using Triangulation =
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
-/// Key of an edge in either direction.
+/// Returns the key of an undirected edge.
 std::uint64_t edge_key(Vertex a, Vertex b) {
   const auto [low, high] = std::minmax(a->info().corner, b->info().corner);
   return (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint32_t>(high);
@@ -63,7 +63,7 @@ class PolygonTriangulator {
   }
 
  private:
-  /// Corners at one place are one vertex.
+  /// Inserts the corners; coincident corners become one vertex.
   void insert_corners() {
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -86,7 +86,7 @@ class PolygonTriangulator {
       Vertex a = vertices_[i];
       Vertex b = vertices_[(i + 1) % vertices_.size()];
       if (a == b) continue;
-      // CGAL walks round the first of the two, so that is the one where fewer corners meet.
+      // CGAL walks around the first of the two; it should be the one with fewer corners.
       if (a->info().corners > b->info().corners) std::swap(a, b);
       triangulation_.insert_constraint(a, b);
       edges_.emplace_back(a, b);
@@ -94,7 +94,7 @@ class PolygonTriangulator {
     for (const auto& [a, b] : edges_) count_uses(a, b);
   }
 
-  /// Counts a use of each edge between a and b: of several where corners lie on the polygon's edge.
+  /// Counts the use of each edge between a and b; there are several if corners lie on the polygon's edge.
   void count_uses(Vertex a, Vertex b) {
     while (a != b) {
       const Vertex next = triangulation_.is_edge(a, b) ? b : next_on_edge(a, b);
@@ -112,7 +112,7 @@ class PolygonTriangulator {
     return neighbour;
   }
 
-  /// Faces are inside where an odd number of the polygon's edges separates them from the outside.
+  /// Marks the faces that an odd number of the polygon's edges separates from the outside.
   void mark_faces() {
     for (const Face face : triangulation_.all_face_handles()) face->info() = Side::unknown;
     std::vector<Face> reached = {triangulation_.infinite_face()};

@@ -19,8 +19,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The text with blanks for separators and `#` for `//`, as a TextScanner knows them. Every byte keeps its place, and
-/// with it its line.
+/// Converts separators to blanks and `//` to `#` for TextScanner. Bytes keep their positions and lines.
 std::string in_words(std::string text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == ',' || text[i] == ';') text[i] = ' ';
@@ -29,7 +28,8 @@ std::string in_words(std::string text) {
   return text;
 }
 
-/// Whether numbers on the line have decimal commas: a comma between two digits, and other separators too.
+/// Returns true if numbers on the line have decimal commas: a comma between two digits, in addition to other
+/// separators.
 bool has_decimal_commas(std::string_view line) {
   const auto is_digit = [&](std::size_t i) { return i < line.size() && line[i] >= '0' && line[i] <= '9'; };
   const auto begins_number = [&](std::size_t i) { return is_digit(i) || (i < line.size() && line[i] == '-'); };
@@ -47,7 +47,7 @@ using Triple = std::array<double, 3>;
 
 class XyzReader {
  public:
-  /// `text` is in words, `original` the bytes it was made from.
+  /// `text` has converted separators; `original` are the bytes that it was made from.
   XyzReader(const std::string& text, std::string_view original, const std::string& name)
       : scanner_(text, name), original_(original), text_(text) {}
 
@@ -75,7 +75,7 @@ class XyzReader {
   }
 
  private:
-  /// The number of points, if it is alone on the first line.
+  /// Reads the number of points, if it is alone on the first line.
   void read_count() {
     if (scanner_.at_end()) scanner_.fail_whole("contains only white space and comments");
     TextScanner ahead = scanner_;
@@ -155,12 +155,12 @@ class XyzReader {
   std::size_t columns_ = 0;
   std::vector<Triple> positions_;
   std::vector<Triple> columns_4_to_6_;
-  std::size_t vectors_ = 0;                ///< in columns 4 to 6, finite and not zero
-  std::size_t unit_vectors_ = 0;           ///< of these, with a length of about 1
-  std::optional<std::size_t> not_finite_;  ///< the place in the text of the first that is not finite
+  std::size_t vectors_ = 0;                ///< finite, non-zero vectors in columns 4 to 6
+  std::size_t unit_vectors_ = 0;           ///< those with a length of about 1
+  std::optional<std::size_t> not_finite_;  ///< offset in the text of the first non-finite normal
 };
 
-/// Whether the first line is a point. Three whole numbers may be the counts of an OFF file as well.
+/// Returns true if the first line is a point. Three integers could also be the counts of an OFF file.
 bool begins_like_xyz(std::string_view bytes) {
   const std::string line = in_words(std::string(first_line_of_data(bytes)));
   const std::string name;

@@ -36,25 +36,25 @@ struct DecimationTraits : OpenMesh::DefaultTraitsDouble {
   FaceAttributes(OpenMesh::Attributes::Status);
 };
 
-/// A half-edge mesh that says faster than OpenMesh's own library, which Debian builds with assertions, which edges may
-/// be collapsed: decimation asks that more often than anything else.
+/// Half-edge mesh with a fast test for valid collapses, the most frequent operation of decimation. OpenMesh's own
+/// library is slower because Debian builds it with assertions.
 struct DecimationMesh : OpenMesh::TriMesh_ArrayKernelT<DecimationTraits> {
-  /// Whether the mesh remains a manifold when the half-edge's first vertex is moved onto its second.
+  /// Returns true if the mesh remains a manifold when the half-edge's first vertex is moved onto its second.
   [[nodiscard]] bool is_collapse_ok(HalfedgeHandle side) const;
 
  private:
-  /// The vertex across from a side, invalid on the boundary.
+  /// Returns the vertex opposite a side, invalid on the boundary.
   [[nodiscard]] VertexHandle apex(HalfedgeHandle side) const {
     return is_boundary(side) ? VertexHandle() : to_vertex_handle(next_halfedge_handle(side));
   }
-  /// Whether the side's face has no neighbour across its other two sides.
+  /// Returns true if the side's face has no neighbour across its other two sides.
   [[nodiscard]] bool hangs_on(HalfedgeHandle side) const {
     if (is_boundary(side)) return false;
     const HalfedgeHandle next = next_halfedge_handle(side);
     return is_boundary(opposite_halfedge_handle(next)) &&
            is_boundary(opposite_halfedge_handle(next_halfedge_handle(next)));
   }
-  /// The next half-edge from the same vertex.
+  /// Returns the next half-edge from the same vertex.
   [[nodiscard]] HalfedgeHandle turned(HalfedgeHandle side) const {
     return next_halfedge_handle(opposite_halfedge_handle(side));
   }
@@ -71,7 +71,7 @@ bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
   if (left == right) return false;
   // An edge between two vertices of the boundary must be part of it.
   if (is_boundary(first) && is_boundary(second) && !is_boundary(side) && !is_boundary(other)) return false;
-  // No other vertex may be joined to both.
+  // No other vertex may be adjacent to both.
   for (HalfedgeHandle a = turned(side); a != side; a = turned(a)) {
     const VertexHandle vertex = to_vertex_handle(a);
     if (vertex == left || vertex == right) continue;
@@ -82,20 +82,20 @@ bool DecimationMesh::is_collapse_ok(HalfedgeHandle side) const {
   return true;
 }
 
-/// A triangle soup as a half-edge mesh that can be decimated.
+/// Triangle soup converted to a half-edge mesh for decimation.
 struct DecimationInput {
   DecimationMesh mesh;                   ///< in the shape's unit frame
-  std::vector<std::int32_t> vertices;    ///< of the shape, by vertex of the mesh; the first at the same place
-  std::vector<bool> turned;              ///< by face of the mesh, whether it has the other orientation in the shape
-  std::vector<std::int32_t> left_aside;  ///< the shape's triangles that the mesh cannot hold
+  std::vector<std::int32_t> vertices;    ///< by vertex of the mesh: the first coincident vertex of the shape
+  std::vector<bool> turned;              ///< by face of the mesh: reversed with respect to the shape
+  std::vector<std::int32_t> left_aside;  ///< triangles of the shape that the mesh cannot represent
 };
 
-/// Sets that are united one pair at a time; each item differs from its set's representative by a parity.
+/// Union-find with parity: each item may differ from its set's representative.
 class ParitySets {
  public:
   explicit ParitySets(std::size_t size) : parent_(size), odd_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// The representative, and whether the item differs from it.
+  /// Returns the representative, and whether the item differs from it.
   std::pair<std::size_t, bool> find(std::size_t item) {
     std::size_t root = item;
     bool odd = false;
@@ -113,7 +113,7 @@ class ParitySets {
     return {root, odd};
   }
 
-  /// Unites the sets of two items that are to differ or not; false where they are known to be the other way.
+  /// Unites the sets of two items that must, or must not, differ; returns false on a contradiction.
   bool unite(std::size_t a, std::size_t b, bool differ) {
     const auto [root_a, odd_a] = find(a);
     const auto [root_b, odd_b] = find(b);
@@ -133,11 +133,11 @@ std::size_t corner_of(const HalfEdge& use, bool at_low) {
   return 3 * static_cast<std::size_t>(use.triangle) + static_cast<std::size_t>(corner);
 }
 
-/// The surface cut open so that around each vertex there is one fan of faces.
+/// Surface cut open such that every vertex has one fan of faces.
 struct CutSurface {
-  ParitySets orientation;              ///< of the triangles: odd ones are to be turned
-  ParitySets corners;                  ///< of all triangles: those of one fan
-  std::vector<bool> locked;            ///< by vertex of the shape, merged by place
+  ParitySets orientation;              ///< parity of triangles: odd ones are reversed
+  ParitySets corners;                  ///< corners of all triangles, united by fan
+  std::vector<bool> locked;            ///< by vertex of the shape, welded
   std::vector<bool> has_three_places;  ///< by triangle
 };
 
@@ -168,7 +168,7 @@ CutSurface cut_surface(const Shape& shape, const std::vector<std::int32_t>& merg
 
 using MeshTriangle = std::array<DecimationMesh::VertexHandle, 3>;
 
-/// Whether a half-edge mesh can take the face: none of its half-edges has one already.
+/// Returns true if the half-edge mesh can represent the face: none of its half-edges is in use.
 bool can_hold(const DecimationMesh& mesh, const MeshTriangle& triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (!mesh.is_boundary(triangle[k])) return false;
@@ -178,7 +178,7 @@ bool can_hold(const DecimationMesh& mesh, const MeshTriangle& triangle) {
   return true;
 }
 
-/// Adds the triangles of a cut surface to the mesh, with a vertex for each fan.
+/// Adds the triangles of a cut surface to the mesh, with one vertex for each fan.
 void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, CutSurface& cut,
                    DecimationInput& input) {
   const UnitFrame frame = unit_frame(shape);
@@ -207,9 +207,9 @@ void add_triangles(const Shape& shape, const std::vector<std::int32_t>& merged, 
   }
 }
 
-/// Takes vertices at the same place as one, leaves out faces whose corners are not at three places, turns faces so that
-/// neighbours agree, and cuts the surface open along edges where not just two faces meet in agreement. Vertices on such
-/// edges, and those of triangles left aside, are locked.
+/// Converts a shape to a half-edge mesh. Welds coincident vertices, drops faces with fewer than three distinct corners,
+/// and orients adjacent faces consistently. Cuts the surface open along edges without exactly two consistent faces.
+/// Vertices on these edges, and those of dropped triangles, are locked.
 DecimationInput decimation_input(const Shape& shape) {
   const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   CutSurface cut = cut_surface(shape, merged);
@@ -230,14 +230,14 @@ DecimationInput decimation_input(const Shape& shape) {
 using Vector = DecimationMesh::Point;
 using OpenMesh::Geometry::Quadricd;
 
-/// Weight of the planes on open edges against those of the faces.
+/// Weight of the planes on boundary edges relative to those of the faces.
 constexpr double open_edge_weight = 10;
 
 Quadricd plane_quadric(const Vector& unit_normal, const Vector& point, double weight) {
   return Quadricd(unit_normal[0], unit_normal[1], unit_normal[2], -unit_normal.dot(point)) * weight;
 }
 
-/// A triangle's normal, as long as twice its area, and that area over the square of the longest side: 0 for a
+/// Normal of a triangle with twice its area as length, and that area divided by the square of the longest side: 0 for a
 /// degenerate triangle, 0.87 for an equilateral one.
 struct Facing {
   Vector normal;
@@ -250,9 +250,9 @@ struct Facing {
   }
 };
 
-/// Says how good a collapse is: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area,
-/// and of planes that stand on open edges, which OpenMesh's own module lets erode; illegal where a face would turn over
-/// or become a sliver.
+/// Priority of collapses: the quadric error (Garland and Heckbert 1997) of the faces' planes, weighted by area, and of
+/// planes on boundary edges, which OpenMesh's own module lets erode. A collapse is illegal if a face would flip or
+/// become a sliver.
 class DecimationModule : public OpenMesh::Decimater::ModBaseT<DecimationMesh> {
  public:
   using Handle = OpenMesh::Decimater::ModHandleT<DecimationModule>;
@@ -331,7 +331,7 @@ void DecimationModule::postprocess_collapse(const CollapseInfo& collapse) {
   quadrics_[static_cast<std::size_t>(collapse.v1.idx())] += quadrics_[static_cast<std::size_t>(collapse.v0.idx())];
 }
 
-/// Collapses edges until at most so many faces are left; the number of collapses.
+/// Collapses edges until at most `faces` faces are left; returns the number of collapses.
 std::size_t collapse_edges(DecimationMesh& mesh, Eigen::Index faces) {
   OpenMesh::Decimater::DecimaterT<DecimationMesh> decimater(mesh);
   DecimationModule::Handle module;
@@ -340,7 +340,7 @@ std::size_t collapse_edges(DecimationMesh& mesh, Eigen::Index faces) {
   return decimater.decimate_to_faces(0, static_cast<std::size_t>(std::max(faces, Eigen::Index{0})));
 }
 
-/// The triangles that are left, in the shape's vertices.
+/// Returns the remaining triangles with the shape's vertices.
 Triangles triangles_left(const Shape& shape, DecimationInput& input) {
   const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   std::vector<std::array<std::int32_t, 3>> left;
@@ -367,7 +367,7 @@ Triangles triangles_left(const Shape& shape, DecimationInput& input) {
   return triangles;
 }
 
-/// The triangles with those vertices of the shape that they use, in their order.
+/// Returns the triangles with the vertices that they use, in order.
 Shape with_used_vertices(const Shape& shape, Triangles triangles) {
   std::vector<std::int32_t> renumbered(static_cast<std::size_t>(shape.vertices.rows()), -1);
   for (const std::int32_t vertex : triangles.reshaped()) renumbered[static_cast<std::size_t>(vertex)] = 0;

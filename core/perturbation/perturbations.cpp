@@ -16,14 +16,14 @@ namespace shapegauge {
 
 namespace {
 
-/// Two independent normal numbers.
+/// Returns two independent standard normal numbers.
 Eigen::Vector2d gaussian_pair(RandomNumbers& random) {
   const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));  // never the logarithm of 0
   const double angle = random.uniform(0, 2 * std::numbers::pi);
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Moves the rows that are not marked to the front and drops the others.
+/// Moves the unmarked rows to the front and drops the others.
 template <typename Rows>
 void remove_rows(Rows& rows, const std::vector<bool>& removed) {
   Eigen::Index kept = 0;
@@ -35,7 +35,7 @@ void remove_rows(Rows& rows, const std::vector<bool>& removed) {
   rows.conservativeResize(kept, Eigen::NoChange);
 }
 
-/// A triangle's centroid, or the point.
+/// Returns a triangle's centroid, or the point of a cloud.
 Eigen::RowVector3d centre_of_element(const Shape& shape, Eigen::Index element) {
   if (is_cloud(shape)) return shape.vertices.row(element);
   const auto corners = shape.triangles.row(element);

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-/// So many of a cloud's points.
+/// Selects points of a cloud at random.
 Shape thinned(const Shape& cloud, const SamplePointsOptions& options, RandomNumbers& random) {
   const Eigen::Index count = cloud.vertices.rows();
   Shape points = cloud;

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-/// A connected part of a closed mesh.
+/// Connected component of a closed mesh.
 struct ClosedPart {
   double volume = 0;  ///< negative where it is oriented inwards
   Eigen::AlignedBox3d box;

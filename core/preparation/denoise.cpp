@@ -19,13 +19,13 @@ namespace shapegauge {
 
 namespace {
 
-/// An edge, seen from one of its ends.
+/// Edge from the viewpoint of one end.
 struct Neighbour {
   std::int32_t of;
   std::int32_t vertex;
 };
 
-/// The places at the other ends of each place's edges, sorted; those of edges with two triangles twice.
+/// Returns the sorted neighbours of each welded vertex; those across edges with two triangles occur twice.
 BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
   std::vector<Neighbour> neighbours;
   neighbours.reserve(6 * static_cast<std::size_t>(triangles.rows()));
@@ -46,8 +46,7 @@ BucketSorted<Neighbour> neighbouring_places(const Triangles& triangles, const st
   return counted;
 }
 
-/// The directions along which the triangles about each vertex face, whichever way round each is oriented. Vertices at
-/// the same place have the same.
+/// Computes unoriented vertex normals, independent of the triangles' orientation. Coincident vertices have the same.
 Points unsigned_normals(const Points& vertices, const Triangles& triangles) {
   const std::vector<std::int32_t> merged = welded_vertices(vertices);
   const auto place_of = [&](Eigen::Index vertex) {
@@ -83,7 +82,7 @@ double mean_edge_length(const Points& vertices, const VertexNeighbours& neighbou
   return neighbours.neighbours.empty() ? 0 : sum / static_cast<double>(neighbours.neighbours.size());
 }
 
-/// The number of places that have neighbours.
+/// Counts the welded vertices that have neighbours.
 std::ptrdiff_t count_places(const VertexNeighbours& neighbours) {
   std::vector<bool> has_neighbours(neighbours.first.size());
   for (const std::int32_t u : neighbours.neighbours) has_neighbours[static_cast<std::size_t>(u)] = true;
@@ -100,8 +99,8 @@ struct Heights {
   [[nodiscard]] double of(Eigen::Index vertex) const { return offsets.row(vertex).dot(normals.row(vertex)); }
 };
 
-/// The height of each vertex that has neighbours, less their mean height, scaled so that independent heights of
-/// standard deviation 1 give values of standard deviation 1; sizes only.
+/// Returns the absolute height of each vertex above the mean of its neighbours' heights, scaled to standard deviation 1
+/// for independent heights of standard deviation 1.
 std::vector<double> unshared_heights(const Heights& heights, const VertexNeighbours& neighbours) {
   std::vector<double> unshared;
   for (Eigen::Index v = 0; v < heights.offsets.rows(); ++v) {
@@ -128,10 +127,10 @@ double agreement_of(const Heights& heights, const VertexNeighbours& neighbours) 
                                        : static_cast<double>(same) / static_cast<double>(neighbours.neighbours.size());
 }
 
-/// Points with a fourth coordinate of 0: rows of whole vectors.
+/// Points with a fourth coordinate of 0, to fill vector registers.
 using PaddedPoints = Eigen::Matrix<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// Every vertex moved towards the mean of its neighbours, by a fraction of the way (away from it where negative).
+/// Moves every vertex by a fraction of the way towards the mean of its neighbours (away from it if negative).
 void step(const PaddedPoints& before, const VertexNeighbours& neighbours, double fraction, PaddedPoints& vertices) {
   for (Eigen::Index v = 0; v < before.rows(); ++v) {
     const auto around = neighbours.of(v);

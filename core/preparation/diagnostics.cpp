@@ -21,7 +21,7 @@ namespace {
 
 using CornerIndices = std::array<std::int32_t, 3>;
 
-/// The triangles' corners, vertices at the same place taken as one.
+/// Returns the triangles' corners as welded vertices.
 std::vector<CornerIndices> merged_corners(const Triangles& triangles, const std::vector<std::int32_t>& merged) {
   std::vector<CornerIndices> corners(static_cast<std::size_t>(triangles.rows()));
   for (std::size_t f = 0; f < corners.size(); ++f) {
@@ -63,7 +63,7 @@ std::size_t count_duplicates(const Triangles& triangles, const std::vector<std::
   return count;
 }
 
-/// Parts connected through vertices: sets of vertices that are united triangle by triangle.
+/// Counts the components connected through vertices by union-find.
 std::size_t count_components(const std::vector<CornerIndices>& corners, std::size_t vertices) {
   DisjointSets parts;
   parts.grow_to(vertices);

@@ -17,7 +17,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Boundary edges by their vertices, to be walked along once each.
+/// Boundary edges by vertex, for walking along each once.
 class BoundaryEdges {
  public:
   explicit BoundaryEdges(std::span<const HalfEdge> uses) {
@@ -31,13 +31,13 @@ class BoundaryEdges {
     std::ranges::sort(ends_, {}, [](const End& end) { return std::pair(end.vertex, end.edge); });
   }
 
-  /// Some vertex with an edge that has not been walked, at or after those asked for before; -1 where there is none.
+  /// Returns a vertex with an unused edge, in ascending order over calls; -1 if there is none.
   std::int32_t start() {
     while (next_ < ends_.size() && walked_[static_cast<std::size_t>(ends_[next_].edge)]) ++next_;
     return next_ < ends_.size() ? ends_[next_].vertex : -1;
   }
 
-  /// Walks an edge from the vertex; its other end, or -1 where all have been walked.
+  /// Walks along an unused edge from the vertex and returns its other end, or -1 if there is none.
   std::int32_t walk_from(std::int32_t vertex) {
     for (auto end = std::ranges::lower_bound(ends_, vertex, {}, &End::vertex);
          end != ends_.end() && end->vertex == vertex; ++end) {
@@ -71,7 +71,7 @@ BoundaryLoop measured(std::vector<std::int32_t> vertices, const Points& points) 
   return loop;
 }
 
-/// Distance from x to the polygon's sides; negative outside of it (even-odd rule).
+/// Returns the distance from x to the polygon's sides, negative outside (even-odd rule).
 double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen::Vector2d& x) {
   double squared = std::numeric_limits<double>::infinity();
   bool inside = false;
@@ -88,14 +88,14 @@ double signed_distance(const std::vector<Eigen::Vector2d>& polygon, const Eigen:
   return inside ? std::sqrt(squared) : -std::sqrt(squared);
 }
 
-/// A square in which the centre may lie.
+/// Square that may contain the centre.
 struct Square {
   Eigen::Vector2d centre;
   double half;   ///< of its edge
-  double bound;  ///< no circle about a point of the square is larger
+  double bound;  ///< upper bound of the radius for centres in the square
 };
 
-/// The distance within which this fraction of the points have their sixth neighbour.
+/// Returns the distance within which this fraction of the points have their sixth neighbour.
 double distance_to_sixth(const Points& points, double fraction) {
   constexpr Eigen::Index neighbours = 6;
   if (points.rows() < 2) return 0;
@@ -106,7 +106,7 @@ double distance_to_sixth(const Points& points, double fraction) {
   return distances[rank];
 }
 
-/// The loop seen along its vector area.
+/// Projects the loop along its vector area.
 std::vector<Eigen::Vector2d> flattened(const BoundaryLoop& loop, const Points& points) {
   const Eigen::Vector3d normal = loop.vector_area.normalized();
   const Eigen::Vector3d u = normal.unitOrthogonal();
@@ -169,7 +169,7 @@ double inscribed_circle_radius(const std::vector<Eigen::Vector2d>& polygon) {
   const auto look_at = [&](const Eigen::Vector2d& centre, double half) {
     const double distance = signed_distance(polygon, centre);
     best = std::max(best, distance);
-    // Distances change by no more than the way from the centre.
+    // Distances change by at most the distance from the centre.
     waiting.push({centre, half, distance + std::sqrt(2.0) * half});
   };
   look_at(box.center(), box.sizes().maxCoeff() / 2);

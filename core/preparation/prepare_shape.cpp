@@ -15,7 +15,7 @@ namespace shapegauge {
 double positive_area(const Shape& shape) {
   require_usable(shape);
   const double area = is_cloud(shape) ? point_weights(shape.vertices).sum() : surface_area(shape);
-  // An area that is not a normal number would turn the coordinates into zeros, infinities or NaN.
+  // An area that is zero, subnormal or infinite would produce zeros, infinities or NaN.
   if (!(area > 0) || !std::isnormal(area)) {
     throw InputError(
         is_cloud(shape)

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double finest_cube = 1.0 / 256;  // of the diagonal
 
-/// The volume of the tube in a cube and its parts, down to the smallest: of those, the fraction that the tube of a
-/// plane would fill, parallel to a side and as far from the centre as the surface is.
+/// Integrates the volume of the tube over a cube and its octants. For the smallest cubes, uses the fraction filled by
+/// the tube of a plane that is parallel to a side, at the distance of the surface.
 class TubeVolume {
  public:
   TubeVolume(const TriangleBVH& tree, double r)
@@ -52,7 +52,7 @@ class TubeVolume {
   SparseInterruptionCheck check_;
 };
 
-/// The number of places at which a cloud has points.
+/// Counts the distinct points of a cloud.
 double count_places(const Points& points) {
   const std::vector<std::int32_t> merged = welded_vertices(points);
   std::size_t count = 0;
@@ -60,7 +60,8 @@ double count_places(const Points& points) {
   return static_cast<double>(count);
 }
 
-/// Dawson's integral over its argument, D(s) / s = integral over [0, 1] of exp(-s^2 (1 - t^2)), by Simpson's rule.
+/// Computes Dawson's integral divided by its argument, D(s) / s = integral over [0, 1] of exp(-s^2 (1 - t^2)), by
+/// Simpson's rule.
 double dawson_ratio(double s_squared) {
   constexpr int intervals = 256;
   double sum = 0;
@@ -72,12 +73,13 @@ double dawson_ratio(double s_squared) {
   return sum / (3 * intervals);
 }
 
-/// The area A with A (1 - D(s) / s) = tube, s^2 = n pi r^2 / A: both sides grow with A, so the fixed point is unique.
+/// Solves A (1 - D(s) / s) = tube, s^2 = n pi r^2 / A, for the area A. The fixed point is unique because both sides
+/// increase with A.
 double corrected_for_gaps(double tube, double points, double r) {
   constexpr int rounds = 50;
   double area = tube;
   for (int i = 0; i < rounds; ++i) {
-    // A cloud too sparse for the tube to close at all would send the area to infinity.
+    // For a cloud too sparse to form a tube the area would tend to infinity.
     area = std::min(tube / (1 - dawson_ratio(points * std::numbers::pi * r * r / area)), 2 * tube);
   }
   return area;

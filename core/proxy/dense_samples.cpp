@@ -20,12 +20,12 @@ namespace shapegauge {
 
 namespace {
 
-/// A triangle with its corners in ascending order of coordinates, so that neither the order of the file nor the
-/// orientation changes a bit of what is computed from it.
+/// Triangle with its corners in ascending order of coordinates, which makes results independent of the order in the
+/// file and of the orientation.
 struct CanonicalTriangle {
   std::array<Eigen::Vector3d, 3> corners;
   Eigen::Vector3d normal;  ///< times twice the area
-  bool reversed;           ///< whether the corners are an odd permutation of the mesh's
+  bool reversed;           ///< the corners are an odd permutation of the mesh's
 };
 
 auto coordinates_of(const Eigen::Vector3d& p) { return std::tuple(p.x(), p.y(), p.z()); }
@@ -48,14 +48,14 @@ CanonicalTriangle canonical_triangle(const Shape& mesh, Eigen::Index triangle) {
 
 /// Consistent orientation of triangles across edges with exactly two of them.
 struct TriangleSheets {
-  std::vector<std::int32_t> sheet;  ///< by triangle; -1: of a piece that cannot be oriented
-  std::vector<char> reversed;       ///< by triangle: whether it is turned against the sheet
+  std::vector<std::int32_t> sheet;  ///< by triangle; -1 in a non-orientable piece
+  std::vector<char> reversed;       ///< by triangle: reversed relative to the sheet
 };
 
 struct AdjacentTriangle {
   std::int32_t triangle;
   std::int32_t to;
-  bool opposed;  ///< whether the two run along their edge in the same direction
+  bool opposed;  ///< the two traverse their edge in the same direction
 };
 
 BucketSorted<AdjacentTriangle> adjacent_triangles(std::span<const HalfEdge> uses, std::size_t triangles) {
@@ -104,7 +104,7 @@ TriangleSheets triangle_sheets(std::span<const HalfEdge> uses, std::size_t trian
   return result;
 }
 
-/// The first of each set of triangles with the same corners at three places, along a Morton curve of their centroids.
+/// Returns the first of each set of duplicate triangles, along a Morton curve of their centroids.
 std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses, std::vector<CanonicalTriangle>& triangles) {
   std::vector<char> counts(triangles.size(), 0);
   for (const HalfEdge& use : uses) counts[static_cast<std::size_t>(use.triangle)] = 1;
@@ -133,7 +133,8 @@ std::vector<std::int32_t> ordered_triangles(std::span<const HalfEdge> uses, std:
   return sorted;
 }
 
-/// The k-th point of an evenly spread sequence on the triangle (Roberts 2018, the R2 sequence, folded at the diagonal).
+/// Returns the k-th point of a low-discrepancy sequence on the triangle (Roberts 2018, the R2 sequence, folded at the
+/// diagonal).
 Eigen::RowVector3d point_in(const CanonicalTriangle& triangle, Eigen::Index k) {
   double u = std::fmod(0.7548776662466927 * static_cast<double>(k + 1), 1.0);
   double v = std::fmod(0.5698402909980532 * static_cast<double>(k + 1), 1.0);
@@ -178,7 +179,7 @@ DenseSamples dense_samples_of_mesh(const Shape& mesh, std::span<const HalfEdge> 
   return samples;
 }
 
-/// The distinct points of a cloud along a Morton curve, at most `count` of them.
+/// Returns at most `count` distinct points of a cloud along a Morton curve.
 std::vector<std::int32_t> ordered_points(const Points& points, Eigen::Index count) {
   const std::vector<std::uint64_t> codes = morton_codes(points);
   const auto coordinates = [&](std::int32_t i) { return std::tuple(points(i, 0), points(i, 1), points(i, 2)); };

@@ -12,13 +12,13 @@ namespace shapegauge {
 
 namespace {
 
-/// Consecutive samples, which a Morton curve keeps close to each other.
+/// Consecutive samples, close to each other because of the Morton order.
 struct SampleBlock {
   Eigen::Index first;
   Eigen::Index last;  ///< one after the end
   Eigen::Array3d low;
   Eigen::Array3d high;
-  double farthest = std::numeric_limits<double>::infinity();  ///< largest squared distance of a sample
+  double farthest = std::numeric_limits<double>::infinity();  ///< maximum squared distance of a sample
 };
 
 std::vector<SampleBlock> blocks_of(const Points& points) {
@@ -44,7 +44,7 @@ Eigen::Index outermost_sample(const DenseSamples& samples) {
   return farthest;
 }
 
-/// The choice as it grows.
+/// State of the farthest-point selection.
 class FarthestPointSelection {
  public:
   FarthestPointSelection(const DenseSamples& samples, Eigen::Index count)
@@ -64,7 +64,7 @@ class FarthestPointSelection {
     }
   }
 
-  /// The sample farthest from those chosen, and its squared distance.
+  /// Returns the sample farthest from those chosen, and its squared distance.
   [[nodiscard]] std::pair<Eigen::Index, double> farthest() const {
     const auto block = std::ranges::max_element(blocks_, {}, &SampleBlock::farthest);
     Eigen::Index place = 0;

@@ -14,7 +14,7 @@ LocalConnectivity::LocalConnectivity(const Shape& shape, std::span<const std::in
   for (Eigen::Index t = 0; t < spheres_.cols(); ++t) {
     Eigen::Matrix3d corners;
     for (int k = 0; k < 3; ++k) corners.col(k) = shape.vertices.row(shape.triangles(t, k)).transpose();
-    // The centre of the box, so that the order of the corners changes no bit.
+    // The centre of the box does not depend on the order of corners.
     const Eigen::Vector3d centre = (corners.rowwise().minCoeff() + corners.rowwise().maxCoeff()) / 2;
     spheres_.col(t) << centre, std::sqrt((corners.colwise() - centre).colwise().squaredNorm().maxCoeff());
   }
@@ -61,7 +61,7 @@ void LocalConnectivity::visit(std::int32_t triangle) {
   queue_.push_back(triangle);
 }
 
-/// Walks to the neighbour in the ball that is nearest to the target, as long as one is nearer than the last.
+/// Walks greedily to the neighbour in the ball nearest to the target, as long as the distance decreases.
 void LocalConnectivity::walk_towards(std::int32_t to, const Eigen::Vector3d& centre, double radius,
                                      const Neighbours& neighbours) {
   const Eigen::Vector3d target = spheres_.col(to).head<3>();

@@ -8,8 +8,8 @@ namespace shapegauge {
 
 namespace {
 
-/// A point after inversion in the unit circle. Its neighbours in the Delaunay triangulation are the vertices of the
-/// convex hull of the inverted points and the origin.
+/// Point after inversion in the unit circle. The Delaunay neighbours of the origin are the vertices of the convex hull
+/// of the inverted points and the origin.
 struct InvertedPoint {
   Eigen::Vector2d place;
   std::int32_t index;  ///< -1: the origin

@@ -18,11 +18,11 @@ namespace {
 
 constexpr float unreached = std::numeric_limits<float>::infinity();
 
-/// Landmarks that are computed at once, each in a lane of vector registers.
+/// Number of landmarks processed in parallel, one in each lane of vector registers.
 constexpr int lanes = 16;
 using Lanes = Eigen::Array<float, lanes, 1>;
 
-/// The points by distance from one of them (Dijkstra's algorithm).
+/// Returns the points in order of distance from one of them (Dijkstra's algorithm).
 std::vector<std::int32_t> outward_order(const SurfaceProxy& proxy, std::int32_t source) {
   using Entry = std::pair<float, std::int32_t>;
   const auto count = static_cast<std::size_t>(proxy.points.rows());
@@ -46,8 +46,8 @@ std::vector<std::int32_t> outward_order(const SurfaceProxy& proxy, std::int32_t 
   return order;
 }
 
-/// Shortest paths from several landmarks near each other at once: sweeps over the points, from the landmarks outwards
-/// and back, until no distance changes. The result is that of Dijkstra's algorithm, whatever the order.
+/// Computes shortest paths from several nearby landmarks at once: sweeps over the points, outwards from the landmarks
+/// and back, until no distance changes. The result equals that of Dijkstra's algorithm, whatever the order.
 class LandmarkBatch {
  public:
   explicit LandmarkBatch(const SurfaceProxy& proxy)

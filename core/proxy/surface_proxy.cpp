@@ -22,17 +22,17 @@ namespace shapegauge {
 
 namespace {
 
-/// The points of a proxy, before they have neighbours.
+/// Points of a proxy before neighbours are computed.
 struct ProxyPoints {
   Points points;
   Points normals;
   std::vector<std::int32_t> sheets;
-  std::vector<std::int32_t> triangles;  ///< of the mesh, on which each lies; empty for a cloud
+  std::vector<std::int32_t> triangles;  ///< triangle of the mesh that contains each; empty for a cloud
   Eigen::VectorXd areas;
   double covering_radius;
 };
 
-/// Areas and mean normals of the samples that each chosen one stands for.
+/// Computes the areas and mean normals of the samples covered by each chosen one.
 ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& farthest) {
   const Eigen::Index count = std::ssize(farthest.chosen);
   ProxyPoints proxy{samples.points(farthest.chosen, Eigen::all),
@@ -56,8 +56,8 @@ ProxyPoints proxy_points(const DenseSamples& samples, const FarthestPoints& fart
   return proxy;
 }
 
-/// Half of the median distance to the sixth neighbour, which the covering radius of farthest points is not below. A
-/// cloud of hardly more points than the proxy covers itself with a radius of 0, and takes this one.
+/// Returns half of the median distance to the sixth neighbour, a lower bound of the covering radius of farthest points.
+/// Used for clouds of hardly more points than the proxy, whose covering radius is 0.
 double radius_of_spacing(const Points& points) {
   if (points.rows() < 2) return 0;
   const PointNeighbours nearest = nearest_neighbours(points, std::min<int>(6, static_cast<int>(points.rows()) - 1));
@@ -70,8 +70,9 @@ double radius_of_spacing(const Points& points) {
   return *middle / 2;
 }
 
-/// Whether two points lie on the same sheet, by the turn of their normals and by how far each lies off the other's
-/// tangent plane. On a circular arc that turns by an angle t both lie off by sin(t / 2) of their distance.
+/// Returns true if two points lie on the same sheet, judged by the angle of their normals and their distances from each
+/// other's tangent plane. On a circular arc with a turn of t, both distances are sin(t / 2) of the distance between the
+/// points.
 bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance) {
   constexpr double least_agreement = -0.3;  // sharp edges are passed, the rim of a thin wall is not
   constexpr double tolerance = 0.2;
@@ -82,9 +83,9 @@ bool on_same_sheet(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, dou
   return agreement > least_agreement && off_i * off_i + off_j * off_j < 1 - agreement + tolerance;
 }
 
-/// Whether no path on the mesh joins two points inside the ball about their midpoint: parts that touch are near each
-/// other in space and far along the surface. An arc that turns by less than half a circle lies inside this ball. Points
-/// of different components are not held to it.
+/// Returns true if no path on the mesh connects two points inside the ball about their midpoint. Touching parts are
+/// close in space but far apart along the surface. An arc that turns by less than half a circle lies inside this ball.
+/// Not tested for points of different components.
 bool far_along_surface(const ProxyPoints& proxy, std::int32_t i, std::int32_t j, double distance,
                        LocalConnectivity& connectivity) {
   const std::int32_t from = proxy.triangles[static_cast<std::size_t>(i)];
@@ -95,7 +96,7 @@ bool far_along_surface(const ProxyPoints& proxy, std::int32_t i, std::int32_t j,
   return !connectivity.met_border() || !connectivity.connected_in_ball(from, to, midpoint, distance, Joint::vertex);
 }
 
-/// Pairs of neighbours, each once, the lesser point first.
+/// Returns each pair of neighbours once, the lesser point first.
 std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, LocalConnectivity connectivity, int neighbours) {
   const PointNeighbours nearest = nearest_neighbours(proxy.points, neighbours);
   const double reach = 2.5 * proxy.covering_radius;
@@ -115,7 +116,7 @@ std::vector<Segment> neighbour_pairs(const ProxyPoints& proxy, LocalConnectivity
   return pairs;
 }
 
-/// The normals, of either sign, with a sign that does not depend on the orientation of faces.
+/// Fixes the sign of unoriented normals independently of the orientation of faces.
 Points unsigned_normals(Points normals) {
   for (Eigen::Index i = 0; i < normals.rows(); ++i) {
     auto normal = normals.row(i);
@@ -145,7 +146,7 @@ void add_weight(Triplets& weights, std::int32_t i, std::int32_t j, double weight
   weights.emplace_back(j, i, weight);
 }
 
-/// A point's neighbours in its tangent plane, at their distances from it.
+/// Returns a point's neighbours in its tangent plane, at their distances from it.
 std::vector<Eigen::Vector2d> in_tangent_plane(const SurfaceProxy& proxy, std::size_t point) {
   const auto row = static_cast<Eigen::Index>(point);
   const Eigen::Vector3d normal = proxy.normals.row(row).transpose();
@@ -165,21 +166,21 @@ double twice_area(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   return std::abs(u.x() * v.y() - u.y() * v.x());
 }
 
-/// Cotangent of the angle between two vectors.
+/// Returns the cotangent of the angle between two vectors.
 double cotangent(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
   constexpr double bound = 1e3;
   const double product = u.dot(v);
   return std::abs(product) < bound * twice_area(u, v) ? product / twice_area(u, v) : std::copysign(bound, product);
 }
 
-/// The Delaunay triangles about a point in its tangent plane.
+/// Delaunay triangles about a point in its tangent plane.
 struct Star {
   std::vector<Eigen::Vector2d> flat;                   ///< the point's neighbours
   std::vector<std::array<std::int32_t, 2>> triangles;  ///< the other two corners of each
 };
 
-/// Circles much larger than the covering radius hold a wide hole or reach across the border: such triangles do not
-/// count, for the slivers along borders would.
+/// Builds the star of a point. Excludes triangles with circumcircles much larger than the covering radius, which span a
+/// wide hole or the boundary: slivers along boundaries would distort the weights.
 Star star_of(const SurfaceProxy& proxy, std::size_t point) {
   Star star{.flat = in_tangent_plane(proxy, point), .triangles = {}};
   for (const auto& triangle : delaunay_star(star.flat)) {
@@ -192,7 +193,7 @@ Star star_of(const SurfaceProxy& proxy, std::size_t point) {
   return star;
 }
 
-/// A third of the cotangent weights of the triangles about each point.
+/// Assembles a third of the cotangent weights of the triangles about each point.
 Triplets cotangent_weights(const SurfaceProxy& proxy) {
   Triplets weights;
   const SparseInterruptionCheck check;
@@ -214,8 +215,8 @@ Triplets cotangent_weights(const SurfaceProxy& proxy) {
   return weights;
 }
 
-/// The graph Laplacian of the weights, summed, negative ones set to 0. Segments between what the weights leave apart,
-/// links and parts too thin for triangles, count as edges of a regular triangulation, less where a gap is wide.
+/// Assembles the graph Laplacian of the summed weights, with negative ones set to 0. Segments without weights (links,
+/// and parts too thin for triangles) get those of a regular triangulation, less across wide gaps.
 Eigen::SparseMatrix<double> stiffness_of(const SurfaceProxy& proxy, std::span<const Segment> segments) {
   constexpr double least_joining = 0.01;
   const Eigen::Index count = proxy.points.rows();

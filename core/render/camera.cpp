@@ -26,12 +26,12 @@ void check(const RenderOptions& options) {
   if (!(sine > 1e-6)) throw InputError("the directions to the viewer and up must be finite, not zero and not parallel");
 }
 
-/// Below this skewness (third moment by the cube of the standard deviation) an axis counts as balanced: rounding must
-/// not decide the view.
+/// Skewness (third moment divided by the cubed standard deviation) below which an axis counts as balanced: rounding
+/// must not determine the view.
 constexpr double balanced_skewness = 1e-3;
 
-/// Calls visit(point, weight) for points with the moments of the surface up to the second: the triangles' corners and
-/// centroids, a rule that is exact for polynomials of degree 2. Of a cloud, for its points.
+/// Calls visit(point, weight) for a quadrature of the surface that is exact up to degree 2: the triangles' corners and
+/// centroids. For a cloud, visits its points.
 template <typename Visit>
 void visit_weighted_points(const Shape& shape, const Visit& visit) {
   for (Eigen::Index i = 0; i < shape.triangles.rows(); ++i) {
@@ -46,7 +46,7 @@ void visit_weighted_points(const Shape& shape, const Visit& visit) {
   for (Eigen::Index i = 0; i < shape.vertices.rows(); ++i) visit(shape.vertices.row(i).transpose(), 1);
 }
 
-/// The axis or its opposite.
+/// Returns the axis or its opposite.
 Eigen::Vector3d pointed(const Eigen::Vector3d& axis, double variance, double third_moment) {
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);

@@ -32,10 +32,10 @@ void check(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
   if (!(diagonal > 0) || !std::isfinite(diagonal)) throw InputError("nothing to draw: the shape has no finite extent");
 }
 
-/// Unit normals, zero where there is none.
+/// Unit normals; zero if undefined.
 struct Normals {
   Points faces;
-  Points vertices;  ///< means of those of the triangles around, by area
+  Points vertices;  ///< area-weighted means of the normals of adjacent triangles
 };
 
 Normals normals_of(const Shape& shape) {
@@ -58,7 +58,7 @@ Normals normals_of(const Shape& shape) {
   return normals;
 }
 
-/// Points by column, row and depth, in units between rays of which a pixel has so many a side; the first ray's are 0.
+/// Returns points by column, row and depth, in units of the ray spacing; the first ray is at 0.
 Points projected_points(const Points& points, const Camera& camera, int per_side) {
   const double unit = per_side / camera.pixel;
   Eigen::Matrix3d axes;
@@ -67,20 +67,20 @@ Points projected_points(const Points& points, const Camera& camera, int per_side
   return ((points.rowwise() - camera.top_left.transpose()) * axes).rowwise() - half;
 }
 
-/// What is seen along a ray: the nearest triangle, -1 where there is none, and how far from the image plane it is.
+/// Result of a ray: the nearest triangle, or -1, and its distance from the image plane.
 struct Seen {
   std::int32_t triangle = -1;
   double depth = std::numeric_limits<double>::infinity();
 };
 
-/// The rays of some rows of the image, `per_side` by `per_side` a pixel, and what is seen along each.
+/// Rays of some rows of the image, `per_side` by `per_side` a pixel, with their results.
 class RayGrid {
  public:
   RayGrid(const Camera& camera, int columns, int per_side)
       : camera_(camera), per_side_(per_side), columns_(columns * per_side) {}
 
-  /// - `projected`: the vertices' projected_points().
-  void look_at(const Points& projected, const Triangles& triangles, int first_row, int rows) {
+  /// Rasterises triangles. `projected` are the vertices' projected_points().
+  void rasterise(const Points& projected, const Triangles& triangles, int first_row, int rows) {
     first_row_ = first_row * per_side_;
     rows_ = rows * per_side_;
     seen_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), Seen());
@@ -88,11 +88,11 @@ class RayGrid {
       const auto corner = [&](int k) { return projected.row(triangles(f, k)); };
       const auto [low, high] = std::minmax({corner(0).y(), corner(1).y(), corner(2).y()});
       if (high < first_row_ || low >= first_row_ + rows_) continue;
-      look_at({corner(0), corner(1), corner(2)}, static_cast<std::int32_t>(f));
+      rasterise({corner(0), corner(1), corner(2)}, static_cast<std::int32_t>(f));
     }
   }
 
-  /// - `column`, `row`: of the ray, the row from the first of all.
+  /// `column` and `row` are those of the ray; rows count from the first of all.
   [[nodiscard]] const Seen& at(int column, int row) const {
     return seen_[static_cast<std::size_t>(row - first_row_) * static_cast<std::size_t>(columns_) +
                  static_cast<std::size_t>(column)];
@@ -105,8 +105,7 @@ class RayGrid {
  private:
   using Corners = std::array<Eigen::Vector3d, 3>;
 
-  /// The side of an edge that a ray is on. It is taken from the same end by both triangles of the edge, so that none
-  /// slips between them.
+  /// Side of an edge that a ray is on. Both triangles of the edge evaluate it from the same end, which prevents gaps.
   struct Edge {
     Edge(Eigen::Vector3d from, Eigen::Vector3d to, double orientation) : sign(orientation) {
       if (std::pair(to.x(), to.y()) < std::pair(from.x(), from.y())) {
@@ -120,8 +119,7 @@ class RayGrid {
     [[nodiscard]] bool has_inside(double x, double y) const {
       return sign * (along.x() * (y - start.y()) - along.y() * (x - start.x())) >= 0;
     }
-    /// Takes the columns that are outside from a row's. Where the edge crosses the row says about which, if it can be
-    /// told.
+    /// Removes the columns outside the edge from a row, if the edge's crossing is well conditioned.
     void cut(int row, int& first, int& last) const {
       if (along.y() == 0) {
         if (!has_inside(first, row)) last = first - 1;
@@ -141,7 +139,7 @@ class RayGrid {
     double slope;  ///< columns a row
   };
 
-  void look_at(const Corners& corners, std::int32_t triangle) {
+  void rasterise(const Corners& corners, std::int32_t triangle) {
     const Eigen::Vector3d low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
     const Eigen::Vector3d high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
     const auto inside = [](double place, int end) {
@@ -179,13 +177,13 @@ class RayGrid {
   std::vector<Seen> seen_;
 };
 
-/// The shape with what its look needs.
+/// Shape with its rendering data.
 class Scene {
  public:
   Scene(const Shape& shape, const std::vector<Colour>& colours, SampleSite site)
       : shape_(shape), colours_(colours), site_(site), normals_(normals_of(shape)) {}
 
-  /// Red, green, blue and 255 of a point of a triangle.
+  /// Returns red, green, blue and 255 for a point of a triangle.
   [[nodiscard]] Eigen::Array4d look(std::int32_t triangle, const Eigen::Vector3d& point, const Camera& camera) const {
     const Eigen::Vector3d parts = barycentric(triangle, point);
     Eigen::Array4d result;
@@ -215,7 +213,7 @@ class Scene {
     return sum;
   }
 
-  /// Blend of the corners' normals, those beyond a sharp edge replaced by the triangle's own.
+  /// Interpolates the corners' normals; those beyond a sharp edge are replaced by the triangle's own.
   [[nodiscard]] Eigen::Vector3d normal(std::int32_t triangle, const Eigen::Vector3d& parts) const {
     static const double smooth = std::cos(smooth_edge_degrees / 180 * std::numbers::pi);
     const Eigen::Vector3d own = normals_.faces.row(triangle);
@@ -227,7 +225,7 @@ class Scene {
     return sum.normalized();
   }
 
-  /// Part of the colour that is seen (shading.h).
+  /// Returns the visible part of the colour (shading.h).
   [[nodiscard]] static double shade(Eigen::Vector3d normal, const Camera& camera) {
     if (normal.dot(camera.forward) > 0) normal = -normal;
     const double wrapped = (normal.dot(camera.light) + light_wrap) / (1 + light_wrap);
@@ -241,7 +239,7 @@ class Scene {
   Normals normals_;
 };
 
-/// Sum over a pixel's rays of colour and opacity, as the bytes of the pixel.
+/// Converts the sum of colour and opacity over a pixel's rays to the pixel's bytes.
 std::array<std::uint8_t, 4> pixel_of(const Eigen::Array4d& sum, int rays, bool transparent) {
   const double covered = sum[3] / 255;
   Eigen::Array4d pixel = sum / rays;
@@ -268,7 +266,7 @@ Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
     const int first = band * rows_at_once;
     const int end = std::min(first + rows_at_once, options.height);
     RayGrid rays(camera, options.width, n);
-    rays.look_at(projected, shape.triangles, first, end - first);
+    rays.rasterise(projected, shape.triangles, first, end - first);
     auto target = image.pixels.begin() + 4 * static_cast<std::ptrdiff_t>(options.width) * first;
     for (int row = first; row < end; ++row) {
       for (int column = 0; column < options.width; ++column) {
@@ -286,7 +284,7 @@ Image draw(const Shape& shape, const std::vector<Colour>& colours, SampleSite si
   return image;
 }
 
-/// One colour a triangle of the splats.
+/// Returns one colour per triangle of the splats.
 std::vector<Colour> colours_of_splats(const std::vector<Colour>& colours) {
   std::vector<Colour> result;
   result.reserve(triangles_per_splat * colours.size());

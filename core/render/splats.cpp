@@ -12,12 +12,12 @@ namespace shapegauge {
 
 namespace {
 
-/// Radius of a splat in radii of the disc that has the point's area. Of a plane with random points, exp(-2.25^2) or
-/// 0.6 % stays uncovered.
+/// Radius of a splat, in radii of the disc with the point's area. For random points in a plane, exp(-2.25^2), or 0.6 %,
+/// stays uncovered.
 constexpr double overlap = 2.25;
 constexpr Eigen::Index neighbours = 12;
 
-/// Direction in which the point and its neighbours extend least.
+/// Returns the direction of least variance of the point and its neighbours.
 Eigen::Vector3d fitted_normal(const Points& points, const PointNeighbours& nearest, Eigen::Index i) {
   const auto around = nearest.indices.row(i);
   Eigen::Vector3d mean = points.row(i);

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The first vertex at each place, in a hash table with open addressing.
+/// Hash table of the first vertex at each position, with open addressing.
 class PlaceTable {
  public:
   explicit PlaceTable(const Points& vertices)
@@ -42,7 +42,7 @@ class PlaceTable {
   std::vector<std::int32_t> slots_;
 };
 
-/// The corners of a triangle at their places.
+/// Returns the welded corners of a triangle.
 std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Index triangle,
                                           std::span<const std::int32_t> merged) {
   std::array<std::int32_t, 3> corners{};
@@ -52,7 +52,7 @@ std::array<std::int32_t, 3> corner_places(const Triangles& triangles, Eigen::Ind
   return corners;
 }
 
-/// The uses by (low, high, triangle).
+/// Sorts half-edges by (low, high, triangle).
 std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& uses, std::size_t vertices) {
   BucketSorted<HalfEdge> counted = bucket_sort(uses, vertices, [](const HalfEdge& use) { return use.low; });
   const SparseInterruptionCheck check;
@@ -66,7 +66,7 @@ std::vector<HalfEdge> sorted(const std::vector<HalfEdge>& uses, std::size_t vert
   return std::move(counted.values);
 }
 
-/// Whether there are edges, and all of them satisfy a condition.
+/// Returns true if there are edges, and all of them satisfy a condition.
 template <typename Condition>
 bool all_edges(const Shape& shape, Condition condition) {
   require_usable(shape);

@@ -10,15 +10,14 @@ namespace shapegauge {
 
 namespace {
 
-/// 0, 1, ..., size - 1.
+/// Returns 0, 1, ..., size - 1.
 std::vector<std::int32_t> indices_up_to(Eigen::Index size) {
   std::vector<std::int32_t> numbers(static_cast<std::size_t>(size));
   std::iota(numbers.begin(), numbers.end(), 0);
   return numbers;
 }
 
-/// DistinctTriangles::vertex_of.
-/// - first: result of first_duplicates()
+/// Computes DistinctTriangles::vertex_of from the result of first_duplicates().
 std::vector<std::int32_t> vertices_of_first(const Shape& mesh, std::span<const std::int32_t> merged,
                                             std::span<const std::int32_t> first) {
   std::vector<bool> settled(merged.size());

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The segments from each of the points to those of its nearest neighbours that are `wanted(a, b)`.
+/// Returns the segments from each point to those nearest neighbours with `wanted(a, b)`.
 template <typename Wanted>
 std::vector<Segment> wanted_segments(const Points& points, Eigen::Index neighbours, Wanted wanted) {
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
@@ -34,7 +34,7 @@ DisjointSets components_of(std::size_t nodes, std::span<const Segment> segments)
   return components;
 }
 
-/// Up to 64 nodes of each component, evenly spread over its nodes' order.
+/// Returns up to 64 nodes of each component, evenly spread over the order of its nodes.
 std::vector<std::int32_t> probes_of(DisjointSets& components) {
   constexpr std::size_t most = 64;
   std::vector<std::vector<std::int32_t>> members(components.size());
@@ -50,8 +50,8 @@ std::vector<std::int32_t> probes_of(DisjointSets& components) {
   return probes;
 }
 
-/// Boruvka's algorithm over the components: of each the shortest segment to another one, until there is only one. Of 64
-/// probes a component, the 64 nearest others of a probe always include one of another component.
+/// Joins components by Boruvka's algorithm: adds the shortest segment from each component to another one, until one is
+/// left. With 64 probes a component, the 64 nearest others of a probe always include one of another component.
 void join_components(const Points& points, DisjointSets& components, std::vector<Segment>& segments) {
   for (;;) {
     const std::vector<std::int32_t> probes = probes_of(components);

@@ -21,7 +21,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The points as nanoflann asks for them. Building a tree can be interrupted.
+/// Adapts points to nanoflann. Building a tree can be interrupted.
 struct PointSource {
   const Points& points;
   bool building = true;  ///< in one thread; queries run in many and do not check
@@ -41,7 +41,7 @@ struct PointSource {
 using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, PointSource>, PointSource, 3,
                                                  std::int32_t>;
 
-/// A tree of points with the source that it refers to.
+/// Tree of points with the source that it refers to.
 struct PointTree {
   explicit PointTree(const Points& points) : source{points}, tree(3, source) { source.building = false; }
   PointTree(const PointTree&) = delete;
@@ -54,7 +54,7 @@ struct PointTree {
   Tree tree;
 };
 
-/// Scratch buffers for the answer to one query, the point itself included.
+/// Scratch buffers for one query, including the point itself.
 struct Query {
   explicit Query(std::size_t count) : indices(count), squared_distances(count) {}
   std::vector<std::int32_t> indices;
@@ -63,7 +63,7 @@ struct Query {
 
 void find(const Tree& tree, const Points& points, Eigen::Index i, Query& query, PointNeighbours& result) {
   tree.knnSearch(points.row(i).data(), query.indices.size(), query.indices.data(), query.squared_distances.data());
-  // Where so many points are at its place that the point itself is not among those found, the last one goes.
+  // If too many points coincide and the point itself is not among those found, drops the last one.
   const auto self = std::find(query.indices.begin(), query.indices.end() - 1, static_cast<std::int32_t>(i));
   std::int32_t* const indices = std::copy(query.indices.begin(), self, result.indices.row(i).data());
   std::copy(self + 1, query.indices.end(), indices);
@@ -73,17 +73,17 @@ void find(const Tree& tree, const Points& points, Eigen::Index i, Query& query, 
   }
 }
 
-// More neighbours see around corners and through thin parts. Of a regular grid whole shells lie at one distance, which
-// makes single numbers of neighbours err by up to a third, their mean by a tenth.
+// More neighbours reach around corners and through thin parts. On a regular grid whole shells have the same distance:
+// single numbers of neighbours err by up to a third, their mean by a tenth.
 constexpr Eigen::Index fewest_neighbours = 5;
 constexpr Eigen::Index most_neighbours = 12;
-// 4 is beyond the noise: fewer than 2 in 10,000 points of a surface, of random points or of a mesh, are above it.
+// 4 is beyond noise: fewer than 2 in 10,000 points of a surface, random or from a mesh, exceed it.
 constexpr double largest_ratio = 4;
 
-/// The different places among points, in an order that only depends on the places.
+/// Distinct positions of points, in an order that depends on the positions only.
 struct DistinctPlaces {
   Points points;
-  std::vector<Eigen::Index> place_of;   ///< of each of the original points
+  std::vector<Eigen::Index> place_of;   ///< by original point
   std::vector<Eigen::Index> points_at;  ///< number of original points at each place
 };
 
@@ -117,7 +117,7 @@ void require_finite(const Points& points, double diagonal) {
   if (!std::isfinite(diagonal)) throw InputError("the extent of the points is too large for a number");
 }
 
-/// Mean over numbers of neighbours k of pi d^2 / k, d being the distance to the k-th.
+/// Returns the mean over k of pi d^2 / k, where d is the distance to the k-th neighbour.
 Eigen::VectorXd disc_areas(const PointNeighbours& nearest) {
   const Eigen::Index most = nearest.distances.cols();
   const Eigen::Index fewest = std::min(fewest_neighbours, most);
@@ -128,7 +128,7 @@ Eigen::VectorXd disc_areas(const PointNeighbours& nearest) {
   return std::numbers::pi * sum / static_cast<double>(most - fewest + 1);
 }
 
-/// The weights, none more than `largest_ratio` times the median of its neighbours'.
+/// Limits each weight to `largest_ratio` times the median of its neighbours'.
 Eigen::VectorXd capped(const Eigen::VectorXd& weights, const PointNeighbours& nearest) {
   Eigen::VectorXd result = weights;
   std::vector<double> around(static_cast<std::size_t>(nearest.indices.cols()));
@@ -151,7 +151,7 @@ PointNeighbours nearest_neighbours(const Points& points, Eigen::Index k) {
   result.distances.resize(n, k);
   if (k == 0) return result;
   const PointTree built(points);
-  // What a point needs of the tree, its neighbour has just read.
+  // In Morton order, consecutive queries use the same parts of the tree.
   const std::vector<std::int32_t> order = points.allFinite() ? morton_order(points) : std::vector<std::int32_t>();
   parallel_for_parts(tbb::blocked_range<Eigen::Index>(0, n, 256), [&](const tbb::blocked_range<Eigen::Index>& block) {
     Query query(static_cast<std::size_t>(k + 1));
@@ -196,7 +196,7 @@ Points unsigned_point_normals(const Points& points) {
   const PointNeighbours nearest = nearest_neighbours(points, neighbours);
   Points normals = Points::Zero(points.rows(), 3);
   parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
-    // Relative to the farthest neighbour, so that products neither overflow nor vanish.
+    // Relative to the farthest neighbour, to avoid overflow and underflow of products.
     const Eigen::Index count = nearest.indices.cols();
     const double reach = count > 0 ? nearest.distances(i, count - 1) : 0;
     if (!(reach > 0)) return;
@@ -219,7 +219,7 @@ Eigen::VectorXd point_weights(const Points& points) {
   require_finite(points, frame.diagonal);
   DistinctPlaces places = places_of(points);
   if (places.points.rows() < 2) return weights;
-  // In coordinates near 1, squares neither vanish nor overflow.
+  // With coordinates near 1, squares neither underflow nor overflow.
   for (Eigen::Index i = 0; i < places.points.rows(); ++i) {
     places.points.row(i) = frame.to_unit(places.points.row(i).transpose()).transpose();
   }

@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The label with the largest total area.
+/// Returns the label with the largest total area.
 std::int32_t largest(const std::map<std::int32_t, double>& area_of_label) {
   const auto less_area = [](const auto& a, const auto& b) { return a.second < b.second; };
   return std::ranges::max_element(area_of_label, less_area)->first;

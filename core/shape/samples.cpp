@@ -19,7 +19,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The sum of the areas up to and with each triangle; doubles add none.
+/// Returns cumulative areas by triangle; duplicates add none.
 Eigen::VectorXd running_areas(const Shape& mesh) {
   Eigen::VectorXd areas = triangle_areas(mesh);
   const std::vector<std::int32_t> first = first_duplicates(mesh.triangles, welded_vertices(mesh.vertices));
@@ -37,7 +37,7 @@ Eigen::VectorXd running_areas(const Shape& mesh) {
   return areas;
 }
 
-/// Uniform on a triangle (Turk 1990).
+/// Returns a point uniform on a triangle (Turk 1990).
 Eigen::RowVector3d point_on(const Shape& mesh, Eigen::Index triangle, RandomNumbers& random) {
   const double root = std::sqrt(random.uniform(0, 1));
   const double along = random.uniform(0, 1);
@@ -54,18 +54,18 @@ Corners corners_of(const Shape& shape, Eigen::Index triangle) {
   return corners;
 }
 
-/// Shape of a triangle apart from its size; `degenerate` where its corners are collinear as far as their rounding
-/// tells.
+/// Shape of a triangle independent of its size; `degenerate` if its corners are collinear up to rounding.
 struct TriangleForm {
   bool degenerate = true;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double area = 0;
   std::array<double, 3> angles = {};
-  std::array<double, 3> mixed_areas = {};  ///< the part of the area that belongs to each corner; they sum to `area`
+  std::array<double, 3> mixed_areas = {};  ///< area assigned to each corner; they sum to `area`
 };
 
-/// Meyer et al. 2003, section 3.3: the corners' Voronoi regions where no angle is obtuse, otherwise half of the area
-/// for the obtuse corner and a quarter for each of the others. In units near the triangle's size.
+/// Computes the mixed areas (Meyer et al. 2003, section 3.3): the corners' Voronoi regions if no angle is obtuse,
+/// otherwise half of the area for the obtuse corner and a quarter for each of the others. In units near the triangle's
+/// size.
 std::array<double, 3> mixed_areas(double area, const std::array<double, 3>& cotangents,
                                   const std::array<double, 3>& squared_opposite_edges) {
   std::array<double, 3> parts = {};
@@ -94,11 +94,11 @@ TriangleForm form_of(const Corners& corners) {
     largest_coordinate = std::max(largest_coordinate, corners[k].cwiseAbs().maxCoeff());
   }
   if (!(longest > 0)) return form;
-  // In units near the triangle's size neither products nor squares leave the range; a power of two rounds nothing.
+  // In units near the triangle's size products stay in range; a power of two avoids rounding.
   const double unit = std::exp2(std::ilogb(longest));
   for (Eigen::Vector3d& edge : edges) edge /= unit;
-  // Of the three equal products the one that CGAL's sdf_values forms, rounding included: where a cone's rays begin
-  // turns on whether a component of the normal is exactly zero.
+  // The same product as in CGAL's sdf_values, including its rounding: the first ray of a cone depends on whether a
+  // component of the normal is exactly zero.
   const Eigen::Vector3d cross = edges[0].cross(-edges[2]);
   const double twice_area = cross.norm();
   // Coordinates rounded to double move each corner by up to an epsilon of their size.
@@ -155,11 +155,11 @@ Samples sample_cloud(const Shape& shape) {
   return samples;
 }
 
-/// Where triangles are turned at random, their normals cancel though all lie in about one plane: what they agree on is
-/// then the direction that most of them have one way or the other. Replaces the sums of normals of such vertices.
+/// Replaces cancelling normals. Where triangles are reversed at random, their normals cancel although all lie in about
+/// one plane. The direction is then that of most normals, up to sign.
 void settle_cancelled_normals(const Shape& shape, const Eigen::VectorXd& total_angles, Points& sums) {
-  constexpr double cancelled = 0.5;  // of the sum's length, what is left
-  constexpr double agreed = 0.8;     // of the squares of the normals, what lies along one line
+  constexpr double cancelled = 0.5;  // remaining fraction of the sum's length
+  constexpr double agreed = 0.8;     // fraction of the squared normals along one axis
   std::vector<std::int32_t> place(static_cast<std::size_t>(shape.vertices.rows()), -1);
   std::vector<Eigen::Matrix3d> squares;
   for (Eigen::Index v = 0; v < sums.rows(); ++v) {
@@ -207,7 +207,7 @@ Samples sample_vertices(const Shape& given) {
   settle_cancelled_normals(shape, total_angles, samples.normals);
   for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {
     const double length = samples.normals.row(v).norm();
-    // Normals that cancel (a sheet with two sides) leave rounding noise, which is no direction.
+    // Cancelling normals (a sheet with two sides) leave rounding noise, not a direction.
     if (length > 1e-12 * total_angles[v]) {
       samples.normals.row(v) /= length;
     } else {
@@ -231,7 +231,7 @@ Samples some_of(const Samples& all, Eigen::Index count, RandomNumbers& random) {
   some.points = all.points(chosen, Eigen::all);
   some.normals = all.normals(chosen, Eigen::all);
   some.weights = all.weights(chosen);
-  // They stand for those that were not chosen, too.
+  // The chosen samples also represent the others.
   const double sum = some.weights.sum();
   if (sum > 0) some.weights *= all.weights.sum() / sum;
   return some;
@@ -247,7 +247,7 @@ SurfacePoints surface_points(const Shape& mesh, Eigen::Index count, RandomNumber
   SurfacePoints result{Points(count, 3), std::vector<std::int32_t>(static_cast<std::size_t>(count))};
   for (Eigen::Index i = 0; i < count; ++i) {
     const double area = part * random.uniform(static_cast<double>(i), static_cast<double>(i + 1));
-    // The first sum beyond it is of a triangle that has an area; rounding must not lead past the last one that has.
+    // The first cumulative sum beyond it belongs to a triangle with area; rounding must not exceed the last one.
     const double below_total = std::min(area, std::nextafter(total, 0.0));
     const auto triangle = std::upper_bound(areas.begin(), areas.end(), below_total) - areas.begin();
     result.points.row(i) = point_on(mesh, triangle, random);

@@ -20,7 +20,7 @@ Eigen::Vector3d closest_point(const Triangle& triangle, const Eigen::Vector3d& x
   const Eigen::Vector3d ax = x - a;
   const Eigen::Vector3d normal = ab.cross(ac);
   const double normal2 = normal.squaredNorm();
-  // x is nearest to an edge that it is outside of; where there is no telling (no area, NaN), to any.
+  // x is nearest to an edge that it is outside of; if undefined (no area, NaN), to any.
   bool outside_ab = true;
   bool outside_ac = true;
   bool outside_bc = true;

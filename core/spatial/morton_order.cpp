@@ -9,7 +9,7 @@ namespace {
 
 constexpr int bits_per_axis = 21;
 
-/// Spreads the lowest 21 bits so that two zeros follow each.
+/// Spreads the lowest 21 bits, with two zeros after each.
 std::uint64_t spread(std::uint64_t bits) {
   std::uint64_t result = 0;
   for (int i = 0; i < bits_per_axis; ++i) result |= ((bits >> i) & 1U) << (3 * i);

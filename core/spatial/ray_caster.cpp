@@ -17,12 +17,12 @@ namespace shapegauge {
 
 namespace {
 
-/// How far the distance in single precision may be from that in double precision, both in diagonals; further apart the
-/// ray grazes the triangle's plane, and the plane says nothing of where in the triangle the hit is.
+/// Tolerance between distances in single and double precision, in diagonals. If it is exceeded, the ray grazes the
+/// triangle's plane, which does not determine the position of the hit.
 constexpr double grazing_difference = 1e-5;
 
-/// Closer than this to the origin, in diagonals, a triangle is not hit: it may be one that the origin lies on, seen
-/// from the wrong side for the rounding of both.
+/// Minimum distance of a hit in diagonals. A closer triangle may contain the origin, which rounding could place on the
+/// wrong side.
 constexpr float nearest_hit = 0x1p-22F;
 
 struct Release {
@@ -30,14 +30,14 @@ struct Release {
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
 };
 
-/// One device serves the process: it holds no scene, and making one takes longer than building a small tree.
+/// One device serves the process: it holds no scene, and creating one takes longer than building a small tree.
 RTCDevice device() {
   static const std::unique_ptr<RTCDeviceTy, Release> shared(rtcNewDevice(nullptr));
   if (!shared) throw std::runtime_error("Embree, the library that casts rays, could not be started");
   return shared.get();
 }
 
-/// What the filter below needs to know of the ray.
+/// Data of a ray for the filter.
 struct Context {
   RTCIntersectContext embree;  // the first member: Embree hands its address to the filter
   std::span<const std::int32_t> skipped;
@@ -47,8 +47,8 @@ struct Context {
 
 static_assert(std::is_standard_layout_v<Context>);
 
-/// Leaves out the triangles to skip and, of several at the same distance, all but the first in the shape: Embree would
-/// report whichever its tree, which depends on the number of threads, comes to last.
+/// Rejects triangles to skip and, of several at the same distance, all but the first in the shape. Embree would report
+/// the last one visited in its tree, which depends on the number of threads.
 void filter(const RTCFilterFunctionNArguments* arguments) {
   auto& context = *reinterpret_cast<Context*>(arguments->context);
   const std::uint32_t triangle = RTCHitN_primID(arguments->hit, 1, 0);
@@ -78,12 +78,11 @@ struct RayCaster::Scene {
 
   void add_triangles(const Shape& shape);
 
-  /// What Embree says of rays from one origin, in the scene's coordinates: triangles, and distances in single
-  /// precision.
+  /// Casts rays from one origin in the scene's coordinates: triangles, and distances in single precision.
   void cast(const Eigen::Vector3d& from, std::span<const Eigen::Vector3d> directions,
             std::span<const std::int32_t> skipped, std::span<RayHit> hits) const;
 
-  /// Completes such a hit by the plane of its triangle, and brings it back into the shape's units.
+  /// Refines a hit by the plane of its triangle, and converts it to the shape's units.
   void complete(RayHit& hit, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) const;
 };
 
@@ -177,7 +176,7 @@ void RayCaster::first_hits(const Eigen::Vector3d& origin, std::span<const Eigen:
                            std::span<const std::int32_t> skipped, std::span<RayHit> hits) const {
   const Eigen::Vector3d from = scene_->frame.to_unit(origin);
   scene_->cast(from, directions, skipped, hits);
-  // In a loop of their own: the planes are all over the memory, and so are fetched at the same time.
+  // A separate loop prefetches the planes, which are scattered in memory.
   for (std::size_t i = 0; i < directions.size(); ++i) {
     if (hits[i]) scene_->complete(hits[i], from, directions[i]);
   }

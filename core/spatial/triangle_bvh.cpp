@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Single precision may lose this much of a squared distance; limits are widened by it, and double precision decides.
+/// Relative error of squared distances in single precision; limits are widened by it, and double precision decides.
 constexpr double single_precision_margin = 1e-5;
 
 float widened_square(double distance) {
@@ -21,7 +21,7 @@ float widened_square(double distance) {
                                                     : std::numeric_limits<float>::infinity();
 }
 
-/// Squared distance from x to the box of a node's child.
+/// Returns the squared distance from x to the box of a node's child.
 float squared_distance_to_box(const TriangleBvhNode& node, std::size_t child, const Eigen::Vector3f& x) {
   float sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -62,7 +62,7 @@ class BallShrinking {
     for (const std::int32_t triangle : leaves_[static_cast<std::size_t>(~child)].triangle) shrink_(triangle, ball_);
   }
 
-  /// With what single precision may lose of coordinates of the order of 1.
+  /// Widened by the error of single precision for coordinates of the order of 1.
   [[nodiscard]] float widened_square_of_radius() const { return widened_square(ball_.radius + 1e-6); }
 
   const std::vector<TriangleBvhNode>& nodes_;

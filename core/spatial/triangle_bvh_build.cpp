@@ -14,7 +14,7 @@ namespace {
 
 using Box = Eigen::AlignedBox3d;
 constexpr int bin_count = 16;
-/// How far the single-precision boxes reach beyond the triangles, relative to their coordinates.
+/// Margin of the single-precision boxes around the triangles, relative to their coordinates.
 constexpr double box_margin = 1e-6;
 
 Box box_of(const Triangle& triangle) {
@@ -30,7 +30,7 @@ double half_area(const Box& box) {
   return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
 }
 
-/// Builds the nodes over ever smaller spans of one array of triangle numbers.
+/// Builds the nodes over recursively divided spans of one array of triangle indices.
 class Builder {
  public:
   Builder(std::vector<TriangleBvhNode>& nodes, std::vector<TriangleBvhLeaf>& leaves,
@@ -58,8 +58,8 @@ class Builder {
 
   [[nodiscard]] Eigen::Vector3d centre(std::int32_t i) const { return boxes_[static_cast<std::size_t>(i)].center(); }
 
-  /// Splits a part in two along the axis on which its centres spread the most, where the surface area heuristic says,
-  /// or in the middle where that is of no use.
+  /// Splits a part in two along the axis of largest extent of its centres by the surface area heuristic, or in the
+  /// middle if that fails.
   [[nodiscard]] std::pair<Part, Part> split(Part part) const {
     Box centres;
     for (const std::int32_t i : part) centres.extend(centre(i));
@@ -230,7 +230,7 @@ class Builder {
   const std::vector<Triangle>& triangles_;
   std::vector<std::int32_t> order_;
   std::vector<Box> boxes_;
-  std::vector<Eigen::Vector3d> crosses_;  ///< along the triangles' normals, twice their areas long
+  std::vector<Eigen::Vector3d> crosses_;  ///< normals of the triangles with twice their areas as lengths
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The hot loops of the surface tree, compiled once for each instruction set that Highway knows of.
+// Hot loops of the surface tree, compiled once for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/spatial/triangle_bvh_query.cpp"
@@ -19,10 +19,10 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Deep enough for 2^31 triangles in nodes of eight, with all siblings waiting at every level.
+/// Sufficient for 2^31 triangles in nodes of eight, with all siblings waiting at every level.
 constexpr int stack_size = 256;
 
-/// A node or leaf that waits to be visited.
+/// Node or leaf to visit.
 struct Waiting {
   float squared_distance;
   std::int32_t child;
@@ -47,7 +47,7 @@ HWY_INLINE VectorOf<D> subtract(const VectorOf<D>& u, const VectorOf<D>& v) {
   return {hn::Sub(u[0], v[0]), hn::Sub(u[1], v[1]), hn::Sub(u[2], v[2])};
 }
 
-/// Squared distance from the point at v, relative to the edge's start, to the edge.
+/// Returns the squared distance from the point at v, relative to the edge's start, to the edge.
 template <typename D>
 HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge, hn::Vec<D> inverse) {
   const auto t = hn::Min(hn::Max(hn::Mul(dot<D>(v, edge), inverse), hn::Zero(d)), hn::Set(d, 1.0F));
@@ -56,8 +56,8 @@ HWY_INLINE hn::Vec<D> to_edge(D d, const VectorOf<D>& v, const VectorOf<D>& edge
   return dot<D>(rest, rest);
 }
 
-/// Squared distances from x to the leaf's triangles: the plane's where x projects into the triangle, else the nearest
-/// edge's. Returns the smallest.
+/// Computes the squared distances from x to the leaf's triangles: to the plane if x projects into the triangle,
+/// otherwise to the nearest edge. Returns the smallest.
 HWY_INLINE float squared_distances(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, LeafLane& result) {
   const hn::CappedTag<float, triangles_per_leaf> d;
   auto smallest = hn::Set(d, std::numeric_limits<float>::infinity());
@@ -84,7 +84,8 @@ HWY_INLINE float squared_distances(const TriangleBvhLeaf& leaf, const Eigen::Vec
   return hn::GetLane(hn::MinOfLanes(d, smallest));
 }
 
-/// The triangle of the leaf closest to x where its squared distance is below the limit, which it becomes; else -1.
+/// Returns the triangle of the leaf closest to x if its squared distance is below the limit, which is then lowered;
+/// otherwise -1.
 HWY_INLINE std::int32_t closest_in_leaf(const TriangleBvhLeaf& leaf, const Eigen::Vector3d& x, float& limit) {
   alignas(64) LeafLane distances;
   const float smallest = squared_distances(leaf, x, distances);
@@ -95,8 +96,8 @@ HWY_INLINE std::int32_t closest_in_leaf(const TriangleBvhLeaf& leaf, const Eigen
   }
 }
 
-/// Squared distances from x to the boxes of the node's children or to their disks, whichever are larger. Returns which
-/// are below the limit, a bit each.
+/// Computes the squared distances from x to the boxes of the node's children or to their disks, whichever are larger.
+/// Returns a bit mask of those below the limit.
 HWY_INLINE std::uint32_t squared_distances(const TriangleBvhNode& node, const Eigen::Vector3f& x, float limit,
                                            std::array<float, children_per_node>& result) {
   const hn::CappedTag<float, children_per_node> d;
@@ -127,7 +128,7 @@ HWY_INLINE std::uint32_t squared_distances(const TriangleBvhNode& node, const Ei
   return below_limit;
 }
 
-/// Puts the children nearer than the limit on the stack, the nearest on top.
+/// Pushes the children nearer than the limit on the stack, the nearest on top.
 HWY_INLINE int push_children(const TriangleBvhNode& node, const Eigen::Vector3f& x, float squared_limit,
                              std::array<Waiting, stack_size>& stack, int top) {
   alignas(64) std::array<float, children_per_node> distances;
@@ -143,7 +144,7 @@ HWY_INLINE int push_children(const TriangleBvhNode& node, const Eigen::Vector3f&
   return top;
 }
 
-/// Visits leaves from near to far; the visitor gets a leaf and the limit and may lower it.
+/// Visits leaves from near to far; the visitor gets a leaf and the limit, which it may lower.
 template <typename Visit>
 HWY_INLINE void visit_leaves(const std::vector<TriangleBvhNode>& nodes, const std::vector<TriangleBvhLeaf>& leaves,
                              const Eigen::Vector3d& x, float squared_limit, const Visit& visit) {
