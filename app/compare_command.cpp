@@ -46,15 +46,15 @@ struct CompareArguments {
   bool replace = false;
 };
 
-// What is compared, and what curves and reports need besides scores.
+// Inputs of a comparison, with the data for curves and reports.
 struct ComparedInputs {
   std::vector<MethodScores> methods;
-  std::vector<NamedCurve> curves;         // none of tables of scores
-  std::vector<EvaluatedFiles> evaluated;  // of matrices, where a report is asked for
+  std::vector<NamedCurve> curves;         // none for tables of scores
+  std::vector<EvaluatedFiles> evaluated;  // of matrices, if a report is requested
   std::vector<std::string> warnings;
 };
 
-// The methods of a table, under one protocol: the only one that there is, else the one asked for.
+// Returns the methods of a table under one protocol: the only one, or the requested one.
 std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareArguments& arguments) {
   const std::string wanted_protocol = name_of(chosen_protocol(arguments.evaluation));
   std::vector<MethodScores> methods = read_method_scores(path);
@@ -69,10 +69,10 @@ std::vector<MethodScores> methods_of_table(const fs::path& path, const CompareAr
   return methods;
 }
 
-// Whether curves are asked for.
+// Returns true if curves are requested.
 bool wants_curves(const CompareArguments& arguments) { return !arguments.plot.empty() || !arguments.curves.empty(); }
 
-// The curves of a run's folder, under the protocol of its scores.
+// Adds the curves of a run's folder, under the protocol of its scores.
 void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments, const std::string& protocol,
                        ComparedInputs& compared) {
   if (!wants_curves(arguments)) return;
@@ -81,7 +81,7 @@ void add_curves_of_run(const fs::path& folder, const CompareArguments& arguments
   }
 }
 
-// Adds the methods of one input, and what a user should know of it.
+// Adds the methods of one input with its warnings.
 void add_methods(const fs::path& path, const CompareArguments& arguments, ComparedInputs& compared) {
   const auto add = [&](std::vector<MethodScores> methods) {
     std::ranges::move(methods, std::back_inserter(compared.methods));
@@ -133,7 +133,7 @@ void check_compare_outputs(const CompareArguments& arguments) {
   check_output_files(arguments.inputs, outputs, arguments.replace);
 }
 
-// The curves as `evaluate --pr` writes one.
+// Makes a table of the curves, as written by `evaluate --pr`.
 Table curves_table(const std::vector<NamedCurve>& curves) {
   Table table{.header = {"method", "protocol", "recall", "precision"}, .rows = {}, .text_columns = 2};
   for (const NamedCurve& named : curves) {

@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-/// "--format", "-o": the names of an option as they are typed; none for what has no name.
+/// Returns the names of an option as typed ("--format", "-o"); none for a positional.
 std::vector<std::string> names_of(const CLI::Option& option) {
   std::vector<std::string> names;
   for (const std::string& name : option.get_snames()) names.push_back("-" + name);
@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return names;
 }
 
-/// The words that an option takes where it takes one of a few: what its help lists as {a,b,c}.
+/// Returns the choices of an option, listed in its help as {a,b,c}; none for other options.
 std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{');
@@ -30,7 +30,7 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   return CLI::detail::split(type.substr(begin + 1, end - begin - 1), ',');
 }
 
-/// A command with the words that lead to it, "dataset info".
+/// Command with the words that lead to it, "dataset info".
 struct NamedCommand {
   std::string path;
   const CLI::App* app = nullptr;

@@ -31,7 +31,7 @@ struct GenerateArguments {
   int threads = 0;
 };
 
-// The data set as a configuration names it.
+// Formats the data set for a configuration.
 std::string proposed_configuration(const DatasetLocation& location) {
   nlohmann::ordered_json dataset{{"layout", location.layout},
                                  {"root", fs::absolute(location.root).lexically_normal().string()}};

@@ -41,7 +41,7 @@ struct DescribeArguments {
   bool list = false;
 };
 
-/// What one shape is described by. The mesh is kept only where features wait for all shapes.
+/// Description of one shape. The mesh is kept only if features depend on all shapes.
 struct Described {
   std::vector<ScalarField> fields;
   Eigen::VectorXf features;
@@ -55,7 +55,7 @@ void add_settings(std::string_view of, std::span<const Parameter> parameters, co
   }
 }
 
-/// All descriptors and their settings, for --list.
+/// Lists all descriptors and their settings, for --list.
 std::string list_of_descriptors() {
   Table table{.header = {"descriptor", "setting", "default", "meaning"}, .rows = {}, .text_columns = 4};
   for (const Descriptor& one : descriptors().entries()) {
@@ -82,7 +82,7 @@ DescriptorChoice choice_of(const DescribeArguments& arguments) {
   }
 }
 
-/// The fields of a shape and, where the descriptor needs no others for it, its features.
+/// Computes the fields of a shape and, unless the descriptor learns first, its features.
 Described described(const DescriptorChoice& choice, const Shape& given, bool denoise) {
   const Shape shape = prepare_shape(given, {.denoise = denoise}).shape;
   Described result;
@@ -115,7 +115,7 @@ void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
   }
 }
 
-/// The ids of the rows: the shortest ends of the files' paths that distinguish them.
+/// Returns the ids of the rows: the shortest distinguishing suffixes of the files' paths.
 std::vector<std::string> ids_of(const std::vector<fs::path>& inputs) {
   std::vector<fs::path> paths;
   std::set<fs::path> known;

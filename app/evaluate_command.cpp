@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct EvaluateArguments {
-  fs::path distances;  ///< "-": standard input
+  fs::path distances;  ///< "-" for standard input
   std::string input_format;
   EvaluationArguments evaluation;
   ResamplingArguments resampling;
@@ -57,7 +57,7 @@ ScoreStyle style_of(const EvaluateArguments& arguments) {
   return {.percent = percent, .decimals = arguments.digits.value_or(usual)};
 }
 
-// What a result is of, as JSON, in front of the scores.
+// Returns the inputs of a result as JSON, before the scores.
 nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
   const EvaluationFiles& files = arguments.evaluation.files;
   nlohmann::ordered_json json{{"version", version()}, {"file", arguments.distances.string()}};
@@ -70,7 +70,7 @@ nlohmann::ordered_json inputs_json(const EvaluateArguments& arguments) {
   return json;
 }
 
-// Coverage of ranked lists as JSON.
+// Returns the coverage of ranked lists as JSON.
 nlohmann::ordered_json coverage_json(const ListCoverage& coverage, const std::string& missing_queries) {
   return {{"queries", coverage.queries},        {"answered", coverage.answered},
           {"missing_queries", missing_queries}, {"shortest_list", coverage.shortest},
@@ -105,7 +105,7 @@ std::string formatted_evaluation(const NamedEvaluation& named, const EvaluationT
   return text + text_of(summary_table(one, style, intervals));
 }
 
-/// A report shows models that are all queries to all others.
+/// Throws InputError unless all models are queries to all others, as reports require.
 void check_fit_for_report(const EvaluationTask& task) {
   if (is_fit_for_report(task)) return;
   throw InputError(
@@ -128,14 +128,14 @@ void write_files(const NamedEvaluation& named, const EvaluationTask& task, const
   if (!arguments.per_class.empty()) write_table(arguments.per_class, per_class_table(one, task.class_names));
 }
 
-/// The extension of the format that the first bytes name; text without one is CSV.
+/// Returns the format identified by the first bytes; text without a format is CSV.
 std::string_view sniffed_format(std::string_view bytes) {
   if (bytes.starts_with("\x93NUMPY")) return "npy";
   if (bytes.starts_with("PK\x03\x04")) return "npz";
   return bytes.starts_with("MATLAB 5.0") ? "mat" : "csv";
 }
 
-/// Evaluates what comes through a pipe. It becomes a file in the folder, since matrices are read by blocks.
+/// Evaluates standard input. Copies it to a file in the folder first, since matrices are read in blocks.
 EvaluatedFiles evaluate_standard_input(const EvaluateArguments& arguments, const ScratchFolder& scratch) {
   const std::string bytes = read_standard_input();
   const std::string format =

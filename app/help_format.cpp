@@ -20,7 +20,7 @@ std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
 
 std::string HelpFormat::make_option_opts(const CLI::Option* option) const {
   if (option->get_type_size() == 0) return {};
-  // The parser joins the type and what its checks say: "INT:INT in [1 - 1024]", "TEXT:{faces,vertices}".
+  // CLI11 joins the type and the description of checks: "INT:INT in [1 - 1024]", "TEXT:{faces,vertices}".
   const std::string joined = option->get_type_name();
   const std::size_t colon = joined.find(':');
   std::string type = colon == std::string::npos ? joined : joined.substr(colon + 1);

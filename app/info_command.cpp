@@ -31,8 +31,8 @@ struct InfoArguments {
   std::string format = "text";
 };
 
-/// The number of handles of a closed mesh, summed over its parts: parts - (V - E + F) / 2. A vertex counts once for
-/// each fan of triangles about it, so that parts that touch in a point are parts.
+/// Returns the number of handles of a closed mesh, summed over its components: components - (V - E + F) / 2. A vertex
+/// counts once for each fan of triangles about it. Components that touch in a point are therefore separate.
 long genus(const Shape& shape) {
   const std::vector<HalfEdge> uses = half_edges(shape.triangles, welded_vertices(shape.vertices));
   std::vector<std::size_t> leader(static_cast<std::size_t>(3 * shape.triangles.rows()));
@@ -56,7 +56,7 @@ long genus(const Shape& shape) {
   for (const std::int32_t face : faces) {
     for (std::size_t corner = 0; corner < 3; ++corner) fans.insert(find(3 * static_cast<std::size_t>(face) + corner));
   }
-  // Triangles are of one part where their fans are linked by a triangle.
+  // Triangles belong to one component if a triangle links their fans.
   std::vector<std::size_t> part = leader;
   const auto find_part = [&](std::size_t i) {
     while (part[i] != i) i = part[i] = part[part[i]];
@@ -73,7 +73,7 @@ long genus(const Shape& shape) {
   return std::ssize(parts) - characteristic / 2;
 }
 
-/// How the triangles are oriented; "none" without triangles.
+/// Describes the orientation of the triangles; "none" without triangles.
 std::string winding(const ShapeDiagnostics& found, double volume) {
   if (found.triangles == 0) return "none";
   if (found.inconsistent_edges > 0 || found.non_manifold_edges > 0) return "inconsistent";
@@ -81,8 +81,8 @@ std::string winding(const ShapeDiagnostics& found, double volume) {
   return volume > 0 ? "outward" : "inward";
 }
 
-/// Place, volume, genus and winding; null where the shape has none: a volume and a genus take a closed mesh, oriented
-/// alike, whose edges are of two triangles each.
+/// Returns position, volume, genus and winding; null if undefined. Volume and genus need a closed, consistently
+/// oriented mesh with two triangles at every edge.
 OrderedJson geometry_json(const Shape& shape, const ShapeDiagnostics& found) {
   const Eigen::AlignedBox3d box = bounding_box(shape);
   const bool solid = found.watertight && found.non_manifold_edges == 0 && found.inconsistent_edges == 0;

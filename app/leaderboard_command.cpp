@@ -104,7 +104,7 @@ void write_outputs(const Leaderboard& board, const JudgingOptions& options, cons
                    update.written, update.unchanged, update.removed));
 }
 
-// Each warning once, with the submissions that it is about.
+// Prints each warning once, with the submissions that it concerns.
 void print_remarks(const Leaderboard& board) {
   std::vector<std::pair<std::string, std::vector<std::string>>> remarks;
   for (const JudgedSubmission& judged : board.submissions) {
@@ -120,7 +120,7 @@ void print_remarks(const Leaderboard& board) {
   }
 }
 
-// Says what is wrong with which submission; the exit status.
+// Prints the reasons for refused submissions; returns the exit status.
 int report_submissions(const Leaderboard& board, const FoundSubmissions& found) {
   print_remarks(board);
   if (!found.skipped.empty()) {

@@ -25,7 +25,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Keeps freed memory for the next shape: structures of tens of megabytes come and go with every one.
+/// Keeps freed memory for the next shape, since buffers of tens of megabytes are allocated for every one.
 void keep_memory() {
 #ifdef __GLIBC__
   constexpr int large = 256 << 20;
@@ -40,14 +40,14 @@ int report(const std::string& message, int status) {
   return status;
 }
 
-/// The full name of the innermost command that was parsed: "shapegauge dataset info".
+/// Returns the full name of the innermost parsed command: "shapegauge dataset info".
 std::string command_in(const CLI::App& app) {
   std::string command = app.get_name();
   for (const CLI::App* chosen : app.get_subcommands()) command += " " + command_in(*chosen);
   return command;
 }
 
-/// The long options of a command and of those that it belongs to.
+/// Returns the long options of a command and of its parents.
 std::vector<std::string> option_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* level = &app; level != nullptr; level = level->get_parent()) {
@@ -74,8 +74,8 @@ std::string unknown_option(const CLI::App& app, const std::string& name) {
   return fmt::format("there is no option {}{}", name, meant ? fmt::format("; did you mean {}?", *meant) : "");
 }
 
-/// An error for the first word of the arguments that is neither a command nor an option where it stands. The parser
-/// itself would say what is missing instead, and suggest nothing.
+/// Returns an error for the first argument that is neither a command nor an option. CLI11 itself would report what is
+/// missing, without suggestions.
 std::optional<std::string> unknown_word(const CLI::App& program, std::span<const std::string> arguments) {
   const CLI::App* app = &program;
   for (std::size_t i = 0; i < arguments.size() && arguments[i] != "--"; ++i) {
@@ -103,7 +103,7 @@ std::optional<std::string> unknown_word(const CLI::App& program, std::span<const
   return std::nullopt;
 }
 
-/// "help run" is "run --help".
+/// Converts "help run" to "run --help".
 std::vector<std::string> without_help_command(std::span<const std::string> arguments) {
   std::vector<std::string> words(arguments.begin(), arguments.end());
   if (words.empty() || words.front() != "help") return words;
@@ -130,7 +130,7 @@ int parse_and_run(CLI::App& app, std::span<const std::string> given) {
   return exit_success;
 }
 
-/// Does what the arguments (without the program's name) say. Returns the exit status.
+/// Runs the command of the arguments (without the program's name). Returns the exit status.
 int run_command(std::span<const std::string> arguments) {
   CLI::App app("Shape diameter function, shape signatures and retrieval evaluation", "shapegauge");
   int status = exit_success;
@@ -152,8 +152,8 @@ int run_command(std::span<const std::string> arguments) {
   return status;
 }
 
-/// The program. Results go to standard output or files, messages and progress to standard error. Results that do not
-/// reach standard output (a full disk) are an error like any other; a closed pipe only sets the status.
+/// Runs the program. Results go to standard output or files, messages and progress to standard error. A failure to
+/// write standard output (a full disk) is an error; a closed pipe only sets the status.
 int run_program(std::span<const std::string> arguments) {
   const int status = run_command(arguments);
   const int error = output_error();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t text_width = 100;
 
-/// The words on lines of the text width, each behind so many blanks.
+/// Wraps words to the text width, with indentation.
 std::string wrapped(std::string_view words, std::size_t indent) {
   std::string text;
   std::string line(indent, ' ');

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the path names a device or an open file: /dev/stdout, /proc/self/fd/1.
+/// Returns true for the path of a device or an open file: /dev/stdout, /proc/self/fd/1.
 bool is_system_path(const fs::path& path) {
   const std::string name = path.lexically_normal().string();
   return name.starts_with("/dev/") || name.starts_with("/proc/");
 }
 
-/// Whether the path is, or will be, a file or folder on the disk.
+/// Returns true for the path of an existing or future file or folder on disk.
 bool is_on_disk(const fs::path& path) {
   if (path.empty() || is_standard_stream(path) || is_system_path(path)) return false;
   std::error_code unknown;
@@ -33,7 +33,7 @@ bool is_on_disk(const fs::path& path) {
   return !fs::exists(status) || fs::is_regular_file(status) || fs::is_directory(status);
 }
 
-/// Equal for two paths that are the same file, whether it exists or not.
+/// Returns a key that is equal for all paths of the same file, existing or not.
 std::string identity_of(fs::path path) {
   struct stat status = {};
   if (::stat(path.c_str(), &status) == 0) return fmt::format("{}:{}", status.st_dev, status.st_ino);

@@ -27,13 +27,15 @@ namespace shapegauge {
 
 namespace {
 
-/// The options of a kind of perturbation. That of its first parameter asks for it; of a kind without parameters a flag.
+/// Options of a kind of perturbation. The option of the first parameter enables it; a kind without parameters has a
+/// flag.
 struct StepOptions {
   std::string_view type;
-  std::vector<std::string_view> names;  ///< of the parameters; absent: made from the type's and the parameter's name
+  std::vector<std::string_view>
+      names;  ///< option names of the parameters; missing ones are made from the names of type and parameter
 };
 
-/// The order of the changes, and of the options in the help. Types that are not here follow.
+/// Order of the perturbations, and of their options in the help. Other types follow.
 const std::vector<StepOptions> first_steps{{"decimate", {"--decimate"}},
                                            {"vertex_noise", {"--noise", "--noise-distribution"}},
                                            {"remove_faces", {"--remove-faces"}},
@@ -51,7 +53,7 @@ std::vector<StepOptions> all_steps() {
   return steps;
 }
 
-/// What is asked of one kind of perturbation.
+/// Requested perturbation of one kind.
 struct AskedStep {
   const ShapePerturbation* kind;
   bool wanted = false;
@@ -61,7 +63,7 @@ struct AskedStep {
 struct PerturbArguments {
   ShapeFiles files{.output_format = "off"};
   std::uint64_t seed = 1;
-  std::deque<AskedStep> steps = {};  ///< where the options write to
+  std::deque<AskedStep> steps = {};  ///< filled by the options
 };
 
 /// Adds the options of one kind of perturbation.
@@ -89,7 +91,7 @@ void add_step_options(CLI::App& command, const StepOptions& options, AskedStep& 
   }
 }
 
-/// The steps that were asked for.
+/// Returns the requested steps.
 nlohmann::json steps_of(const PerturbArguments& arguments) {
   nlohmann::json steps = nlohmann::json::array();
   for (const AskedStep& step : arguments.steps) {

@@ -40,10 +40,10 @@ struct RerankArguments {
   int threads = 0;
 };
 
-/// Above so many models the whole matrix need not be in memory.
+/// Number of models above which the sparse solver is used, and the matrix need not be in memory.
 constexpr Eigen::Index most_dense = 5000;
 
-/// Diffusion of a matrix of any size to a .npy file, some rows at a time.
+/// Diffuses a matrix of any size into a .npy file in blocks of rows.
 void diffuse_file(const OpenMatrix& matrix, const DiffusionOptions& options, const fs::path& output) {
   const fs::path unfinished = output.string() + ".part";
   const auto size = static_cast<std::size_t>(matrix.rows);
@@ -113,7 +113,7 @@ int run(const RerankArguments& arguments) {
   return exit_success;
 }
 
-/// Adds an option for each parameter of any method.
+/// Adds an option for each parameter of all methods.
 void add_settings(CLI::App& command, RerankArguments& arguments) {
   std::map<std::string_view, std::pair<const Parameter*, std::string>> options;
   for (const RerankMethod& method : rerank_methods().entries()) {

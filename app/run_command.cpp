@@ -36,21 +36,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is to be run: a configuration, or a recorded run.
+/// Source of a run: a configuration, or the manifest of a recorded run.
 struct RunSource {
   fs::path configuration;
-  std::vector<std::string> overrides;  ///< of the configuration, see apply_overrides
-  fs::path replay;                     ///< the manifest of the run to repeat, instead of a configuration
-  fs::path dataset_root;               ///< with replay: where the data set is here; empty: where it was then
+  std::vector<std::string> overrides;  ///< of the configuration, see apply_overrides()
+  fs::path replay;                     ///< manifest of the run to repeat, in place of a configuration
+  fs::path dataset_root;               ///< folder of the data set for a replay; if empty, the recorded one
 };
 
-/// An experiment to be run: its configuration and where it comes from.
+/// Experiment to run: its configuration and its source.
 // NOLINTNEXTLINE(bugprone-exception-escape): JSON moves without exceptions, which the check does not see
 struct RequestedRun {
   nlohmann::json document;
-  std::string source;       ///< what messages call it
-  fs::path folder;          ///< that paths are relative to
-  nlohmann::json recorded;  ///< the manifest of the run that this one repeats; null for a new one
+  std::string source;       ///< name in messages
+  fs::path folder;          ///< base of relative paths
+  nlohmann::json recorded;  ///< manifest of the run to repeat; null for a new run
 };
 
 struct RunArguments {
@@ -63,7 +63,7 @@ struct RunArguments {
   CacheOption cache;
 };
 
-/// Reads what is to be run. Throws InputError where it cannot be read or contradicts itself.
+/// Reads the requested run. Throws InputError if it cannot be read or is inconsistent.
 RequestedRun requested_run(const RunSource& source) {
   if (!source.replay.empty()) {
     RequestedRun request;
@@ -83,7 +83,7 @@ RequestedRun requested_run(const RunSource& source) {
           .recorded = {}};
 }
 
-/// Throws InputError where the results would overwrite what the run reads: its data set, configuration or manifest.
+/// Throws InputError if the results would overwrite an input: data set, configuration or manifest.
 void check_results_folder(const fs::path& folder, const RunSource& source,
                           const std::optional<DatasetLocation>& dataset = std::nullopt) {
   std::vector<fs::path> inputs{source.configuration, source.replay};
@@ -98,7 +98,7 @@ void check_results_folder(const fs::path& folder, const RunSource& source,
   check_output_files(inputs, outputs, true);
 }
 
-/// Throws InputError for a chart that cannot be written.
+/// Throws InputError if the chart cannot be written.
 void check_plot(const RunArguments& arguments) {
   if (arguments.plot.empty()) return;
   check_drawing_file(arguments.plot);
@@ -107,13 +107,13 @@ void check_plot(const RunArguments& arguments) {
   check_output_files(inputs, outputs, arguments.replace || arguments.force);
 }
 
-/// Warns, before a repeated run begins, of inputs that are not the recorded ones.
+/// Warns of changed inputs before a repeated run starts.
 void warn_of_inputs(const RequestedRun& request, const Experiment& experiment, int threads) {
   if (request.recorded.is_null() || !experiment.inputs) return;
   warn_of_changed_inputs(changed_inputs(request.recorded.at("inputs"), experiment.inputs(threads)));
 }
 
-/// At the end of its scope, however a run ends, says on standard error what the cache could not do.
+/// Prints the cache's warnings on destruction, however a run ends.
 class CacheWarnings {
  public:
   CacheWarnings(const Cache& cache, ProgressLine& progress) : cache_(&cache), progress_(&progress) {}
@@ -132,13 +132,13 @@ class CacheWarnings {
   ProgressLine* progress_;
 };
 
-/// The folder for the results of the experiment of that name; a repeated run does not overwrite the recorded one.
+/// Returns the result folder for an experiment's name; a replay does not overwrite the recorded results.
 fs::path result_folder(const RunArguments& arguments, const std::string& name) {
   if (!arguments.output.empty()) return arguments.output;
   return fs::path("results") / (file_safe_name(name) + (arguments.source.replay.empty() ? "" : "-replay"));
 }
 
-/// The cache that is asked for. A repeated run takes nothing from it: it has to compute everything again.
+/// Opens the requested cache. A replay does not read from it.
 std::unique_ptr<Cache> cache_for(const RunArguments& arguments) {
   return std::make_unique<Cache>(chosen_cache(arguments.cache), arguments.force || !arguments.source.replay.empty());
 }
@@ -152,14 +152,14 @@ RunControl run_control(const RunArguments& arguments, ProgressLine& progress) {
           }};
 }
 
-/// What an interrupted run says.
+/// Returns the message of an interrupted run.
 std::string interruption_text(const Cache& cache) {
   return cache.folder().empty() ? "interrupted; no results were written"
                                 : "interrupted; no results were written. Completed shapes are in the cache; the same "
                                   "command continues from there";
 }
 
-/// The experiment, through the cache, into the folder.
+/// Runs the experiment with the cache and publishes its results in the folder.
 RunOutcome run_with_cache(const RunArguments& arguments, const Experiment& experiment, const fs::path& folder,
                           ProgressLine& progress, Communicator& ranks) {
   const std::unique_ptr<Cache> cache = cache_for(arguments);
@@ -172,7 +172,7 @@ RunOutcome run_with_cache(const RunArguments& arguments, const Experiment& exper
   }
 }
 
-/// Prints what a run has to say at its end; returns the exit status.
+/// Prints the summary and remarks of a run; returns the exit status.
 int report_run(const RunOutcome& outcome, const RunArguments& arguments, const RequestedRun& request,
                const fs::path& folder) {
   print_output("{}\n{}Results in {}\n", outcome.summary, cache_text(outcome.cache), printable(folder.string()));
@@ -211,12 +211,12 @@ int run_request(const RunArguments& arguments, Communicator& ranks) {
 
 // Runs of several processes.
 
-/// While it lives, says at once that the run was interrupted: who ends the processes of a run, because one of them died
-/// or the job's time is over, waits for a second only.
+/// Reports an interruption immediately during its lifetime: after the failure of a process or at the end of a job,
+/// launchers wait for only a second before they kill the processes.
 class InterruptionNotice {
  public:
   InterruptionNotice(const Communicator& ranks, std::string text) {
-    // Two of them: the first may be the one that died.
+    // Two ranks, since the first may have failed.
     if (ranks.rank() > 1) return;
     thread_ = std::thread([this, text = fmt::format("rank {}: {}", ranks.rank(), text)] {
       while (!ended_ && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -239,8 +239,8 @@ class InterruptionNotice {
   std::thread thread_;
 };
 
-/// This process's part of a run of several. Rank 0 says what there is to say. Where something happens that the others
-/// do not know of, this process says it and ends all.
+/// Runs this process's part of a run of several. Rank 0 prints shared messages. On an error unknown to the others, this
+/// process prints it and aborts all.
 int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
   if (arguments.threads == 0) arguments.threads = 1;
   if (ranks.rank() != 0) set_verbosity(Verbosity::quiet);
@@ -253,7 +253,7 @@ int run_as_one_of_many(RunArguments arguments, Communicator& ranks) {
     return run_request(arguments, ranks);
   } catch (const SharedError& error) {
     if (ranks.rank() == 0) print_error(error.what());
-    ranks.broadcast({});  // a process that ends with an error is reason to kill the others: not before it is said
+    ranks.broadcast({});  // launchers kill the others when a process fails: report first
     return exit_unusable_input;
   } catch (const Interrupted&) {
     notice.end();

@@ -40,7 +40,7 @@ struct SdfArguments {
   std::string method;
   std::string site = "faces";
   OffsetArguments offset{.offset = "0.05"};
-  ParameterTexts settings;  ///< of the method, but for the offset
+  ParameterTexts settings;  ///< of the method, without the offset
   bool denoise = false;
   fs::path timings;
   std::string picture_size = "640x480";
@@ -52,7 +52,7 @@ struct SdfArguments {
   fs::path plot;
 };
 
-/// The numbers between the separators; none where a word is no number.
+/// Parses the numbers between separators; empty if a word is not a number.
 std::vector<double> numbers_in(const std::string& text, char separator) {
   std::vector<double> numbers;
   std::istringstream words(text);
@@ -94,7 +94,7 @@ FieldPicture picture_of(const SdfArguments& arguments) {
                                  quoted_word(arguments.view)));
   }
   picture.render.towards_viewer = Eigen::Vector3d(direction[0], direction[1], direction[2]);
-  // Seen from straight above or below, the back of the shape is up.
+  // In a view from straight above or below, the back of the shape is at the top.
   if (picture.render.towards_viewer.cross(picture.render.up).norm() <= 1e-6 * picture.render.towards_viewer.norm()) {
     picture.render.up = -Eigen::Vector3d::UnitZ();
   }
@@ -103,7 +103,7 @@ FieldPicture picture_of(const SdfArguments& arguments) {
 
 bool is_offset_sdf(const SdfArguments& arguments) { return arguments.method == "offset_sdf"; }
 
-/// The field that is asked for. `offset`: of the offset SDF; none: automatic.
+/// Makes the requested field. `offset` is that of the offset SDF; automatic if absent.
 Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) {
   FieldSettings settings = field_settings(arguments.method);
   settings.samples.site = arguments.site == "vertices" ? SampleSite::vertices : SampleSite::faces;
@@ -113,14 +113,14 @@ Field wanted_field(const SdfArguments& arguments, std::optional<double> offset) 
   return make_field(std::move(settings));
 }
 
-/// What was computed of a shape.
+/// Values computed for a shape.
 struct Computed {
-  std::optional<ChosenOffset> chosen;  ///< with the offset method only
+  std::optional<ChosenOffset> chosen;  ///< for the offset method only
   Samples samples;
   FieldValues field;
 };
 
-/// Errors name the input.
+/// Computes the field of a shape. Errors name the input.
 Computed compute(const SdfArguments& arguments, const GivenOffset& given_offset, const Shape& shape,
                  const std::string& input) {
   try {
@@ -151,7 +151,7 @@ void remark_on(const FieldOutcomes& outcomes, Remarks& remarks) {
   for (std::string& warning : outcome_warnings(outcomes)) remarks.warnings.push_back(std::move(warning));
 }
 
-/// The method of a short name or, with a note, of a former one.
+/// Resolves a short or, with a note, former name of a method.
 std::string with_method_name(std::string text) {
   if (text == "ball") return "inscribed_ball";
   if (text != "offset" && text != "cone") return text;
@@ -159,7 +159,7 @@ std::string with_method_name(std::string text) {
   return text + "_sdf";
 }
 
-/// Adds --opening-angle, which is now --opening-angle-degrees and not in the help.
+/// Adds the former --opening-angle (now --opening-angle-degrees), hidden from the help.
 void add_former_options(CLI::App& command, SdfArguments& arguments) {
   const auto take = [&arguments](const std::string& angle) {
     note("--opening-angle is now --opening-angle-degrees");
@@ -179,7 +179,7 @@ void add_settings(CLI::App& command, SdfArguments& arguments) {
   }
 }
 
-/// What --summary and --plot need of a shape that could be measured.
+/// Data of a measured shape for --summary and --plot.
 struct Measured {
   std::string name;
   ScalarField field;
@@ -199,7 +199,7 @@ void print_summaries(const SdfArguments& arguments, const std::vector<NamedSumma
   print_output("{}", arguments.format == "latex" ? to_latex(table) : to_plain_text(table));
 }
 
-/// Shares of the area by value, in bins over one range for all shapes.
+/// Draws the distribution of values by area, with common bins for all shapes.
 Drawing histogram_plot(const SdfArguments& arguments, const std::vector<Measured>& shapes,
                        const FieldPicture& picture) {
   constexpr std::size_t bins = 48;

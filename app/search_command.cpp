@@ -51,7 +51,7 @@ SearchMethod chosen_method(const SearchArguments& arguments) {
   return recommended_search_method();
 }
 
-/// A search of the program, from its arguments to what it prints.
+/// A search, from the arguments to the printed results.
 class SearchRun {
  public:
   explicit SearchRun(const SearchArguments& arguments)

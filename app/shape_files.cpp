@@ -26,14 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The extensions of shapes without their dots.
+/// Returns the extensions of shape formats without their dots.
 std::vector<std::string> input_formats() {
   std::vector<std::string> formats;
   for (const std::string_view extension : shape_extensions()) formats.emplace_back(extension.substr(1));
   return formats;
 }
 
-/// Whether the outputs go into a folder.
+/// Returns true if the outputs go into a folder.
 bool fills_folder(const ShapeFiles& files) {
   if (files.output.empty() || is_standard_stream(files.output)) return false;
   return files.inputs.size() > 1 || !files.output.has_filename() || fs::is_directory(files.output);
@@ -48,7 +48,7 @@ void check_inputs(const ShapeFiles& files) {
   }
 }
 
-/// What the jobs and the command as a whole write.
+/// Returns all output files of the jobs and of the command.
 std::vector<OutputFile> outputs_of(const ShapeFiles& files, const std::vector<ShapeJob>& jobs) {
   std::vector<OutputFile> outputs;
   for (const ShapeJob& job : jobs) {
@@ -93,7 +93,7 @@ Shape read_input(const fs::path& input, const std::string& format) {
                   source.name, fmt::join(input_formats(), ", ")));
 }
 
-/// Does one job; what goes to standard output is written to a file first, as the writers need a name.
+/// Runs one job. Output for standard output is written to a file first, because writers need a name.
 void do_job(const ShapeFiles& files, ShapeJob job,
             const std::function<void(const Shape&, const ShapeJob&, Remarks&)>& work, Remarks& remarks) {
   const Stopwatch stopwatch;

@@ -15,7 +15,7 @@ namespace shapegauge {
 void hold_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
-    // The lowest free descriptor is that of the stream. Opened for the wrong direction: its use stays an error.
+    // The lowest free descriptor is that of the stream. Opened for the wrong direction, its use stays an error.
     [[maybe_unused]] const int opened = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }

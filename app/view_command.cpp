@@ -49,14 +49,14 @@ struct ViewArguments {
   bool denoise = false;
 };
 
-/// A field that is asked for.
+/// Requested field.
 struct WantedField {
-  std::string name;  ///< what the page calls it
+  std::string name;  ///< name on the page
   FieldSettings settings;
-  bool chooses_offset = false;  ///< --offset is its offset
+  bool chooses_offset = false;  ///< uses --offset
 };
 
-/// "offset_sdf,offset=0.03", or JSON as of a configuration: the type and settings of a field.
+/// Parses the type and settings of a field: "offset_sdf,offset=0.03", or JSON as in a configuration.
 Json field_settings_of(const std::string& text, const std::string& source) {
   if (text.starts_with('{')) return parse_json(text, source);
   std::istringstream words(text);
@@ -90,7 +90,7 @@ WantedField wanted_field(const std::string& text) {
   return {.name = std::move(name), .settings = field.settings, .chooses_offset = chooses_offset};
 }
 
-/// Those of --field or, without any, the two SDFs.
+/// Returns the fields of --field or, without any, the two SDFs.
 std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offset_given) {
   if (arguments.fields.empty()) return {wanted_field("offset_sdf"), wanted_field("cone_sdf")};
   std::vector<WantedField> fields;
@@ -107,7 +107,7 @@ std::vector<WantedField> wanted_fields(const ViewArguments& arguments, bool offs
   return fields;
 }
 
-/// Adds a field to the view, and the normals of the first one that estimates them.
+/// Adds a field to the view, with the normals of the first one that estimates them.
 void add_field(const WantedField& wanted, const GivenOffset& offset, const ColourChoice& colours, FieldSource& source,
                const Samples& samples, ShapeView& view, Remarks& remarks) {
   FieldSettings settings = wanted.settings;
@@ -139,8 +139,8 @@ void add_field(const WantedField& wanted, const GivenOffset& offset, const Colou
   if (view.normals.rows() == 0) view.normals = std::move(computed.normals);
 }
 
-/// What is up in a shape: what --up says or, where that is "auto", what files of its kind usually have: z in those of
-/// CAD, printing and scanning (STL, PLY, 3MF, lines of points), y in the others. Nothing for "principal".
+/// Returns the vertical direction of --up or, for "auto", the convention of the file format: z for CAD, printing and
+/// scanning (STL, PLY, 3MF, text clouds), y for the others. Nothing for "principal".
 std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string& input) {
   if (word == "principal") return std::nullopt;
   std::string axis = word;
@@ -154,7 +154,7 @@ std::optional<Eigen::Vector3d> up_of(const std::string& word, const std::string&
   return up;
 }
 
-/// The parts as `shapegauge segment` cuts them; without them where a shape cannot be cut.
+/// Adds parts as `shapegauge segment` computes them; remarks on shapes that cannot be segmented.
 void add_parts(int wanted, ShapeView& view, Remarks& remarks) {
   try {
     view.parts = part_segmentation(view.shape, {.parts = wanted});
@@ -180,7 +180,7 @@ ShapeView measured(const ViewArguments& arguments, const std::vector<WantedField
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
   for (const WantedField& field : fields) {
-    // Nobody asked for what a cloud cannot have.
+    // Silently skips a default field that clouds do not have.
     if (cloud && arguments.fields.empty() && field.settings.type == "cone_sdf") continue;
     add_field(field, offset, colours, source, samples, view, remarks);
   }

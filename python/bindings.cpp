@@ -69,7 +69,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// The offset that a field of these settings is computed with on the shape; none for a field without one.
+/// Returns the offset of a field with these settings on the shape; nothing for a field without one.
 std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& values, const Shape& shape) {
   const ParameterValues& settings = field.settings.values;
   if (std::ranges::find(settings.parameters(), "offset", &Parameter::name) == settings.parameters().end()) {
@@ -77,7 +77,7 @@ std::optional<ChosenOffset> offset_of(const Field& field, const FieldValues& val
   }
   const auto* const given = std::get_if<double>(&settings.value("offset"));
   ChosenOffset chosen = choose_offset(given != nullptr ? *given : values.offset.value(), shape);
-  // Chosen by the field already: only that it was chosen matters to leak_warning(), not by which gaps and noise.
+  // Already chosen by the field; leak_warning() only needs to know that it was automatic.
   if (given == nullptr) chosen.automatic.emplace();
   return chosen;
 }
@@ -122,7 +122,7 @@ py::dict field(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
   return result;
 }
 
-/// The parts, and warnings.
+/// Returns the parts and warnings.
 py::tuple segment(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const Triangles>& faces,
                   const Eigen::Ref<const Points>& normals, const std::string& settings, int threads) {
   struct Computed {
@@ -166,13 +166,13 @@ py::array describe(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<co
   }));
 }
 
-/// What the rows and columns of a matrix are, and how it is judged.
+/// Rows and columns of a matrix, and options of its evaluation.
 struct WantedEvaluation {
-  std::vector<int> labels;                   ///< of the rows; below 0: no class
-  std::vector<int> targets;                  ///< of the columns, where they are other models; else empty
-  std::optional<Eigen::MatrixXi> relevance;  ///< grades in place of classes; 0: not relevant
+  std::vector<int> labels;                   ///< of the rows; negative for no class
+  std::vector<int> targets;                  ///< of the columns, if they are other models; otherwise empty
+  std::optional<Eigen::MatrixXi> relevance;  ///< grades in place of classes; 0 for not relevant
   bool square = true;                        ///< row i and column i are the same model
-  bool negated = false;                      ///< the distances are similarities
+  bool negated = false;                      ///< the values are similarities
   EvaluationOptions options;
 };
 
@@ -199,8 +199,8 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
 
 int class_or_none(int label) { return label < 0 ? no_class : label; }
 
-/// The task of every model as a query to all others, or of the rows as queries to the columns. A model with a label
-/// below 0 has no class: it is no query, and relevant to none.
+/// Makes the task with every model as a query to all others, or with rows as queries to columns. A model with a
+/// negative label has no class: it is not a query, and relevant to none.
 RetrievalTask task_of(const WantedEvaluation& wanted) {
   RetrievalTask task = leave_one_out(wanted.labels);
   std::ranges::transform(wanted.labels, task.query_classes.begin(), class_or_none);
@@ -225,7 +225,7 @@ RetrievalTask task_of(const WantedEvaluation& wanted) {
   return task;
 }
 
-/// An evaluation, and warnings about the matrix.
+/// Evaluation with warnings about the matrix.
 struct EvaluatedMatrix {
   std::shared_ptr<Evaluation> evaluation;
   std::vector<std::string> warnings;
@@ -260,7 +260,7 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
   });
 }
 
-/// Low and high ends by measure, of the averages over queries and over classes; empty without enough to draw from.
+/// Returns low and high ends by measure, of the averages over queries and over classes; empty for too few units.
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
   const auto known_blocks = blocks_of(blocks);
@@ -278,7 +278,7 @@ py::tuple intervals(const Evaluation& evaluation, double confidence, const std::
   return py::make_tuple(ends(found.micro), ends(found.macro));
 }
 
-/// An evaluation as a tuple that pickle takes, and back.
+/// Converts an evaluation to a tuple for pickle, and back.
 /// @{
 py::tuple state_of(const Evaluation& evaluation) {
   py::list curves;
@@ -378,7 +378,7 @@ void bind_evaluation(py::module_& module) {
              });
 }
 
-/// Methods side by side, as the command `compare` has them.
+/// Comparison of methods, as by the command `compare`.
 struct ComparedMethods {
   AlignedMethods methods;
   std::vector<MethodComparison> comparisons;
@@ -453,20 +453,20 @@ py::array rerank(const Eigen::Ref<const DistanceMatrix>& distances, const std::s
   }));
 }
 
-/// The sum of distances of which `settings` says the terms, as a signature of a configuration does.
+/// Computes the sum of distances with the terms in `settings`, as in a signature of a configuration.
 py::array fuse(const std::vector<DistanceMatrix>& distances, const std::string& settings, int threads) {
   return array_of(compute(threads, [&] { return make_derived("sum", Json::parse(settings)).compute(distances); }));
 }
 
-/// Results of a run as Python has them.
+/// Results of a run for Python.
 struct FinishedRun {
   std::string summary;
   std::vector<std::string> warnings;
   std::vector<std::string> left_out;
 };
 
-/// `document`: the configuration as JSON, or empty: that in the file `source`, which is what messages call it; relative
-/// paths begin at `folder`.
+/// Runs the configuration `document` (JSON) or, if it is empty, that of the file `source`, which is its name in
+/// messages. Relative paths are relative to `folder`.
 FinishedRun run_configuration(const std::string& document, const std::string& source, const fs::path& folder,
                               const std::vector<std::string>& overrides, const fs::path& output, bool replace,
                               const std::optional<fs::path>& cache_folder, int threads,

@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::chrono::milliseconds polling_interval{50};
 
-/// Runs the handlers of pending signals; whether one raised, which sets the calling thread's exception.
+/// Runs the handlers of pending signals; returns true if one raised, which sets the calling thread's exception.
 bool signal_raised() {
   const py::gil_scoped_acquire acquired;
   return PyErr_CheckSignals() != 0;
 }
 
-/// Waits for the end of the work or for a signal whose handler raises; whether it was the signal.
+/// Waits for the end of the work or for a signal whose handler raises; returns true for a signal.
 bool signal_before_end(const std::future<void>& done) {
   while (done.wait_for(polling_interval) != std::future_status::ready) {
     if (signal_raised()) return true;

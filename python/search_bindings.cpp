@@ -1,4 +1,4 @@
-// Searches, as shapegauge/_search.py uses them.
+// Searches, for shapegauge/_search.py.
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a search compares by: the recommended method, or a configuration's.
+/// Method of a search: the recommended one, or that of a configuration.
 struct WantedMethod {
-  std::string configuration;  ///< as JSON; empty: that in the file `source`
-  std::string source;         ///< what messages call it; empty: the recommended method
-  std::string signature;      ///< empty: the last one
+  std::string configuration;  ///< as JSON; if empty, that of the file `source`
+  std::string source;         ///< name in messages; if empty, the recommended method
+  std::string signature;      ///< if empty, the last one
 };
 
-/// An open index, its cache, and what the last call had to say.
+/// Open index with its cache and the notes of the last call.
 struct NativeIndex {
   OpenIndex index;
   std::unique_ptr<Cache> cache;
@@ -63,7 +63,7 @@ std::unique_ptr<NativeIndex> open(const fs::path& collection, const std::optiona
   return opened;
 }
 
-/// A path, or the arrays of a shape.
+/// Makes a query from a path, or the arrays of a shape.
 SearchQuery query_of(const py::handle& given, std::size_t number) {
   if (!py::isinstance<py::tuple>(given)) {
     const auto file = given.cast<fs::path>();
@@ -81,8 +81,8 @@ std::vector<SearchQuery> queries_of(const py::list& given) {
   return queries;
 }
 
-/// By query its name, the model that it is (or None), the models found, their distances, and why there are none. With a
-/// page: the page's text behind them.
+/// Returns by query its name, the model that it equals (or None), the models found, their distances, and the reason for
+/// a missing answer. With a page, the page's text follows.
 py::tuple answer(NativeIndex& opened, const py::list& given, std::size_t count, bool rerank,
                  const std::optional<std::string>& page_title, int threads, const PythonProgress& progress) {
   const std::vector<SearchQuery> queries = queries_of(given);
@@ -114,7 +114,7 @@ std::vector<std::pair<std::string, std::string>> named_failures(const NativeInde
   return failures;
 }
 
-/// The names of the models and their files.
+/// Returns the names of the models and their files.
 std::vector<std::pair<std::string, std::string>> named_files(const NativeIndex& opened) {
   std::vector<std::pair<std::string, std::string>> files;
   for (const IndexedFile& model : opened.index.contents.models) {

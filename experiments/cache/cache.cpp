@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-/// All that comes before the content.
+/// Returns everything before the content.
 std::string header_of(EntryKind kind, std::string_view key, std::string_view content) {
   return fmt::format("shapegauge cache entry 1\n{} {}\n{} {}\n", name_of(kind), key, content.size(), sha256(content));
 }
@@ -70,7 +70,7 @@ void Cache::store(EntryKind kind, const std::string& key, const nlohmann::json& 
     fs::create_directories(path.parent_path(), failure);
     if (failure) throw InputError(fmt::format("cannot create {}: {}", path.parent_path().string(), failure.message()));
     write_cache_tag(folder_);
-    // Only what takes long to compute is worth waiting for the disk; all else is soon made of it again.
+    // Only results that take long to compute are worth flushing; others are quickly recomputed from them.
     const Flush flush = kind == EntryKind::field || kind == EntryKind::samples ? Flush::yes : Flush::no;
     write_file_atomically(path, encode_entry(kind, key, content), flush);
   } catch (const InputError& error) {

@@ -22,13 +22,13 @@ constexpr std::string_view tag =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder is a cache of shapegauge; see `shapegauge cache --help`. It can be removed at any time.\n";
 
-/// The value of an environment variable; nullptr where it is not set.
+/// Returns the value of an environment variable; null if not set.
 const char* variable(const char* name) {
   return std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here changes the environment
 }
 
-/// An absolute path in an environment variable; empty where there is none. The XDG specification has relative ones
-/// ignored.
+/// Returns the absolute path in an environment variable; empty if there is none. The XDG specification ignores relative
+/// paths.
 fs::path folder_in(const char* name) {
   const char* value = variable(name);
   const fs::path path = value == nullptr ? "" : value;
@@ -47,8 +47,8 @@ bool is_entry_folder(const fs::directory_entry& entry) {
   return name.size() == digits_of_folder && is_hexadecimal(name) && entry.is_directory() && !entry.is_symlink();
 }
 
-/// The file, where its name is one that caches give: <62 digits>.<kind>, or that with an ending
-/// ".<number>-<number>.part" while it is written.
+/// Returns the file if its name is one of a cache entry: <62 digits>.<kind>, with ".<number>-<number>.part" while it is
+/// being written.
 std::optional<CacheFile> cache_file(const fs::directory_entry& entry) {
   const std::string name = entry.path().filename().string();
   constexpr std::size_t digits = digits_of_key - digits_of_folder;
@@ -77,7 +77,7 @@ CacheContents contents_of(const std::vector<CacheFile>& files) {
   return contents;
 }
 
-/// Removes the folders of entries that are empty, the tag where no other folder is left, and the cache's folder.
+/// Removes empty folders of entries, the tag if no other folder is left, and the cache's folder.
 void remove_empty_folders(const fs::path& cache) {
   std::error_code not_empty;
   std::vector<fs::path> folders;
@@ -180,7 +180,7 @@ void trim_cache(const fs::path& cache, std::uintmax_t limit) {
   }
   std::ranges::sort(files, {}, &CacheFile::last_used);
   std::uintmax_t bytes = contents_of(files).total().bytes;
-  // No entry takes that long to write: its run is no more.
+  // Writing an entry never takes that long: its run no longer exists.
   const auto abandoned = fs::file_time_type::clock::now() - std::chrono::hours(1);
   for (const CacheFile& file : files) {
     const bool remove = file.kind ? bytes > limit : file.last_used < abandoned;

@@ -42,7 +42,7 @@ const Shape& required_mesh(const Shape& shape) {
   return shape;
 }
 
-/// The value of the reference nearest to each point.
+/// Returns the value of the reference nearest to each point.
 Eigen::VectorXd nearest_values(const Points& points, const PlacedValues& reference) {
   const Shape sites{.vertices = reference.points, .triangles = {}};
   const UnitFrame frame = unit_frame(sites);
@@ -72,7 +72,7 @@ NormalErrors normal_errors(const TrueNormals& truth, const Points& points, const
   parallel_for(Eigen::Index{0}, points.rows(), [&](Eigen::Index i) {
     const Eigen::Vector3d expected = truth.at(points.row(i));
     const Eigen::Vector3d normal = normals.row(i);
-    // NaN, too, is a normal that is not there.
+    // NaN also means a missing normal.
     if (expected.squaredNorm() > 0 && normal.squaredNorm() > 0) {
       angles[i] = degrees_between(normal, expected, sided);
     } else {
@@ -102,7 +102,7 @@ ValueErrors value_errors(const PlacedValues& placed, const PlacedValues& referen
   if (placed.values.size() == 0 || reference.values.size() == 0) return {none, none, none, none};
   const Eigen::VectorXd expected = nearest_values(placed.points, reference);
   const Eigen::VectorXd errors = (placed.values - expected).cwiseAbs();
-  // Without an error there is none relative to a value of 0 either.
+  // Without an error, a value of 0 has no relative error either.
   const Eigen::VectorXd relative =
       errors.binaryExpr(expected, [](double error, double value) { return error == 0 ? 0 : error / std::abs(value); });
   const Eigen::VectorXd once = Eigen::VectorXd::Ones(errors.size());

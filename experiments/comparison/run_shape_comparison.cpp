@@ -23,14 +23,14 @@ namespace shapegauge {
 
 namespace {
 
-/// What the shapes of a comparison are compared with.
+/// Reference data of a comparison.
 struct ReferenceShape {
   double diagonal = 0;
-  std::optional<TrueNormals> normals;  ///< where it is a mesh
+  std::optional<TrueNormals> normals;  ///< if it is a mesh
   std::vector<PlacedValues> values;    ///< by field
 };
 
-/// A shape of a comparison with all that the histograms need.
+/// Shape of a comparison with the data for its histograms.
 struct MeasuredShape {
   ShapeMeasurement measurement;
   ModelDescription description;
@@ -58,9 +58,9 @@ FieldMeasurement measure_field(const Samples& samples, const FieldValues& comput
   return measurement;
 }
 
-/// Reads, perturbs and prepares the shape of this index, and computes the planned fields on it.
-/// - `reference`: what to compare with; nullptr: nothing. Measuring the reference itself fills it.
-/// Throws what describe_shape throws, and Interrupted between fields.
+/// Reads, perturbs and prepares the shape of this index, and computes the planned fields on it. `reference` is the
+/// shape to compare with, or null; measuring the reference itself fills it. Throws as describe_shape() does, and
+/// Interrupted between fields.
 MeasuredShape measure_shape(const ShapeComparison& comparison, std::size_t index, std::span<const PlannedField> plan,
                             ReferenceShape* reference, const RunControl& control) {
   const ComparedShape& source = comparison.shapes[index];
@@ -94,7 +94,7 @@ MeasuredShape measure_shape(const ShapeComparison& comparison, std::size_t index
   return measured;
 }
 
-/// The shapes' indices, the reference first: the others are compared with it.
+/// Returns the shapes' indices with the reference first, to which the others are compared.
 std::vector<std::size_t> measuring_order(const ShapeComparison& comparison) {
   std::vector<std::size_t> order(comparison.shapes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -105,7 +105,7 @@ std::vector<std::size_t> measuring_order(const ShapeComparison& comparison) {
   return order;
 }
 
-/// Why a shape failed; throws where the comparison cannot go on without it.
+/// Returns why a shape failed; throws if the comparison cannot continue without it.
 std::string failure_of(const ShapeComparison& comparison, std::size_t index, const std::exception& error) {
   const std::string what = fmt::format("shape \"{}\": {}", comparison.shapes[index].name, error.what());
   if (comparison.reference == index) throw InputError(what + "; it is the reference: repair it or choose another");
@@ -113,13 +113,13 @@ std::string failure_of(const ShapeComparison& comparison, std::size_t index, con
   throw InputError(what + R"(; repair or remove it, or set "on_error" to "skip")");
 }
 
-/// What became of each shape.
+/// Results or failures by shape.
 struct Measured {
   std::vector<std::optional<MeasuredShape>> shapes;
-  std::vector<std::string> failures;  ///< by shape; empty for those that did not fail
+  std::vector<std::string> failures;  ///< by shape; empty for successful ones
 };
 
-/// Looks at the file of every shape before anything is computed.
+/// Checks the file of every shape before anything is computed.
 void check_files(const ShapeComparison& comparison, Measured& measured) {
   for (std::size_t i = 0; i < comparison.shapes.size(); ++i) {
     if (comparison.shapes[i].generated) continue;
@@ -155,7 +155,7 @@ Measured measure_shapes(const ShapeComparison& comparison, std::span<const Plann
   return measured;
 }
 
-/// The distances of all shapes from the reference, by its row.
+/// Computes the distances of all shapes from the reference at a row.
 std::vector<double> distances_from(std::size_t row, const Signatures& histograms, const std::string& distance) {
   const DistanceMatrix matrix = distance_matrix(histograms, distance);
   const auto distances = matrix.col(static_cast<Eigen::Index>(row));

@@ -24,7 +24,7 @@ using Row = std::vector<std::string>;
 
 std::string number(double value) { return fmt::format("{:.6g}", value); }
 
-/// Calls with the signature's index and name, and with each shape's index.
+/// Calls a function for each signature (index and name) and each shape (index).
 void for_each_row(const ShapeComparisonResults& results,
                   const std::function<void(std::size_t signature, std::size_t shape, Row names)>& add) {
   for (std::size_t i = 0; i < results.signatures.size(); ++i) {
@@ -43,7 +43,8 @@ void append(Row& row, const NormalErrors& errors) {
   for (const double value : {errors.mean, errors.median, errors.percentile_90}) row.push_back(number(value));
 }
 
-/// A row for each signature, shape and bin: the bin's number and bounds, and its fraction of the area.
+/// Makes a table with a row for each signature, shape and bin: the bin's number and bounds, and its fraction of the
+/// area.
 Table histograms_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "bin", "low", "high", "share"}, .rows = {}, .text_columns = 2};
   for_each_row(results, [&](std::size_t i, std::size_t j, const Row& names) {
@@ -59,7 +60,7 @@ Table histograms_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-/// A row for each signature and shape: its distance from the reference. No rows without a reference.
+/// Makes a table with a row for each signature and shape: its distance from the reference. No rows without a reference.
 Table distances_table(const ShapeComparisonResults& results) {
   const ShapeComparison& comparison = results.comparison;
   Table table{.header = {"signature", "shape", "reference", comparison.distance}, .rows = {}, .text_columns = 3};
@@ -72,7 +73,8 @@ Table distances_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-/// A row for each signature and shape: samples, those without a value, and the ValueErrors, if there are any.
+/// Makes a table with a row for each signature and shape: numbers of samples and of missing values, and ValueErrors if
+/// any.
 Table errors_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "missing", "median_of_diagonal", "percentile_90_of_diagonal",
                          "median_relative", "percentile_90_relative"},
@@ -93,7 +95,8 @@ Table errors_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-/// A row for each signature whose field estimates normals, and shape: the NormalErrors of those and of its own.
+/// Makes a table with a row for each shape and signature whose field estimates normals: NormalErrors of those and of
+/// the shape's own.
 Table normals_table(const ShapeComparisonResults& results) {
   Table table{
       .header = {"signature", "shape", "samples", "offset_mean_degrees", "offset_median_degrees",
@@ -111,7 +114,7 @@ Table normals_table(const ShapeComparisonResults& results) {
   return table;
 }
 
-/// A row for each signature and shape: how long things took. The one table that differs from run to run.
+/// Makes a table with a row for each signature and shape: run times. Only this table varies between runs.
 Table timings_table(const ShapeComparisonResults& results) {
   Table table{.header = {"signature", "shape", "samples", "read_seconds", "build_seconds", "query_seconds",
                          "microseconds_per_sample"},
@@ -140,7 +143,7 @@ Table shapes_table(const ShapeComparisonResults& results) {
   return with_shape_reports(std::move(table), reports, results.comparison.preparation, results.fields);
 }
 
-/// The tables that say how the shapes compare, by title; those without rows are left out.
+/// Returns the tables of comparison results by title, without empty ones.
 std::vector<std::pair<std::string, Table>> comparing_tables(const ShapeComparisonResults& results) {
   std::vector<std::pair<std::string, Table>> tables{
       {"Distances", distances_table(results)}, {"Errors", errors_table(results)}, {"Normals", normals_table(results)}};
@@ -211,7 +214,7 @@ RunOutcome write_files(const std::filesystem::path& folder, const ShapeCompariso
   return outcome;
 }
 
-/// Rank 0 measures alone: its times are those of a machine that does nothing else for the run.
+/// Runs on rank 0 alone, for undisturbed run times.
 RunOutcome run_alone(const ShapeComparison& comparison, const RunContext& context) {
   return on_all_ranks(context.ranks, [&] {
     return context.ranks.rank() == 0 ? write_files(context.results, run_shape_comparison(comparison, context.control))

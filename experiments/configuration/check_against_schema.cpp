@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Something that a schema does not allow.
+/// Violation of a schema.
 struct Finding {
   std::vector<std::string> path;  ///< keys and indices from the root of the document
   std::string message;
@@ -38,8 +38,8 @@ bool has_type(const Json& value, const std::string& type) {
          (type == "integer" && value.is_number_integer()) || (type == "boolean" && value.is_boolean());
 }
 
-/// Finds what is wrong with a document, and where. The validator says only whether something is; what it reports
-/// besides is prose. Knows the keywords that the experiment schema uses.
+/// Finds the violations of a schema with their paths. The validator itself only reports that there are some, and prose.
+/// Supports the keywords of the experiment schema.
 class SchemaWalk {
  public:
   explicit SchemaWalk(const Json& root) : root_(&root) {}
@@ -140,7 +140,7 @@ class SchemaWalk {
     }
   }
 
-  /// The keys that a message names; "$schema" is the editors'.
+  /// Returns the keys for messages, without "$schema", which editors use.
   static std::vector<std::string> keys_of(const Json& properties) {
     std::vector<std::string> keys;
     for (const auto& property : properties.items()) {
@@ -173,7 +173,7 @@ bool is_valid(const Json& rules, const Json& configuration) {
   return validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(configuration), nullptr);
 }
 
-/// Rank of a finding: the larger, the more it tells. A misspelt key is why another is missing.
+/// Returns the priority of a finding, most informative first. A misspelt key explains a missing one.
 std::size_t weight(const Finding& finding) { return (finding.unknown_key ? 1000 : 0) + finding.path.size(); }
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace shapegauge {
 
 namespace {
 
-/// Two digits, rounded up, so that what is printed closes the gaps as well.
+/// Rounds up to two digits, which keeps the gaps closed.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(value / unit) * unit;
 }
 
-/// What an offset below the gaps of the shape should be instead.
+/// Recommends a replacement for an offset smaller than the gaps of the shape.
 std::string advice(const ChosenOffset& chosen, Audience audience) {
   const double enough = rounded_up(1.1 * chosen.gap);
   if (enough > 1) return "no offset closes them";

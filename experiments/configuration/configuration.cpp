@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 
 enum class Visit { not_yet, under_way, done };
 
-/// Appends the signature after its parts; the index of a signature that is a part of itself, or nothing.
+/// Appends the signature after its parts; returns the index of a signature that depends on itself, if any.
 std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& signatures, std::size_t index,
                                  std::vector<Visit>& visits, std::vector<std::size_t>& order) {
   if (visits[index] == Visit::done) return std::nullopt;
@@ -30,7 +30,7 @@ std::optional<std::size_t> visit(const std::vector<SignatureConfiguration>& sign
   return std::nullopt;
 }
 
-/// A path that names the same from any folder: a run may be repeated from elsewhere.
+/// Returns a path that is valid in any folder: a run may be repeated elsewhere.
 std::string absolute_text(const std::filesystem::path& path) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
@@ -209,7 +209,7 @@ Json to_json(const Configuration& configuration) {
 Json to_json(const DatasetLocation& location) {
   Json json{{"layout", location.layout}, {"root", absolute_text(location.root)}};
   if (!location.classification.empty()) json["classification"] = absolute_text(location.classification);
-  // Segmentations have a layout of their own.
+  // Segmentation data sets have their own layout.
   const DatasetLayout* const layout = dataset_layouts().find(location.layout);
   if (layout != nullptr && layout->has_splits) json["split"] = location.split;
   return json;

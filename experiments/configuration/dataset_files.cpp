@@ -23,7 +23,7 @@ nlohmann::json dataset_in_file(const fs::path& path) {
   for (const char* key : {"$schema", "description"}) dataset.erase(key);
   if (!dataset.contains("root") || !dataset["root"].is_string()) return dataset;
   const auto root = dataset["root"].get<std::string>();
-  // What a variable names is found later, and may be absolute.
+  // Variables are expanded later, and may contain absolute paths.
   if (root.find("${") == std::string::npos) {
     dataset["root"] = fs::absolute(path.parent_path() / root).lexically_normal().string();
   }

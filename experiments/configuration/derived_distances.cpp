@@ -66,7 +66,7 @@ DerivedDistances reranking_of(const Json& signature) {
   const Json& settings = signature.at("rerank");
   const RerankMethod& method = rerank_methods().at(settings.at("method").get<std::string>());
   const ParameterValues values = read_parameters(method.parameters, settings);
-  method.rerank(DistanceMatrix::Zero(1, 1), values);  // what is wrong with the settings together is told before a run
+  method.rerank(DistanceMatrix::Zero(1, 1), values);  // reports inconsistent settings before a run
   Json filled = to_json(values);
   filled["of"] = settings.at("of");
   filled["method"] = method.name;

@@ -20,7 +20,7 @@ const Json& list_in(const Json& settings, const char* key) {
   return found == settings.end() ? none : *found;
 }
 
-/// How many fields the descriptor takes, in words.
+/// Describes the number of fields that the descriptor needs.
 std::string fields_taken(const Descriptor& descriptor) {
   if (descriptor.most_fields == 0) return "none";
   return fmt::format("{} to {}", descriptor.fewest_fields, descriptor.most_fields);

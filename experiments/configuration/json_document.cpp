@@ -18,7 +18,7 @@ namespace shapegauge {
 
 namespace {
 
-/// "line:column" of a byte of the text, both from 1.
+/// Returns "line:column" of a byte of the text, both from 1.
 std::string position_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));
   const auto line = std::count(before.begin(), before.end(), '\n') + 1;
@@ -26,7 +26,7 @@ std::string position_of(std::string_view text, std::size_t byte) {
   return fmt::format("{}:{}", line, before.size() - line_start + 1);
 }
 
-/// The library's message without its identifier and position, which we give in our own form.
+/// Returns the library's message without its identifier and position.
 std::string plain_message(std::string message) {
   for (const std::string_view marker : {"] ", ": "}) {
     const std::size_t at = message.find(marker);
@@ -35,8 +35,8 @@ std::string plain_message(std::string message) {
   return message;
 }
 
-/// Parser callback that refuses what the library alone would take: a second key of the same name, of which it would
-/// keep the last silently, and values so deep that what walks through them recursively would run out of stack.
+/// Parser callback that rejects repeated keys, of which the library would silently keep the last, and deep nesting,
+/// which would exhaust the stack of recursive functions.
 class Strictness {
  public:
   explicit Strictness(std::string source) : source_(std::move(source)) {}
@@ -73,7 +73,7 @@ std::string value_of_variable(const std::string& name) {
   throw InputError(fmt::format("--set {}: {}", printable(assignment, 100), message));
 }
 
-/// Key of an object, or index of an array.
+/// Returns the key of a member, or the index of an array element.
 std::string key_in(const nlohmann::json& parent, const nlohmann::json& element, std::string_view key) {
   return parent.is_array() ? std::to_string(&element - &parent.front()) : std::string(key);
 }
@@ -88,7 +88,7 @@ nlohmann::json& element(nlohmann::json& array, std::string_view index, std::stri
   return array[position];
 }
 
-/// The element of an array of objects that has the name.
+/// Returns the element with that name of an array of objects.
 nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std::string_view assignment) {
   std::vector<std::string> names;
   if (parent.is_array()) {
@@ -102,13 +102,13 @@ nlohmann::json& named_element(nlohmann::json& parent, std::string_view name, std
                                names.empty() ? "" : fmt::format("; there are: {}", fmt::join(names, ", "))));
 }
 
-/// A step on the way to a value: a key or an index or, in brackets, a name or an index.
+/// Step of a path: a key or an index or, in brackets, a name or an index.
 struct OverrideStep {
   std::string_view text;
   bool bracketed = false;
 };
 
-/// The next step; takes it, and the dot behind it, off the front of the keys.
+/// Removes and returns the first step of the keys, with the dot after it.
 OverrideStep take_step(std::string_view& keys, std::string_view assignment) {
   OverrideStep step;
   if (keys.starts_with('[')) {
@@ -132,7 +132,7 @@ OverrideStep take_step(std::string_view& keys, std::string_view assignment) {
   return step;
 }
 
-/// Where the first `=` outside brackets is.
+/// Returns the position of the first `=` outside brackets.
 std::size_t place_of_equals(std::string_view assignment) {
   bool in_brackets = false;
   for (std::size_t i = 0; i < assignment.size(); ++i) {
@@ -157,7 +157,7 @@ nlohmann::json& child(nlohmann::json& parent, std::string_view key, std::string_
   return parent[std::string(key)];
 }
 
-/// The library takes any bytes for a string, but writes and compares UTF-8 only.
+/// The library accepts any bytes in a string, but writes and compares UTF-8 only.
 bool is_utf8(std::string_view text) {
   try {
     static_cast<void>(nlohmann::json(text).dump());

@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::json;
 using OrderedJson = nlohmann::ordered_json;
 
-/// None for what is no list of whole numbers, or one of too many.
+/// Converts an array to a list of integers; none for other or too many elements.
 ParameterValue integer_list(const Json& array) {
   const auto is_whole = [](const Json& value) {
     return value.is_number_integer() &&
@@ -32,7 +32,7 @@ ParameterValue integer_list(const Json& array) {
   return IntegerList(std::span<const std::int64_t>(array.get<std::vector<std::int64_t>>()));
 }
 
-/// Refers to the text of a string. A value of a kind that no parameter takes becomes none.
+/// Converts a JSON value. Refers to the text of a string. A value of an unsupported kind becomes none.
 ParameterValue parameter_value(const Json& value) {
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_string()) return std::string_view(value.get_ref<const std::string&>());
@@ -62,7 +62,7 @@ AnyJson json_of(const ParameterValue& value) {
       value);
 }
 
-/// A bound as people write it: 1, not 1.0.
+/// Formats a bound as people write it: 1, not 1.0.
 OrderedJson number_json(double bound) {
   constexpr double exact = 9007199254740992.0;  // 2^53
   if (bound == std::floor(bound) && std::abs(bound) <= exact) return static_cast<std::int64_t>(bound);
@@ -80,7 +80,7 @@ OrderedJson number_schema(const Parameter& parameter) {
   return schema;
 }
 
-/// What the parameter takes, in Markdown: "integer from 1 to 9".
+/// Describes the parameter's values in Markdown: "integer from 1 to 9".
 std::string markdown_values(const Parameter& parameter) {
   const std::string words = fmt::format("`{}`", fmt::join(parameter.choices, "`, `"));
   switch (parameter.kind) {
@@ -128,7 +128,7 @@ Json to_json(const ParameterValues& values) {
 
 namespace {
 
-/// A schema of lists of what a schema allows, beside it, where the parameter takes lists.
+/// Extends a schema by lists of its values, if the parameter takes lists.
 OrderedJson with_lists(const Parameter& parameter, const OrderedJson& one) {
   if (parameter.kind != ParameterKind::integers) return one;
   return {{"if", {{"type", "array"}}},
@@ -136,7 +136,7 @@ OrderedJson with_lists(const Parameter& parameter, const OrderedJson& one) {
           {"else", one}};
 }
 
-/// A schema of words beside what a schema allows.
+/// Extends a schema by words.
 OrderedJson with_words(const OrderedJson& words, const OrderedJson& other) {
   if (words.empty()) return other;
   return {{"if", {{"type", "string"}}}, {"then", {{"enum", words}}}, {"else", other}};

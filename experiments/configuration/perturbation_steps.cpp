@@ -60,7 +60,7 @@ Perturbation of_shape(const ShapePerturbation& type, const Json& settings) {
           }};
 }
 
-/// 64-bit FNV-1a: the same number everywhere, which std::hash does not promise.
+/// 64-bit FNV-1a hash, which is the same on every platform, unlike std::hash.
 std::uint64_t stable_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : text) {

@@ -51,8 +51,8 @@ Interval picture_range(const Json& range) {
                            fmt::format("the first value must be less than the second, not {}", range.dump())};
 }
 
-/// The setting "report" of a retrieval experiment with these signatures. Throws ConfigurationError for pictures of a
-/// signature that is not there or has no field of its own, and for a range of no width.
+/// Reads the setting "report" of a retrieval experiment with these signatures. Throws ConfigurationError for pictures
+/// of a signature that does not exist or has no field of its own, and for a range of no width.
 ReportConfiguration read_report(const Json& setting, const std::vector<SignatureConfiguration>& signatures) {
   ReportConfiguration report;
   const auto first = std::ranges::find_if(signatures, has_field);
@@ -110,13 +110,13 @@ std::vector<std::string> unique_names(const Json& signatures) {
   return names;
 }
 
-/// Where in the setting of that key the name of that index stands.
+/// Returns the path of an indexed name within the setting of that key.
 std::string place_of_name(const std::string& key, std::size_t index) {
   if (key == "rerank") return "rerank.of";
   return fmt::format("{}.{}{}", key, index, key == "sum" ? ".of" : "");
 }
 
-/// The signatures of the names that the setting of that key lists.
+/// Returns the signatures listed by name in the setting of that key.
 std::vector<std::size_t> parts_of(const std::string& key, const std::vector<std::string>& listed,
                                   const std::vector<std::string>& names) {
   std::vector<std::size_t> parts;
@@ -131,15 +131,15 @@ std::vector<std::size_t> parts_of(const std::string& key, const std::vector<std:
   return parts;
 }
 
-/// The settings by each of which a signature is of one kind; a histogram has two of them.
+/// Returns the settings that define the kind of a signature; a histogram has two of them.
 std::vector<std::string> keys_of_kinds() {
   std::vector<std::string> keys{"concatenate", "descriptor"};
   for (const std::string_view key : derived_keys()) keys.emplace_back(key);
   return keys;
 }
 
-/// The setting that says of which kind the signature is, where it is no histogram. Throws ConfigurationError where
-/// there are several.
+/// Returns the setting that defines the kind of a signature other than a histogram. Throws ConfigurationError for
+/// several.
 std::optional<std::string> kind_of(const Json& settings) {
   std::optional<std::string> kind;
   for (const std::string& key : keys_of_kinds()) {
@@ -182,7 +182,7 @@ SignatureConfiguration signature_of(const Json& settings, const std::vector<std:
   return signature;
 }
 
-/// Only histograms, and what is made of them, can stand side by side.
+/// Throws unless all parts of concatenations are histograms or made of histograms.
 void require_histograms(const std::vector<SignatureConfiguration>& signatures) {
   for (std::size_t i = 0; i < signatures.size(); ++i) {
     const auto& parts = signatures[i].parts;
@@ -219,7 +219,7 @@ void read_evaluation(const Json& setting, Configuration& configuration) {
   }
 }
 
-/// The schema has accepted the document.
+/// Reads a document that the schema has accepted.
 Configuration checked_configuration(const Json& document, const fs::path& folder) {
   Configuration configuration;
   configuration.name = document.at("name");
@@ -334,7 +334,7 @@ Configuration configuration_from_json(const Json& given, const std::string& sour
 
 namespace {
 
-/// Where a document of any kind of experiment has texts that are paths relative to the configuration.
+/// Returns the positions of relative paths in a document of any kind of experiment.
 std::vector<Json::json_pointer> places_of_paths(const Json& document) {
   using Place = Json::json_pointer;
   std::vector<Place> candidates{Place("/dataset"), Place("/dataset/root")};

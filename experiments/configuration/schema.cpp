@@ -57,7 +57,7 @@ void add_parameters(std::span<const Parameter> parameters, OrderedJson& object) 
   }
 }
 
-/// The schema of the settings of one type of field, perturbation or the like.
+/// Returns the schema of the settings of one type of field, perturbation or similar.
 OrderedJson schema_of(const ParameterGroup& type, const char* key = "type") {
   OrderedJson schema{{"description", type.description},
                      {"type", "object"},
@@ -68,8 +68,7 @@ OrderedJson schema_of(const ParameterGroup& type, const char* key = "type") {
   return schema;
 }
 
-/// Adds to the schema of a field, perturbation or the like its "type" (or what else the key is) and, for each, the
-/// settings.
+/// Adds to the schema of a field, perturbation or similar its "type" (or another key) and the settings of each type.
 void add_types(const std::vector<ParameterGroup>& types, const std::vector<OrderedJson>& schemas, OrderedJson& schema,
                const char* key = "type") {
   schema["type"] = "object";

@@ -21,11 +21,11 @@ namespace shapegauge {
 
 namespace {
 
-/// Bytes of a message at most: MPI counts in int, and what arrives in pieces is progress.
+/// Maximum size of a message: MPI counts in int, and several messages allow progress reports.
 constexpr std::size_t piece_bytes = std::size_t{64} << 20;
 
-/// Waits as MPI does not: at first as fast as it can, then with longer and longer pauses, so that who waits leaves the
-/// processor to those who compute.
+/// Waiting strategy: polls at full speed at first and then with increasing pauses, which leaves the processor to ranks
+/// that compute.
 class Pause {
  public:
   void operator()() {
@@ -41,7 +41,7 @@ class Pause {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Requests that are under way; all of them are done at the end of wait().
+/// Pending requests; wait() completes all of them.
 class Requests {
  public:
   void send(MPI_Comm ranks, std::string_view bytes, int to) {
@@ -69,7 +69,7 @@ class Requests {
     }
     requests_.clear();
   }
-  /// For a request made by the caller.
+  /// Returns a slot for a request made by the caller.
   MPI_Request* add() { return &requests_.emplace_back(); }
 
  private:
@@ -78,7 +78,7 @@ class Requests {
 
 enum class Question : int { next, stop, finished };
 
-/// Rank 0's jobs: those here count on, a thread answers the others.
+/// Work queue of rank 0: serves local jobs directly and the other ranks through a thread.
 class ServedJobs : public Jobs {
  public:
   ServedJobs(MPI_Comm ranks, int others, std::size_t count)
@@ -99,7 +99,7 @@ class ServedJobs : public Jobs {
   }
   void stop() override { next_ = count_; }
   [[nodiscard]] std::size_t handed_out() const override { return std::min(next_.load(), count_); }
-  /// Whether some of the others have not finished.
+  /// Returns true if other ranks have not finished.
   [[nodiscard]] bool is_busy() const { return busy_ > 0; }
 
  private:
@@ -132,7 +132,7 @@ class ServedJobs : public Jobs {
   std::thread thread_;
 };
 
-/// The jobs on the other ranks, which ask rank 0.
+/// Work queue of the other ranks, which request jobs from rank 0.
 class AskedJobs : public Jobs {
  public:
   AskedJobs(MPI_Comm ranks, std::size_t count) : ranks_(ranks), count_(count) {}

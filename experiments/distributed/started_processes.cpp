@@ -17,15 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The value of an environment variable; empty where it is not set.
+/// Returns the value of an environment variable; empty if not set.
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing here changes the environment
   return value == nullptr ? "" : value;
 }
 
-/// How many processes the one who started this says that there are.
+/// Returns the number of processes announced by the launcher.
 int announced_processes() {
-  // Open MPI's mpirun, other launchers by PMI, and srun for the tasks of a step.
+  // Open MPI's mpirun, other launchers through PMI, and srun for the tasks of a step.
   for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
     const std::string_view text = variable(name);
     int count = 0;
@@ -56,7 +56,7 @@ std::unique_ptr<Communicator> load_mpi(int processes) {
     fail(processes, fmt::format("{} is not installed (a package of its own; a build has it where MPI is installed)",
                                 mpi_module_name));
   }
-  // Open MPI's own modules look for its symbols among those that all see.
+  // Open MPI's own modules look for its symbols among the global ones.
   void* const module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
   if (module == nullptr) fail(processes, fmt::format("{} cannot be loaded: {}", file.string(), ::dlerror()));
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): that is how dlsym gives functions

@@ -16,14 +16,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Writes the manifest and moves all to their places.
+/// Writes the manifest and publishes all files.
 void publish(StagedResults& staged, const nlohmann::json& configuration, const RunOutcome& outcome) {
   const fs::path& folder = staged.folder();
   write_file_atomically(folder / manifest_name, manifest_of(configuration, outcome, folder).dump(2) + "\n");
   staged.publish(outcome.files);
 }
 
-/// Collective. Throws SharedError where the ranks do not have the same configuration.
+/// Throws SharedError if the ranks have different configurations. Collective.
 void compare_configurations(const nlohmann::json& configuration, Communicator& ranks) {
   const std::string own = configuration.dump();
   const std::string first = ranks.broadcast(own);

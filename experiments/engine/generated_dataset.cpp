@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// What the folder's own record says of the data set in it; null where there is none.
+/// Returns the folder's record of its data set; null if there is none.
 Json record_in(const fs::path& file) {
   try {
     return fs::exists(file) ? read_json(file) : Json();
@@ -31,7 +31,7 @@ void generate(const fs::path& folder, const GeneratorOptions& options, const Run
   const Json earlier = record_in(record_file);
   if (earlier == record) return;
 
-  // The record comes first, to know the folder for our own again after an interruption.
+  // The record is written first, to recognise the folder after an interruption.
   fs::create_directories(folder);
   record["complete"] = false;
   GeneratorOptions now = options;

@@ -14,7 +14,7 @@ using OrderedJson = nlohmann::ordered_json;
 std::string processor() {
 #if defined(__x86_64__)
   std::string text = "x86-64";
-  // The names must be literals.
+  // __builtin_cpu_supports() needs literals.
   if (__builtin_cpu_supports("sse4.2")) text += " sse4.2";
   if (__builtin_cpu_supports("avx")) text += " avx";
   if (__builtin_cpu_supports("avx2")) text += " avx2";

@@ -17,7 +17,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The hashes of inputs by what they are the inputs of.
+/// Returns the hashes of inputs by name.
 std::map<std::string, std::string> named_inputs(const Json& inputs) {
   std::map<std::string, std::string> named;
   for (const auto& [kind, word] : {std::pair{"models", "model"}, std::pair{"shapes", "shape"}}) {
@@ -28,18 +28,18 @@ std::map<std::string, std::string> named_inputs(const Json& inputs) {
   return named;
 }
 
-/// Whether the path is the folder or below it.
+/// Returns true if the path is the folder or below it.
 bool lies_in(const fs::path& path, const fs::path& folder) {
   const fs::path relative = path.lexically_relative(folder);
   return !relative.empty() && *relative.begin() != "..";
 }
 
-/// The path below the new root that it had below the old one; the path itself where it lay elsewhere.
+/// Moves a path from below the old root to the new one; returns other paths unchanged.
 fs::path moved(const fs::path& path, const fs::path& old_root, const fs::path& root) {
   return lies_in(path, old_root) ? (root / path.lexically_relative(old_root)).lexically_normal() : path;
 }
 
-/// The folder that holds all files of the shapes; empty where there are none.
+/// Returns the deepest folder that contains all files of the shapes; empty if there are none.
 fs::path common_folder(const Json& shapes) {
   std::optional<fs::path> common;
   for (const Json& shape : shapes) {

@@ -29,7 +29,7 @@ bool is_safe(char c) {
   return (std::isalnum(static_cast<unsigned char>(c)) != 0 && (c & '\x80') == 0) || c == '-' || c == '.';
 }
 
-/// Whether the open file is still the one of that name.
+/// Returns true if the open file is still the one of that name.
 bool is_file_of(int descriptor, const fs::path& path) {
   struct stat opened = {};
   struct stat named = {};
@@ -37,25 +37,25 @@ bool is_file_of(int descriptor, const fs::path& path) {
          opened.st_dev == named.st_dev;
 }
 
-/// What runs write, retrieval experiments first; comparisons after them.
+/// Names of result files: first those of retrieval experiments, then those of comparisons.
 constexpr std::array<std::string_view, 19> result_names{
     "summary.csv",   "summary.json",      "summary.md",    "summary.tex", "intervals.csv",
     "per_class.csv", "per_query.csv",     "pr_curves.csv", report_name,   "shapes.csv",
     "distances",     "shape_seconds.csv", "distances.csv", "errors.csv",  "normals.csv",
     "timings.csv",   "histograms.csv",    "features",      "pairs.csv"};
 
-/// Whether runs write files of that name, relative to the folder.
+/// Returns true if runs write files of that name, relative to the folder.
 bool is_result(const fs::path& file) {
   if (file.parent_path() == "distances" || file.parent_path() == "features") return file.extension() == ".npy";
   if (std::ranges::find(result_names, file.string()) != result_names.end()) return true;
-  // Of one of several data sets, in a folder of its name.
+  // In an experiment on several data sets, each has its own folder.
   const std::string folder = file.empty() ? "" : file.begin()->string();
   const fs::path below = file.lexically_relative(folder);
   if (folder.empty() || folder != file_safe_name(folder) || file.is_absolute() || below == ".") return false;
   return below == manifest_name || is_result(below);
 }
 
-/// The configuration in the manifest of the run whose results the folder holds; null where that cannot be told.
+/// Returns the configuration in the folder's manifest; null if unknown.
 nlohmann::json earlier_configuration(const fs::path& folder) {
   try {
     const nlohmann::json manifest = read_json(folder / manifest_name);
@@ -65,13 +65,13 @@ nlohmann::json earlier_configuration(const fs::path& folder) {
   }
 }
 
-/// Whether a file that a run of any kind writes is in the folder.
+/// Returns true if the folder has a result file of any kind of run.
 bool has_results(const fs::path& folder) {
   return fs::exists(folder / manifest_name) ||
          std::ranges::any_of(result_names, [&](std::string_view name) { return fs::exists(folder / name); });
 }
 
-/// The results that the manifest of an earlier run in the folder lists: names that runs give to files and no others.
+/// Returns the results listed in an earlier run's manifest, restricted to names that runs use.
 std::vector<std::string> earlier_results(const fs::path& folder) {
   std::vector<std::string> files;
   try {
@@ -85,7 +85,7 @@ std::vector<std::string> earlier_results(const fs::path& folder) {
   return files;
 }
 
-/// Removes those of the earlier files that have not been written anew.
+/// Removes earlier files that were not written again.
 void remove_superseded(const fs::path& folder, std::span<const std::string> earlier,
                        std::span<const std::string> written) {
   std::error_code ignored;  // a file that is gone already
@@ -144,7 +144,7 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-loc
       throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with --output",
                                    folder.string()));
     }
-    // Whoever had it before removes the file at last: a lock on a file that is gone keeps nobody out.
+    // The previous owner may have removed the file: a lock on a removed file excludes nobody.
     if (error != 0 || is_file_of(descriptor_, path_)) return;
     ::close(descriptor_);
   }
@@ -171,7 +171,7 @@ void make_folder(const fs::path& folder) {
 
 void prepare_result_folder(const fs::path& folder, const nlohmann::json& configuration, bool replace) {
   make_folder(folder);
-  // Writing is tried now: it must not be found out after hours.
+  // Tests writing now, not after hours.
   const fs::path probe = folder / ".shapegauge-probe";
   write_file_atomically(probe, "");
   std::error_code ignored;

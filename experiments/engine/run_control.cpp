@@ -45,12 +45,12 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
   std::size_t done = 0;
   const auto attempt = [&](std::size_t model, Jobs& jobs) {
     try {
-      // Isolated: a thread that waits for its own shape's samples must not begin another shape meanwhile.
+      // Isolated: a thread waiting for its own shape's samples must not start another shape.
       tbb::this_task_arena::isolate([&] { job(model); });
     } catch (const std::exception& error) {
       const std::scoped_lock lock(mutex);
       failures.push_back({.model = model, .message = error.what()});
-      // Not by cancelling the group: that would also interrupt the shapes under way, which would count as failures.
+      // Cancelling the group would also interrupt the shapes in progress, which would count as failures.
       if (stop_at_failure) jobs.stop();
     }
     const std::scoped_lock lock(mutex);
@@ -58,8 +58,8 @@ std::vector<ModelFailure> for_each_model(std::span<const std::size_t> models, st
     control.progress(stage, ranks.size() == 1 ? done : jobs.handed_out(), models.size());
   };
   control.progress(stage, 0, models.size());
-  // Models begin in their order, so that those before the first failure have all been tried when it stops the rest: the
-  // same one is the first on any number of threads.
+  // Models start in order. All models before the first failure have therefore been tried when it stops the rest, and
+  // the first failure is the same on any number of threads.
   ranks.share_jobs(models.size(), [&](Jobs& jobs) {
     tbb::parallel_for(
         0, tbb::this_task_arena::max_concurrency(), 1,

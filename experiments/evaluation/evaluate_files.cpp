@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The ids in a file, one a line; empty lines do not count.
+// Reads the ids in a file, one a line, skipping empty lines.
 std::vector<std::string> read_ids(const fs::path& path) {
   const std::string text = read_plain_bytes(path);
   std::vector<std::string> ids;
@@ -33,7 +33,7 @@ std::vector<std::string> read_ids(const fs::path& path) {
   return ids;
 }
 
-// Distances between features, a row a model, computed when they are asked for.
+// Makes a matrix of distances between features, one row a model, computed on demand.
 OpenMatrix open_features(const EvaluationFiles& files) {
   const LabelledTable table = read_number_table(files.matrix);
   const auto features = std::make_shared<const Signatures>(table.numbers.cast<float>());
@@ -65,7 +65,7 @@ OpenMatrix open_distances(const EvaluationFiles& files, TableShape shape) {
   return matrix;
 }
 
-// The ids of the rows and columns as the files say them; none where they do not.
+// Returns the ids of the rows and columns given by the files; empty if there are none.
 MatrixIds ids_of_files(const OpenMatrix& matrix, const EvaluationFiles& files) {
   MatrixIds ids{.rows = matrix.row_ids, .columns = matrix.column_ids};
   if (!files.ids.empty()) {
@@ -94,7 +94,7 @@ EvaluationData data_of(const RankedAnswers& answers, RankedTask ranked) {
           .task = std::move(ranked.task)};
 }
 
-// Models of a list without ids get those of the matrix, in their order.
+// Gives models of a list without ids those of the matrix, in order.
 void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
   if (labels.separate_sets || ids.size() != labels.models.size()) {
     throw InputError(fmt::format("{}: the labels have no ids and there are {} of them, but the matrix names {} models",
@@ -106,7 +106,7 @@ void give_ids(const std::vector<std::string>& ids, ModelLabels& labels) {
   labels.models = labels.queries = labels.targets = ids;
 }
 
-// Says how rows without ids were taken where they could have been taken otherwise.
+// Warns of the assumed order of rows without ids if it is ambiguous.
 void warn_of_order(const MatrixIds& taken, const ModelLabels& labels, EvaluationData& data) {
   const RowOrder other = labels.listed ? RowOrder::natural : RowOrder::file;
   const MatrixIds otherwise = labelled_ids(labels, {data.distances.rows, data.distances.columns}, other);
@@ -225,7 +225,7 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
   }
 }
 
-// Evaluates the distances by rows, each of which the checks see on the way.
+// Evaluates the distances by rows and checks each row for anomalies.
 Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& options, MatrixChecks& checks,
                          const RowProgress& progress) {
   const OpenMatrix& matrix = data.distances;
@@ -247,7 +247,7 @@ Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& op
   return evaluate(rows, data.task.retrieval, options);
 }
 
-// What may be wrong with labels where each model has a class of its own.
+// Suggests a possible fault of labels if each model has its own class.
 std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) {
   if (files.labels.empty() || task.class_names.size() < 2 || task.class_names.size() < task.query_ids.size()) return "";
   return fmt::format(

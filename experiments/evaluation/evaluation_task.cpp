@@ -21,7 +21,7 @@ namespace {
 using Places = std::unordered_map<std::string, Eigen::Index>;         // of models, by canonical id
 using Columns = std::map<std::string, Eigen::Index, std::greater<>>;  // of models, in trec_eval's order of the tied
 
-// Labels, to be looked up by model.
+// Labels, for lookup by model.
 class LabelledModels {
  public:
   struct Known {
@@ -40,7 +40,7 @@ class LabelledModels {
     for (const std::string& model : labels.targets) known_.at(canonical_model_id(model)).target = true;
   }
 
-  // Throws InputError where the model is in no class.
+  // Throws InputError if the model has no class.
   [[nodiscard]] const Known& at(const std::string& id) const {
     const auto found = known_.find(canonical_model_id(id));
     if (found != known_.end()) return found->second;
@@ -76,7 +76,7 @@ Places first_places(const std::vector<std::string>& ids) {
   return places;
 }
 
-// The place of a model, -1 where it has none.
+// Returns the position of a model, or -1.
 Eigen::Index place_or_none(const std::string& id, const Places& places) {
   const auto found = places.find(canonical_model_id(id));
   return found == places.end() ? -1 : found->second;
@@ -104,7 +104,7 @@ void warn_of_missing(std::size_t count, std::string_view what, EvaluationTask& t
   if (count > 0) task.warnings.push_back(fmt::format("{} {}; omitted from all scores", count, what));
 }
 
-// Warns where some queries have no list, or lists are too short for the best score.
+// Warns if some queries have no list, or lists are too short for the best score.
 void warn_of_coverage(std::string_view queries, Unanswered unanswered, EvaluationTask& task) {
   const ListCoverage& coverage = task.coverage.value();
   if (const std::size_t missing = coverage.queries - coverage.answered; missing > 0) {
@@ -127,7 +127,7 @@ void warn_of_coverage(std::string_view queries, Unanswered unanswered, Evaluatio
   }
 }
 
-// Coverage by the first `answered` rows, which have lists, and `missing` queries without one.
+// Computes the coverage of the first `answered` rows, which have lists, and `missing` queries without one.
 ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::size_t missing) {
   const RetrievalTask& task = ranked.task.retrieval;
   const std::vector<std::size_t> relevant = relevant_counts(task);
@@ -149,7 +149,7 @@ ListCoverage coverage_of(const RankedTask& ranked, Eigen::Index answered, std::s
   return coverage;
 }
 
-// As many rows of distances as there are queries; further ones have found nothing.
+// Appends rows for queries without a list, as empty answers.
 void add_empty_rows(RankedTask& ranked) {
   const Eigen::Index rows = ranked.distances.rows();
   const Eigen::Index queries = std::ssize(ranked.task.query_ids);
@@ -157,7 +157,7 @@ void add_empty_rows(RankedTask& ranked) {
   if (queries > rows) ranked.distances.bottomRows(queries - rows).setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Sets what is relevant to a row, and how much, and what is judged and is not.
+// Sets the relevant columns of a row with their grades, and the columns judged as not relevant.
 template <typename Place>
 void set_judged(const Judgements::Judged& judged, std::size_t row, const Place& place, RetrievalTask& task) {
   std::vector<std::pair<Eigen::Index, int>> relevant;
@@ -179,7 +179,7 @@ void resize_judged(std::size_t rows, RetrievalTask& task) {
   task.judged_irrelevant.resize(rows);
 }
 
-// A query under judgements is a class of its own: judgements know no classes.
+// With judgements, every query has its own class.
 void add_judged_query(const Judgements::Judged& judged, const Columns& columns, EvaluationTask& task) {
   const std::size_t row = task.query_ids.size();
   task.retrieval.query_classes.push_back(static_cast<int>(row));

@@ -32,7 +32,7 @@ void check_header(const std::vector<CsvRow>& rows, const std::string& source) {
                   source));
 }
 
-// A hundredth of the number in the cell, by its exponent: a division by 100 would round again.
+// Divides the number in the cell by 100 exactly, through its exponent.
 std::optional<double> fraction_of_percent(const std::string& cell) {
   if (const auto fraction = parse_number(cell + "e-2")) return fraction;
   const auto percent = parse_number(cell);
@@ -77,7 +77,7 @@ void check_protocols(std::span<const MethodScores> methods) {
   }
 }
 
-// What tells files apart: a file, or of a run's per_query.csv its folder.
+// Returns the identity of a file; for a run's per_query.csv, its folder.
 std::filesystem::path place_of(const MethodScores& method) {
   const std::filesystem::path file = std::filesystem::path(method.source).lexically_normal();
   return file.filename() == "per_query.csv" && file.has_parent_path() ? file.parent_path() : file;
@@ -138,7 +138,7 @@ Eigen::Index column_of(const MethodScores& method, const std::string& measure) {
                                quoted_word(method.method), fmt::join(method.measures, ", ")));
 }
 
-// The row of each query of `first` in `method`; both have the same queries, in the same classes.
+// Returns the row of each query of `first` in `method`; both have the same queries and classes.
 std::vector<std::size_t> rows_of(const MethodScores& first, const MethodScores& method) {
   const QueryPlaces places = places_of(method);
   std::vector<std::size_t> rows;

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The classes of the numbers 1 to 20, 21 to 40 and so on. The springs were left out of the benchmark's tables.
+/// Classes of the numbers 1 to 20, 21 to 40 and so on. The benchmark's tables omit the springs.
 constexpr std::array<std::string_view, 21> psb_classes = {
     "human", "cup",  "glasses", "airplane",  "ant",  "chair", "octopus", "table", "teddy",   "hand", "plier",
     "fish",  "bird", "spring",  "armadillo", "bust", "mech",  "bearing", "vase",  "fourleg", "other"};
@@ -37,7 +37,7 @@ std::size_t psb_class(const std::string& id) {
   return known ? static_cast<std::size_t>((number - 1) / models_per_class) : psb_classes.size() - 1;
 }
 
-/// The segmentations in a folder; where it cannot be read, the folder itself, which fails when it is read.
+/// Returns the segmentations in a folder or, if it cannot be read, the folder itself, which then fails.
 std::vector<fs::path> seg_files(const fs::path& folder) {
   std::vector<fs::path> files;
   if (!is_folder(folder)) return leads_nowhere(folder) ? std::vector{folder} : files;
@@ -51,7 +51,7 @@ std::vector<fs::path> seg_files(const fs::path& folder) {
   return files;
 }
 
-/// Adds to the sums what counts, and divides by how many did.
+/// Averages each error over its defined values.
 SegmentationErrors mean_of(const std::vector<SegmentationErrors>& all) {
   SegmentationErrors mean;
   for (const SegmentationErrorEntry& entry : segmentation_error_entries()) {

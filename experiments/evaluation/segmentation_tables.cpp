@@ -21,7 +21,7 @@ void add_entry_names(Table& table) {
   for (const SegmentationErrorEntry& entry : segmentation_error_entries()) table.header.emplace_back(entry.name);
 }
 
-/// Meshes x methods.
+/// Returns Rand errors, meshes x methods.
 Eigen::MatrixXd rand_errors(const SegmentationScores& scores) {
   Eigen::MatrixXd table(std::ssize(scores.ids), std::ssize(scores.methods));
   for (Eigen::Index m = 0; m < table.cols(); ++m) {
@@ -60,7 +60,7 @@ SegmentationScores empty_scores(const SegmentationBenchmark& benchmark, std::vec
 
 namespace {
 
-/// The errors on one mesh by method, people's last.
+/// Computes the errors on one mesh by method, and last between people.
 std::vector<SegmentationErrors> errors_on(const SegmentedModel& model,
                                           const std::vector<std::filesystem::path>& folders,
                                           const SegmentationScoring& scoring) {

@@ -21,7 +21,7 @@ Eigen::MatrixXd matrix_of(const Json& record) {
   const auto rows = record.at("rows").get<Eigen::Index>();
   const auto columns = record.at("columns").get<Eigen::Index>();
   const auto values = record.at("values").get<std::vector<double>>();
-  // An index beyond the array throws as at() of JSON does.
+  // An index out of range throws as at() of JSON does.
   if (rows < 0 || columns < 0 || std::ssize(values) != rows * columns) static_cast<void>(Json::array().at(0));
   return Eigen::Map<const Eigen::MatrixXd>(values.data(), rows, columns);
 }

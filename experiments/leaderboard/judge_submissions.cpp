@@ -21,10 +21,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Cache version; increment when the entries change.
+/// Cache version of evaluations; see docs/manual/cache.md.
 constexpr int judged_version = 1;
 
-// What was found of one submission, but for what its JSON says.
+// Evaluation of one submission, independent of its JSON file.
 struct JudgedFile {
   std::string name;  ///< see method_name()
   Evaluation evaluation;
@@ -32,7 +32,7 @@ struct JudgedFile {
   std::vector<std::string> class_names;
   std::vector<int> labels;
   bool fit_for_report = false;
-  std::string wrong_kind;  ///< why it looks like similarities given as distances, or the other way round; or empty
+  std::string wrong_kind;  ///< why it appears to mix up similarities and distances; otherwise empty
   std::vector<std::string> warnings;
 };
 
@@ -68,7 +68,7 @@ Json labels_json(const ModelLabels& labels) {
           {"flags", {labels.separate_sets, labels.listed, labels.without_ids}}};
 }
 
-// What the evaluations of all submissions depend on, but for the submissions.
+// Returns the inputs shared by the evaluations of all submissions.
 Json common_key(const JudgingOptions& options) {
   const EvaluationFiles& files = options.files;
   Json key{{"version", judged_version},
@@ -98,7 +98,7 @@ std::string key_of(Json common, const EvaluationFiles& files, const std::string&
   return sha256(common.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-// The files of a submission.
+// Returns the files of a submission.
 EvaluationFiles files_of(const Submission& submission, const EvaluationFiles& common) {
   EvaluationFiles files = common;
   files.matrix = submission.file;
@@ -119,7 +119,7 @@ std::string wrong_kind_of(const EvaluatedFiles& evaluated, bool similarity) {
                      similarity ? "similarities" : "distances");
 }
 
-// A remark on ranked lists that end before all models are in them.
+// Returns a remark on ranked lists that lack models.
 std::optional<std::string> depth_remark(const EvaluationTask& task) {
   if (!task.coverage) return std::nullopt;
   const auto targets = std::ssize(task.retrieval.target_classes);
@@ -146,20 +146,20 @@ JudgedFile judge_file(const EvaluationFiles& files, const EvaluationOptions& opt
   return judged;
 }
 
-// The message without the file's name, with which most begin.
+// Removes the file's name from the beginning of a message.
 std::string reason_of(const InputError& error, const std::filesystem::path& file) {
   const std::string message = error.what();
   const std::string prefix = file.string() + ": ";
   return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
 }
 
-// Submissions judged one after the other.
+// Sequential evaluation of submissions.
 class Judging {
  public:
   Judging(const JudgingOptions& options, Cache& cache, Leaderboard& board)
       : options_(&options), cache_(&cache), board_(&board), common_(common_key(options)) {}
 
-  // Adds the submission to the judged or to the refused ones.
+  // Adds the submission to the evaluated or to the refused ones.
   void judge(const Submission& submission) {
     try {
       add(submission);
@@ -246,7 +246,7 @@ std::vector<std::string> measure_names(const EvaluationOptions& options) {
   return names;
 }
 
-// The values of all submissions on the same queries; of one alone as they are.
+// Aligns the scores of all submissions to the same queries.
 AlignedMethods aligned(const std::vector<MethodScores>& scores) {
   if (scores.size() > 1) return align_methods(scores, {});
   AlignedMethods one{.methods = {scores[0].method},
@@ -271,7 +271,7 @@ void add_standings(const AlignedMethods& methods, StandingOptions options, Leade
   }
 }
 
-// Brings the submissions, and their standings, into the order of their ranks.
+// Sorts the submissions and their standings by rank.
 void order_by_rank(Leaderboard& board) {
   const std::vector<MethodStanding>& by = board.micro[board.rank_by];
   std::vector<std::size_t> order(board.submissions.size());

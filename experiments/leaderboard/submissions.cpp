@@ -89,7 +89,7 @@ void read_description(const fs::path& file, Submission& submission) {
   }
 }
 
-// A file for which there is a description that cannot be used is refused.
+// Adds a file; refuses it if its description is invalid.
 void add_submission(const fs::path& file, FoundSubmissions& found) {
   Submission submission{.file = file};
   const fs::path description = description_of(file);
@@ -148,7 +148,7 @@ void add_folder(const fs::path& folder, std::span<const fs::path> others, FoundS
   }
 }
 
-// Ids that a description names are no submission, though they may look like one.
+// Removes id files named by descriptions, which may look like submissions.
 void remove_ids(FoundSubmissions& found) {
   std::vector<fs::path> ids;
   for (const Submission& submission : found.submissions) {

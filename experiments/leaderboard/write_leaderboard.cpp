@@ -33,7 +33,7 @@ std::string significance_words(const StandingOptions& options) {
       100 * options.confidence, name_of(options.blocks), name_of(options.blocks), 1 - options.confidence);
 }
 
-// The pages that an earlier call wrote, and the key of what each is made of.
+// Returns the pages written by an earlier call, with the keys of their contents.
 std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   std::map<std::string, std::string> keys;
   std::error_code unknown;
@@ -41,7 +41,7 @@ std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   const auto json = nlohmann::json::parse(read_file_bytes(folder / site_data), nullptr, false);
   if (!json.is_object() || !json.contains("pages") || !json["pages"].is_object()) return keys;
   for (const auto& [page, key] : json["pages"].items()) {
-    // Only what this writes: no path leads out of the folder.
+    // Only names that this function writes: no path may lead out of the folder.
     const fs::path path(page);
     const bool own = path.parent_path() == site_methods && path.extension() == ".html";
     if (own && key.is_string()) keys.emplace(page, key.get<std::string>());
@@ -49,7 +49,7 @@ std::map<std::string, std::string> earlier_pages(const fs::path& folder) {
   return keys;
 }
 
-// By submission the address of its page; empty where it can have none.
+// Returns the address of each submission's page; empty if it cannot have one.
 std::vector<std::string> page_names(const Leaderboard& board) {
   std::vector<std::string> names;
   for (const JudgedSubmission& judged : board.submissions) names.push_back(judged.submission.name);
@@ -60,7 +60,7 @@ std::vector<std::string> page_names(const Leaderboard& board) {
   return pages;
 }
 
-// Of all that the page of a submission shows.
+// Returns a key of the contents of a submission's page.
 std::string page_key(const JudgedSubmission& judged) {
   const nlohmann::json shown{{"name", judged.submission.name},
                              {"sha256", judged.sha256},

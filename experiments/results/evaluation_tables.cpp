@@ -38,8 +38,8 @@ void add_columns(Row& row, std::span<const ConfidenceInterval> intervals, const 
   }
 }
 
-/// A fraction from 0 to 1 in percent with all its digits: its shortest text with the decimal point moved, since a
-/// multiplication by 100 would round.
+/// Formats a fraction in percent exactly: moves the decimal point of its shortest text, since a multiplication by 100
+/// would round.
 std::string exact_percent(double fraction) {
   std::array<char, 400> buffer = {};  // the longest text of a double
   const auto [end, error] =

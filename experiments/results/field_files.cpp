@@ -25,14 +25,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the colours of a file mean, in words.
+/// Describes the colour scale of a file.
 std::string words_of(const ColourScale& scale, const std::string& label) {
   return fmt::format("{}: colours (viridis) from {:.6g} to {:.6g}{}{}", label, scale.low, scale.high,
                      scale.logarithmic ? ", logarithmic" : "",
                      scale.threshold ? fmt::format("; less than {:.6g} is red", *scale.threshold) : "");
 }
 
-/// Puts an image over another one, its upper left corner at a place within it.
+/// Draws an image over another one, with its upper left corner at a position.
 void overlay(Image& image, const Image& front, int left, int top) {
   for (int y = 0; y < std::min(front.height, image.height - top); ++y) {
     for (int x = 0; x < std::min(front.width, image.width - left); ++x) {
@@ -44,7 +44,7 @@ void overlay(Image& image, const Image& front, int left, int top) {
   }
 }
 
-/// The shape, and beside it the legend where both have room.
+/// Renders the shape, with the legend beside it if there is room.
 Image picture_with_legend(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
                           const FieldPicture& picture) {
   const ColourScale scale = colour_scale_of({.values = values, .weights = samples.weights}, picture);
@@ -69,7 +69,7 @@ Image picture_with_legend(const Shape& shape, const Samples& samples, const Eige
   return image;
 }
 
-/// Whether rows of samples name the polygons of the file that they lie on.
+/// Returns true if rows of samples include the polygons of the file.
 bool names_polygons(const Shape& shape, const Samples& samples) {
   return samples.site == SampleSite::faces && has_polygons(shape);
 }

@@ -27,7 +27,7 @@ std::string p_value(double p, bool exact) {
   return p < smallest ? "<0.0001" : fmt::format("{:.4f}", p);
 }
 
-// The marks of the methods that the method is significantly better than.
+// Returns the marks of the methods that the method is significantly better than.
 std::string marks_behind(std::size_t method, const MethodComparison& comparison, double alpha) {
   const auto methods = static_cast<std::size_t>(comparison.averages.size());
   std::vector<std::size_t> worse;

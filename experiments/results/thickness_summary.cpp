@@ -13,7 +13,7 @@ namespace {
 
 using OrderedSummary = nlohmann::ordered_json;
 
-/// A number in five digits.
+/// Formats a number with five digits.
 std::string short_number(double value) { return std::isnan(value) ? "none" : fmt::format("{:.5g}", value); }
 
 OrderedSummary number_or_null(double value) {

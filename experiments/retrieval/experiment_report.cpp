@@ -25,8 +25,8 @@ std::string describe(const HistogramConfiguration& histogram) {
   return text + fmt::format(", range {} to {}", histogram.fixed.low, histogram.fixed.high);
 }
 
-/// A setting without braces and quotation marks: "a 1, b 2" of an object, "4, 5, 7" of a list, and objects in a list
-/// after each other with semicolons.
+/// Formats a setting without braces and quotation marks: objects as "a 1, b 2", lists as "4, 5, 7", and lists of
+/// objects with semicolons.
 std::string setting_text(const nlohmann::json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number_float()) return fmt::format("{}", value.get<double>());
@@ -58,7 +58,7 @@ ReportSettings settings_of(const SignatureConfiguration& signature, const std::v
   return {{"concatenate", fmt::format("{}", fmt::join(parts, " + "))}};
 }
 
-/// The name of a distance that is known by one, else that of the descriptor that it belongs to.
+/// Returns the registered name of the distance, or that of its descriptor.
 std::string distance_name(const SignatureConfiguration& signature, const Configuration& configuration) {
   if (signature.derived) return signature.derived->key;
   if (!signature.descriptor) return configuration.distance;

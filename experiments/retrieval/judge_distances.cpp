@@ -23,7 +23,7 @@ std::string_view bytes_of(const Eigen::Ref<const Signatures>& rows) {
   return {reinterpret_cast<const char*>(rows.data()), static_cast<std::size_t>(rows.size()) * sizeof(float)};
 }
 
-/// The rows of a rank in the bytes that it has given.
+/// Returns the rows of a rank from its bytes.
 Eigen::Map<const Signatures> rows_in(const std::string& bytes, Eigen::Index length) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): they were made of such numbers
   const auto* const numbers = reinterpret_cast<const float*>(bytes.data());
@@ -31,14 +31,14 @@ Eigen::Map<const Signatures> rows_in(const std::string& bytes, Eigen::Index leng
   return {numbers, length > 0 ? count / length : 0, length};
 }
 
-/// How many rows are computed together: enough to be worth passing signatures by, few enough to stay within memory.
+/// Returns the number of rows computed together: a compromise between communication and memory.
 Eigen::Index rows_together(std::size_t all) {
   constexpr std::size_t most_bytes = std::size_t{128} << 20;
   return static_cast<Eigen::Index>(
       std::clamp<std::size_t>(most_bytes / sizeof(double) / std::max<std::size_t>(all, 1), 1, 4096));
 }
 
-/// Computes the distances a few rows at a time, so that what is computed is at hand when it is put in its place.
+/// Computes the distances in blocks of rows, which stay in the cache until they are stored.
 void compute_rows(const NamedDistance& distance, const SignatureBlock& some, const SignatureBlock& others,
                   Eigen::Ref<DistanceMatrix> distances) {
   constexpr Eigen::Index together = 32;
@@ -50,7 +50,7 @@ void compute_rows(const NamedDistance& distance, const SignatureBlock& some, con
   });
 }
 
-/// The distances of some of the own signatures to all, while those of the other ranks pass by.
+/// Computes the distances of some own signatures to all, while those of the other ranks are received.
 void compute_while_passing(const NamedDistance& distance, const SignatureBlock& some,
                            const SharedSignatures& signatures, Communicator& ranks,
                            Eigen::Ref<DistanceMatrix> distances) {
@@ -78,7 +78,7 @@ std::string packed(const QueryScores& scores) {
   return std::move(packer).bytes();
 }
 
-/// The scores of all ranks, one after the other.
+/// Concatenates the scores of all ranks.
 QueryScores together(const std::vector<std::string>& parts) {
   std::vector<QueryScores> all(parts.size());
   Eigen::Index queries = 0;
@@ -111,7 +111,7 @@ std::string packed(const PartialOverview& seen) {
       .bytes();
 }
 
-/// What another rank has seen of the matrix of which this one has seen the rest.
+/// Decodes the partial overview of another rank.
 PartialOverview seen_in(const std::string& bytes, const PartialOverview& here) {
   PartialOverview seen;
   Unpacker(bytes).take(seen.first).take(seen.sums).take(seen.entries).take(seen.nearest).take(seen.nearest_distances);
@@ -130,7 +130,7 @@ void visit_distances(const NamedDistance& distance, const SharedSignatures& sign
   const auto own_first = static_cast<Eigen::Index>(own.first);
   on_all_ranks(ranks, [&] { check_signatures({signatures.rows, own_first}, distance); });
   const Eigen::Index at_once = rows_together(signatures.all);
-  // All ranks go as many rounds as the first, which has no fewer rows than any.
+  // All ranks take part in as many rounds as the first, which has the most rows.
   const auto rounds = static_cast<Eigen::Index>(part_of_rank(signatures.all, 0, ranks.size()).size());
   DistanceMatrix rows(std::min(at_once, signatures.rows.rows()), static_cast<Eigen::Index>(signatures.all));
   for (Eigen::Index first = 0; first < rounds; first += at_once) {

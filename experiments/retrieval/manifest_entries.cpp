@@ -14,7 +14,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-/// SHA-256 of a shape's file; nothing where it cannot be read.
+/// Returns SHA-256 of a shape's file, if it can be read.
 std::string readable_hash(const std::filesystem::path& file) {
   try {
     return sha256_of_shape(read_shape_source(file));
@@ -23,7 +23,7 @@ std::string readable_hash(const std::filesystem::path& file) {
   }
 }
 
-/// The inputs by the models' hashes, of which an empty one is left out.
+/// Returns the inputs with the models' hashes, omitting empty ones.
 OrderedJson inputs_json(const Configuration& configuration, const std::vector<Model>& models,
                         const std::vector<std::string>& hashes) {
   OrderedJson by_model = OrderedJson::object();
@@ -36,7 +36,7 @@ OrderedJson inputs_json(const Configuration& configuration, const std::vector<Mo
   return json;
 }
 
-/// Of the models used and of those that failed.
+/// Returns the hashes of the used and of the failed models.
 OrderedJson inputs(const ExperimentResults& results) {
   std::vector<Model> models = results.models;
   std::vector<std::string> hashes;
@@ -48,7 +48,7 @@ OrderedJson inputs(const ExperimentResults& results) {
   return inputs_json(results.configuration, models, hashes);
 }
 
-/// Of how many results of each kind the run took from the cache.
+/// Returns the numbers of results taken from the cache by kind.
 OrderedJson cache_json(const CacheReport& cache) {
   if (cache.folder.empty()) return nullptr;
   OrderedJson json = OrderedJson::object();

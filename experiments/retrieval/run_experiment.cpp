@@ -44,7 +44,7 @@ DistanceMatrix derived_distances(const SignatureConfiguration& signature,
   }
 }
 
-/// By signature whether distances are derived from it, or it from others: that takes whole matrices.
+/// By signature: true if its distances are derived or others derive from them, which needs whole matrices.
 std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguration>& signatures) {
   std::vector<bool> takes_part(signatures.size());
   for (std::size_t i = 0; i < signatures.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<bool> taking_part_in_derived(const std::vector<SignatureConfiguratio
   return takes_part;
 }
 
-/// Collective. All rows of the signatures on rank 0, none elsewhere.
+/// Returns all rows of the signatures on rank 0, none elsewhere. Collective.
 Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks) {
   if (ranks.size() == 1) return rows;
   std::string bytes = std::move(Packer().add(rows)).bytes();
@@ -70,7 +70,7 @@ Signatures gathered(const Signatures& rows, std::size_t all, Communicator& ranks
   return together;
 }
 
-/// The distances of all methods of a run, and what they are worth.
+/// Distances and evaluations of all methods of a run.
 class MethodsRun {
  public:
   MethodsRun(const Configuration& configuration, const RunPlaces& places, const RunControl& control, Cache& cache,
@@ -83,7 +83,7 @@ class MethodsRun {
         in_derived_(taking_part_in_derived(configuration.signatures)),
         whole_(configuration.signatures.size()) {}
 
-  /// Collective. Adds the methods, with what was found of them on rank 0, to the results.
+  /// Adds the methods and, on rank 0, their results. Collective.
   void run(const std::vector<int>& labels, ComputedSignatures& computed, ExperimentResults& results) {
     check_size(labels.size());
     double evaluating = 0;
@@ -122,13 +122,13 @@ class MethodsRun {
     return configuration_->keep_distances && places_->distance_files.empty() && ranks_->size() == 1;
   }
 
-  /// Whether the distances of a signature are to be in memory as a whole, on rank 0.
+  /// Returns true if rank 0 needs the whole distance matrix of a signature.
   [[nodiscard]] bool is_whole(std::size_t signature, std::size_t models) const {
     const bool few = models <= static_cast<std::size_t>(most_shapes_kept);
     return in_derived_[signature] || keeps_matrices() || (ranks_->size() == 1 && few);
   }
 
-  /// Collective. The matrices that are to be in memory.
+  /// Computes the matrices needed in memory. Collective.
   void compute_whole(const ComputedSignatures& computed, std::size_t models) {
     std::size_t done = 0;
     for (const std::size_t i : computation_order(configuration_->signatures)) {
@@ -148,7 +148,7 @@ class MethodsRun {
     }
   }
 
-  /// Collective. Judges the distances of one signature; returns the seconds that it took here to evaluate them.
+  /// Evaluates the distances of one signature; returns the seconds of evaluation on this rank. Collective.
   double judge(std::size_t i, const std::vector<int>& labels, const Signatures& rows, MethodResults& method) {
     const bool whole = is_whole(i, labels.size());
     const NamedDistance distance = distance_between(configuration_->signatures[i], *configuration_);
@@ -197,7 +197,7 @@ class MethodsRun {
     }
   }
 
-  /// Collective. The signatures that the results are to have.
+  /// Returns the signatures for the results. Collective.
   Signatures kept_signatures(std::size_t i, std::size_t models, Signatures rows) {
     if (ranks_->size() == 1) return rows;
     const SignatureConfiguration& signature = configuration_->signatures[i];
@@ -214,7 +214,7 @@ class MethodsRun {
   std::vector<DistanceMatrix> whole_;  ///< by signature; on rank 0
 };
 
-/// Collective. The data set of the configuration. One that the program makes lies in the given folder.
+/// Finds or generates the data set of the configuration; a generated one goes into the given folder. Collective.
 Dataset prepare_dataset(const Configuration& configuration, const fs::path& generated_folder, const RunControl& control,
                         Communicator& ranks) {
   if (configuration.generator) prepare_generated(generated_folder, *configuration.generator, control, ranks);
@@ -252,7 +252,7 @@ void run_stages(const Configuration& configuration, const RunPlaces& places, con
 
 namespace {
 
-/// The distances of the signatures by the distance of that name, which `compute` computes where the cache has none.
+/// Returns the distances of the signatures from the cache, or by `compute`.
 DistanceMatrix cached_distances(const Signatures& signatures, const std::string& distance, Cache& cache,
                                 const std::function<DistanceMatrix()>& compute) {
   const bool kept = !cache.folder().empty() && signatures.rows() <= most_shapes_kept;
@@ -305,7 +305,7 @@ ExperimentResults run_experiment(const Configuration& configuration, const std::
 
 namespace {
 
-/// The effect of ties on FT under each protocol: "FT 52.5 to 81.0 (psb)"; empty where there is none.
+/// Describes the effect of ties on FT under each protocol: "FT 52.5 to 81.0 (psb)"; empty if there is none.
 std::string effect_on_first_tier(const MethodResults& method) {
   std::vector<std::string> parts;
   for (const Evaluation& evaluation : method.evaluations) {
@@ -322,7 +322,7 @@ std::string effect_on_first_tier(const MethodResults& method) {
 std::vector<std::string> run_warnings(const ExperimentResults& results) {
   std::vector<std::string> warnings = field_warnings(results.fields);
   for (const MethodResults& method : results.methods) {
-    // Without ranked lists from elsewhere, all protocols have the same tied queries.
+    // Without external ranked lists, all protocols have the same tied queries.
     const Evaluation& evaluation = method.evaluations.front();
     if (evaluation.queries_with_ties == 0) continue;
     warnings.push_back(fmt::format(

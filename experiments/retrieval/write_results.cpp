@@ -73,7 +73,7 @@ std::string summary_json(const ExperimentResults& results, std::span<const Named
          "\n";
 }
 
-/// The text files of the results by name.
+/// Returns the text files of the results by name.
 std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResults& results,
                                                             std::span<const NamedEvaluation> evaluations) {
   std::vector<std::string> ids;
@@ -93,7 +93,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const ExperimentResu
                                                            results.configuration.signatures))}};
 }
 
-/// The files of that kind, one a method.
+/// Returns the files of that kind, one a method.
 std::vector<std::string> method_files(const char* kind, const Configuration& configuration) {
   std::vector<std::string> names;
   for (const SignatureConfiguration& signature : configuration.signatures) names.push_back(signature.name);
@@ -102,7 +102,7 @@ std::vector<std::string> method_files(const char* kind, const Configuration& con
   return files;
 }
 
-/// Writes the features of the methods that are descriptors. Returns the files' names.
+/// Writes the features of descriptor methods. Returns the files' names.
 std::vector<std::string> write_features(const fs::path& folder, const ExperimentResults& results) {
   const std::vector<std::string> names = method_files("features", results.configuration);
   std::vector<std::string> files;
@@ -115,12 +115,12 @@ std::vector<std::string> write_features(const fs::path& folder, const Experiment
   return files;
 }
 
-/// The names of the distances' files; none where they are not kept.
+/// Returns the names of the distances' files; empty if they are not kept.
 std::vector<std::string> distance_files(const Configuration& configuration) {
   return configuration.keep_distances ? method_files("distances", configuration) : std::vector<std::string>();
 }
 
-/// Writes all files but the distances, which are there.
+/// Writes all files but the distances, which are already there.
 RunOutcome write_files(const fs::path& folder, const ExperimentResults& results) {
   RunOutcome outcome{.manifest = manifest_entries(results),
                      .execution = execution_entries(results),

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path relative to the folder where it is below it, else absolute.
+/// Returns the path relative to the folder if it is below it, otherwise absolute.
 fs::path relative_to(const fs::path& folder, const fs::path& path) {
   const fs::path relative =
       fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder).lexically_normal());

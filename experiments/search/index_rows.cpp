@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Up to so many models a term's distances are in memory as a whole, which takes half the time.
+/// Maximum number of models whose distances by a term are kept in memory, which takes half the time.
 constexpr std::size_t most_in_memory = 10'000;
 
 DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const Signatures& table) {
@@ -24,7 +24,7 @@ DistanceMatrix whole_matrix(const SearchMethod& method, std::size_t term, const 
                               : distance_matrix(table, method.configuration.distance);
 }
 
-/// The distances between all models by one term.
+/// Distances between all models by one term.
 class TermDistances {
  public:
   TermDistances(const SearchMethod& method, std::size_t term, const Signatures& table, bool in_memory)
@@ -44,7 +44,7 @@ class TermDistances {
   DistanceMatrix whole_;  ///< or empty
 };
 
-/// What the sum of an earlier index says of the models that are still there; nothing where most are new.
+/// Returns the statistics of an earlier index for the remaining models; nothing if most are new.
 std::optional<EarlierSum> earlier_sum(const ShapeIndex& index, const ShapeIndex& before) {
   std::map<std::pair<std::string, std::string>, Eigen::Index> place_of;
   for (std::size_t i = 0; i < before.models.size(); ++i) {
@@ -109,7 +109,7 @@ std::vector<Eigen::VectorXd> term_distances(const std::vector<NamedDistance>& di
   for (std::size_t k = 0; k < distances.size(); ++k) {
     const Signatures row = signatures[k];
     const Eigen::Index models = index.tables[k].rows();
-    // One from elsewhere comes behind all others.
+    // A query from elsewhere gets an index after all models.
     const SignatureBlock some{row, member >= 0 ? member : models};
     check_signatures(some, distances[k]);
     found.emplace_back(distances_between(distances[k], some, {index.tables[k], 0}).row(0));

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A file younger than this may change again within the tick of its clock.
+/// Age below which a file may change again within one tick of its clock.
 constexpr std::chrono::seconds too_young{2};
 
 IndexedFile state_of(const Collection& collection, const CollectionFile& file) {
@@ -36,7 +36,7 @@ IndexedFile state_of(const Collection& collection, const CollectionFile& file) {
   return state;
 }
 
-/// The files as they are now. The contents of those whose size and time the index has need no look.
+/// Returns the present state of the files; skips the contents of those whose size and time match the index.
 std::vector<IndexedFile> states_of(const Collection& collection, const ShapeIndex* before) {
   std::map<std::string, const IndexedFile*> known;
   if (before != nullptr) {
@@ -63,7 +63,7 @@ std::vector<IndexedFile> states_of(const Collection& collection, const ShapeInde
   return states;
 }
 
-/// What of the files decides on the contents of an index.
+/// Returns the data of files that determines the contents of an index.
 std::vector<std::pair<std::string, std::string>> contents_of(const std::vector<IndexedFile>& files) {
   std::vector<std::pair<std::string, std::string>> contents;
   for (const IndexedFile& file : files) contents.emplace_back(file.id, file.path + " " + file.sha256);
@@ -80,7 +80,7 @@ bool is_of(const ShapeIndex& index, const std::vector<IndexedFile>& files) {
   return indexed == wanted;
 }
 
-/// Takes over sizes and times; returns whether any was another.
+/// Updates sizes and times; returns whether any changed.
 bool take_times(ShapeIndex& index, const std::vector<IndexedFile>& files) {
   std::map<std::string, const IndexedFile*> now;
   for (const IndexedFile& file : files) now.emplace(file.path, &file);
@@ -121,7 +121,7 @@ ShapeIndex described(const SearchMethod& method, const Collection& collection, s
   return index;
 }
 
-/// The files that could not be described before are no news.
+/// Returns the failures that an earlier index does not have.
 std::vector<LeftOutShape> new_failures(const ShapeIndex& index, const ShapeIndex* before) {
   std::vector<LeftOutShape> left_out;
   for (const IndexedFile& file : index.failures) {

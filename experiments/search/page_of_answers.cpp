@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The faces of each shape on a page that has so many.
+/// Returns the number of faces of each shape on a page.
 Eigen::Index faces_of_each(std::size_t shapes) {
   constexpr Eigen::Index of_all = 600'000;
   return std::clamp(of_all / static_cast<Eigen::Index>(std::max<std::size_t>(shapes, 1)), Eigen::Index{600},
                     Eigen::Index{6000});
 }
 
-/// The thickness at the vertices of a shape, where it has one.
+/// Adds the thickness at the vertices of a shape, if it is defined.
 void add_thickness(ShapeView& view) {
   const Samples samples = sample_shape(view.shape, view.site);
   FieldSource source(view.shape);
@@ -49,7 +49,7 @@ ShapeView view_of(const Shape& shape, Eigen::Index faces) {
   return view;
 }
 
-/// The shapes of a page, each once.
+/// Shapes of a page, without repetition.
 class PageShapes {
  public:
   explicit PageShapes(const OpenIndex& index) : index_(&index) {}

@@ -21,18 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A query's signatures, one a term, and the model that it is.
+/// Signatures of a query, one a term, and the model that it equals, if any.
 struct DescribedQuery {
   std::vector<Eigen::RowVectorXf> signatures;
   std::optional<std::size_t> member;
 };
 
-/// What tells whether two files are the same shape.
+/// Returns a key that identifies the contents of a shape file.
 std::string contents_key(const std::string& sha256, const fs::path& file) {
   return sha256 + lower_case(file.extension().string());
 }
 
-/// The models by their contents.
+/// Returns the models by contents.
 std::multimap<std::string, std::size_t> models_by_contents(const ShapeIndex& index) {
   std::multimap<std::string, std::size_t> models;
   for (std::size_t i = 0; i < index.models.size(); ++i) {
@@ -62,7 +62,7 @@ ModelDescription description_of(const Shape& shape, const Configuration& configu
   return std::move(prepared.description);
 }
 
-/// Describes queries as the models of an index are.
+/// Describes queries like the models of an index.
 class QueryDescriber {
  public:
   QueryDescriber(const OpenIndex& index, Cache& cache)
@@ -136,10 +136,10 @@ std::vector<RankedModel> nearest_by(const Eigen::VectorXd& distances, std::optio
   return models;
 }
 
-/// How many neighbours of each model diffusion takes.
+/// Returns the number of neighbours of each model needed by diffusion.
 int neighbours_for(const SearchMethod& method) { return neighbour_counts(method.diffusion.neighbours).back(); }
 
-/// The neighbours of all models, which are found once.
+/// Computes the neighbours of all models once.
 void require_neighbours(OpenIndex& index, const RunControl& control, std::vector<std::string>& notes) {
   const int count = neighbours_for(index.method);
   const auto models = std::ssize(index.contents.models);
@@ -149,7 +149,7 @@ void require_neighbours(OpenIndex& index, const RunControl& control, std::vector
   write_index(index, notes);
 }
 
-/// The nearest models after diffusion over the collection and, where it is not of it, the query.
+/// Returns the nearest models after diffusion over the collection and, if it is not a member, the query.
 std::vector<RankedModel> reranked(const OpenIndex& index, const Eigen::VectorXd& distances,
                                   std::optional<std::size_t> member, std::size_t count) {
   const NearestModels& nearest = index.contents.nearest;

@@ -18,7 +18,7 @@
 
 namespace shapegauge {
 
-/// The text of configs/recommended.json.
+/// Returns the text of configs/recommended.json.
 std::string_view recommended_configuration();
 
 namespace {
@@ -26,14 +26,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-/// Incremented with every change of what an index holds.
+/// Version of the index format; increment when an index changes.
 constexpr int index_version = 2;
 
 bool is_reranked(const SignatureConfiguration& signature) {
   return signature.derived && signature.derived->key == "rerank";
 }
 
-/// Why a search cannot compare by the signature; empty where it can.
+/// Returns why the signature is unsuitable for searches; empty if it is suitable.
 std::string why_not_searchable(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   const SignatureConfiguration& signature = signatures[chosen];
   if (!signature.derived) return "";
@@ -60,7 +60,7 @@ std::size_t named_signature(const std::vector<SignatureConfiguration>& signature
   throw InputError(fmt::format("{}: the signature \"{}\" is not suitable for searches: {}", source, wanted, why));
 }
 
-/// The one of that name; of none, the last that can be searched by.
+/// Returns the signature of that name; for an empty name, the last suitable one.
 std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatures, const std::string& wanted,
                              const std::string& source) {
   if (!wanted.empty()) return named_signature(signatures, wanted, source);
@@ -70,14 +70,14 @@ std::size_t chosen_signature(const std::vector<SignatureConfiguration>& signatur
   throw InputError(fmt::format("{}: no signature is suitable for searches", source));
 }
 
-/// Adds the signature, and those that it is made from.
+/// Adds the signature and its parts.
 void add_with_parts(const std::vector<SignatureConfiguration>& signatures, std::size_t one,
                     std::set<std::size_t>& wanted) {
   if (!wanted.insert(one).second) return;
   for (const std::size_t part : signatures[one].parts) add_with_parts(signatures, part, wanted);
 }
 
-/// The settings of the first diffusion of the signature, or its defaults.
+/// Returns the settings of the first diffusion of the signature, or defaults.
 DiffusionOptions diffusion_of(const std::vector<SignatureConfiguration>& signatures, std::size_t chosen) {
   for (const SignatureConfiguration& one : signatures) {
     if (!is_reranked(one) || one.parts.front() != chosen) continue;
@@ -106,7 +106,7 @@ void take_terms(const SignatureConfiguration& signature, std::size_t index, Sear
 }  // namespace
 
 std::string SearchMethod::key() const {
-  // The keys that the cache has of one and the same shape: they stand for all settings, versions and the program.
+  // Cache keys of a fixed shape represent all settings, versions and the program.
   const std::string shape = shape_key({.sha256 = "", .file = "any.off", .id = "", .index = 0}, configuration);
   Json depends_on{
       {"index", index_version}, {"terms", terms}, {"distances", Json::array()}, {"signatures", Json::array()}};

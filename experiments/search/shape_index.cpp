@@ -45,7 +45,7 @@ void take(Unpacker& unpacker, std::vector<Matrix>& matrices) {
 
 constexpr float largest_byte = 255;
 
-/// Whole numbers from 0 to 255, which some descriptors have, take a byte each.
+/// Returns true for a table of integers from 0 to 255, which then take a byte each.
 bool fits_bytes(const Signatures& table) {
   return std::all_of(table.data(), table.data() + table.size(), [](float number) {
     return number >= 0 && number <= largest_byte && number == std::floor(number) && !std::signbit(number);

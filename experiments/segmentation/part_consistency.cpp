@@ -13,7 +13,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Of the area; smaller parts are crumbs that no person would count.
+/// Fraction of the area below which parts are not counted.
 constexpr double least_size = 0.01;
 
 using Sizes = std::vector<double>;
@@ -32,7 +32,7 @@ double difference(const Sizes& a, const Sizes& b) {
   return sum / 2;
 }
 
-/// A mean that grows; NaN of nothing.
+/// Running mean; NaN if empty.
 struct Mean {
   double sum = 0;
   int count = 0;

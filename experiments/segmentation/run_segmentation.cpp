@@ -44,7 +44,7 @@ using Labels = std::vector<std::int32_t>;
 constexpr int picture_width = 160;
 constexpr int picture_height = 128;
 
-/// The parts' fractions of the area, largest first.
+/// Returns the parts' fractions of the area, largest first.
 std::vector<double> part_sizes(const Labels& labels, const Eigen::VectorXd& areas) {
   std::vector<double> sizes(static_cast<std::size_t>(*std::ranges::max_element(labels)) + 1, 0);
   const double area = areas.sum();
@@ -55,8 +55,8 @@ std::vector<double> part_sizes(const Labels& labels, const Eigen::VectorXd& area
   return sizes;
 }
 
-/// Labels of a changed mesh, or of a cloud that was made of it, carried to the mesh: to each triangle that of the one
-/// whose centroid is nearest. Where there are as many triangles, they are the same ones, though they may have moved.
+/// Transfers labels of a perturbed mesh, or of a cloud made from it, to the original mesh: each triangle gets the label
+/// of the nearest centroid. With equal numbers of triangles, they correspond by index.
 Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mesh) {
   if (!is_cloud(changed) && changed.triangles.rows() == mesh.triangles.rows()) return labels;
   const SampleSite site = is_cloud(changed) ? SampleSite::vertices : SampleSite::faces;
@@ -68,10 +68,10 @@ Labels carried_over(const Labels& labels, const Shape& changed, const Shape& mes
   return carried;
 }
 
-/// What computing one shape needs and gives.
+/// Segmentation of one shape, with its inputs and results.
 class ShapeJob {
  public:
-  /// - `index`: the model's in the data set, which perturbations may depend on.
+  /// `index` is the model's index in the data set, which perturbations may depend on.
   ShapeJob(const SegmentationExperiment& experiment, const SegmentedModel& model, std::size_t index, Cache& cache)
       : experiment_(experiment), model_(model), index_(index), cache_(cache) {
     const ShapeSource source = read_shape_source(model.mesh);
@@ -101,7 +101,7 @@ class ShapeJob {
     const std::string key =
         segmentation_key({.sha256 = result.mesh_sha256, .file = model_.mesh, .id = model_.id, .index = index_}, method,
                          versions_of(method), experiment_.seed);
-    // Several methods may ask for the same undamaged parts, and there may be no cache.
+    // Several methods may need the same undamaged parts, possibly without a cache.
     const auto done = done_.find(key);
     if (done != done_.end()) return done->second;
     return done_[key] = looked_up_labels(method, key);
@@ -124,7 +124,7 @@ class ShapeJob {
     return renumbered(carried_over(segmented(changed, method), changed, mesh_));
   }
 
-  /// How much the perturbations of a method change its parts.
+  /// Measures how much the perturbations of a method change its parts.
   double moved(std::size_t method, const SegmentationScorer& scorer) {
     SegmentationMethod without = experiment_.methods[method];
     if (without.perturbations.empty()) return std::numeric_limits<double>::quiet_NaN();
@@ -152,7 +152,7 @@ class ShapeJob {
   std::map<std::string, Labels> done_;  ///< by key of the cache
 };
 
-/// A data set that nobody has cut.
+/// Makes a benchmark without human segmentations.
 SegmentationBenchmark without_people(const Dataset& dataset) {
   SegmentationBenchmark shapes{
       .models = {}, .classes = dataset.classes, .without_people = {}, .skipped = dataset.skipped};
@@ -181,7 +181,7 @@ std::vector<std::string> method_names(const SegmentationExperiment& experiment,
   return names;
 }
 
-/// Takes failed shapes out of the benchmark; those left, by their old index.
+/// Removes failed shapes from the benchmark; returns the old indices of the others.
 std::vector<std::size_t> split_failures(const std::vector<ModelFailure>& failed, SegmentationResults& results) {
   std::vector<SegmentedModel> used;
   std::vector<std::size_t> left;
@@ -209,7 +209,7 @@ void check_failures(const std::vector<ModelFailure>& failed, const SegmentationR
     throw SharedError("no shape can be used; the first one, " + first);
 }
 
-/// What was found of a shape, as it goes from process to process.
+/// Results for a shape, for transfer between processes.
 struct CutShape {
   SegmentedShape shape;
   std::vector<SegmentationErrors> errors;  ///< by method, then people's
@@ -258,7 +258,7 @@ CutShape unpack_cut_shape(Unpacker& unpacker) {
   return cut;
 }
 
-/// Collective. The shapes that the ranks have cut, by index, on rank 0.
+/// Gathers the shapes segmented by all ranks, by index, on rank 0. Collective.
 std::map<std::size_t, CutShape> cut_by_all(std::map<std::size_t, CutShape> own, Communicator& ranks) {
   if (ranks.size() == 1) return own;
   Packer packer;
@@ -311,7 +311,7 @@ void run_stages(const RunControl& control, Cache& cache, const std::filesystem::
 }  // namespace
 
 nlohmann::json versions_of(const SegmentationMethod& method) {
-  // Which of the diameters the thickness is, the shape decides.
+  // The shape determines which diameter is used as thickness.
   return {{method.paper ? "paper_segmentation" : "part_segmentation",
            method.paper ? paper_segmentation_version : part_segmentation_version},
           {"cone_sdf", cone_sdf_version},

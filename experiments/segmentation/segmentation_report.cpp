@@ -49,7 +49,7 @@ SegmentationFigure figure_of(const SegmentationResults& results, std::size_t sha
   return figure;
 }
 
-/// The shapes' indices, of greatest error of the first method first.
+/// Returns the shapes' indices, largest error of the first method first.
 std::vector<std::size_t> worst_first(const SegmentationScores& scores) {
   std::vector<std::size_t> order(scores.ids.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -57,7 +57,7 @@ std::vector<std::size_t> worst_first(const SegmentationScores& scores) {
   return order;
 }
 
-/// Of each class the shape of median error.
+/// Returns the shape of median error of each class.
 std::vector<std::size_t> typical_shapes(const SegmentationScores& scores) {
   std::vector<std::vector<std::size_t>> by_class(scores.classes.size());
   for (const std::size_t i : worst_first(scores)) by_class[static_cast<std::size_t>(scores.labels[i])].push_back(i);

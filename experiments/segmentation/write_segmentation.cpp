@@ -57,7 +57,7 @@ std::vector<std::pair<std::string, std::string>> text_files(const SegmentationRe
   return files;
 }
 
-/// Of the meshes that were used and of people's segmentations.
+/// Returns the hashes of the meshes used and of the human segmentations.
 Json inputs(const SegmentationResults& results) {
   Json models = Json::object();
   for (std::size_t i = 0; i < results.shapes.size(); ++i) {
@@ -88,7 +88,7 @@ Json execution_entries(const SegmentationResults& results) {
   return execution;
 }
 
-/// Of each method a folder with a .seg file for each shape. Returns their names.
+/// Writes a folder with a .seg file for each shape for each method. Returns their names.
 std::vector<std::string> write_parts(const std::filesystem::path& folder, const SegmentationResults& results) {
   std::vector<std::string> names;
   for (const SegmentationMethod& method : results.experiment.methods) names.push_back(method.name);

@@ -26,10 +26,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// To be raised with every change of what the entries hold.
+/// Cache version of the entries' contents; see docs/manual/cache.md.
 constexpr int entry_version = 1;
 
-/// The program that computes.
+/// Returns the program that computes results.
 const Json& program() {
   static const Json program{{"shapegauge", version()},    {"compiler", compiler()},
                             {"build_type", build_type()}, {"libraries", Json::parse(library_versions())},
@@ -46,11 +46,11 @@ Json versions_of(const std::vector<Perturbation>& steps) {
 std::string key_of(EntryKind kind, Json depends_on) {
   depends_on["kind"] = name_of(kind);
   depends_on["program"] = program();
-  // Keys of objects come in order, numbers as the shortest text that reads back the same.
+  // Keys of objects are sorted, and numbers are shortest texts that restore them.
   return sha256(depends_on.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-/// The program does not compile where a member is added to ShapeDiagnostics: name it above, too.
+/// Fails to compile if a member is added to ShapeDiagnostics: it must be listed above, too.
 [[maybe_unused]] void all_members_are_named(const ShapeDiagnostics& diagnostics) {
   [[maybe_unused]] const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r, s] = diagnostics;
 }
@@ -170,7 +170,7 @@ std::string distances_key(const Signatures& signatures, const std::string& dista
                                        {"version", distances_version}});
 }
 
-// By name, every member: one that is missing here would come back from the cache as zero.
+// All members by name: one missing here would be restored from the cache as zero.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ShapeDiagnostics, vertices, unreferenced_vertices, coincident_vertices, diagonal,
                                    triangles, area, degenerate_triangles, duplicate_triangles, components, watertight,
                                    edges, boundary_edges, boundary_length, non_manifold_edges, inconsistent_edges,

@@ -22,7 +22,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The union of the ranges of a field over all models.
+/// Returns the union of the ranges of a field over all models.
 Interval common_range(const std::vector<const ModelDescription*>& models, std::size_t field) {
   std::vector<Interval> ranges;
   ranges.reserve(models.size());
@@ -30,7 +30,7 @@ Interval common_range(const std::vector<const ModelDescription*>& models, std::s
   return enclosing_interval(ranges);
 }
 
-/// One signature, a histogram, of all models.
+/// Returns one histogram signature of all models.
 Signatures histograms_of(const std::vector<const ModelDescription*>& models, const HistogramConfiguration& wanted,
                          std::size_t signature, std::size_t field, std::span<const Interval> data_set_ranges) {
   Signatures table(static_cast<Eigen::Index>(models.size()), wanted.options.bins);
@@ -43,7 +43,7 @@ Signatures histograms_of(const std::vector<const ModelDescription*>& models, con
   return table;
 }
 
-/// What became of each model: the descriptions that this process has, and the failures of all.
+/// Results for each model: the descriptions on this process, and the failures of all.
 struct Described {
   DescribedModels models;
   std::vector<ModelFailure> failures;
@@ -53,7 +53,7 @@ struct Described {
 [[noreturn]] void stop_for(const Dataset& dataset, const std::vector<ModelFailure>& failures, OnError on_error) {
   const ModelFailure& first = failures.front();
   const std::string& id = dataset.models[first.model].id;
-  // All processes know of it.
+  // All processes know the failures.
   if (on_error == OnError::skip) {
     throw SharedError(
         fmt::format("none of {} models can be used; the first is {}: {}", failures.size(), id, first.message));
@@ -70,7 +70,7 @@ void stop_if_told(const Dataset& dataset, const std::vector<ModelFailure>& failu
   }
 }
 
-/// The models that are not among the failures.
+/// Returns the models that are not among the failures.
 std::vector<std::size_t> models_without(const std::vector<ModelFailure>& failures, std::size_t count) {
   std::vector<std::size_t> models;
   auto failure = failures.begin();
@@ -90,7 +90,7 @@ Described describe_models(const Dataset& dataset, const Configuration& configura
   described.failures = failures_of_all(ranks.rank() == 0 ? check_models(dataset) : std::vector<ModelFailure>(), ranks);
   stop_if_told(dataset, described.failures, configuration.on_error);
   const std::vector<std::size_t> remaining = models_without(described.failures, dataset.models.size());
-  // Shapes one beside the other need no synchronisation; only few of them are too little work for the threads.
+  // Processing shapes in parallel needs no synchronisation, but a few shapes do not occupy all threads.
   const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency() * ranks.size());
   const bool parallel_within = remaining.size() < 2 * threads;
   const bool stops = configuration.on_error == OnError::stop;
@@ -122,7 +122,7 @@ ArgumentError different_lengths(Eigen::Index one, Eigen::Index other) {
   return ArgumentError(fmt::format("a descriptor returned {} features for one model and {} for another", one, other));
 }
 
-/// The features of one descriptor of all models.
+/// Returns the features of one descriptor of all models.
 Signatures features_of(const std::vector<const ModelDescription*>& models, std::size_t descriptor) {
   const Eigen::Index length = models.front()->features[descriptor].features.size();
   Signatures table(std::ssize(models), length);
@@ -225,7 +225,7 @@ std::vector<Interval> histogram_ranges(const std::vector<const ModelDescription*
 
 namespace {
 
-/// The fields of the views, on the scales of the pictures and of the histograms.
+/// Returns the fields of the views, with the scales of pictures and histograms.
 std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, std::span<const PlannedField> plan,
                                           const Configuration& configuration) {
   std::vector<ViewedField> viewed;
@@ -243,7 +243,7 @@ std::vector<ViewedField> viewed_fields_of(const ComputedSignatures& computed, st
   return viewed;
 }
 
-/// Collective. By field of the plan its range over all models of all ranks.
+/// Returns the range of each field of the plan over all models of all ranks. Collective.
 std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescription*>& own, std::size_t fields,
                                            Communicator& ranks) {
   Packer packer;
@@ -265,7 +265,7 @@ std::vector<Interval> ranges_over_data_set(const std::vector<const ModelDescript
   return ranges;
 }
 
-/// Collective. The lengths of the signatures, which some ranks may have no row of. Throws where they differ.
+/// Returns the lengths of the signatures, of which some ranks may have no row. Throws if they differ. Collective.
 std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Communicator& ranks) {
   Packer packer;
   for (const Signatures& table : tables) packer.add(table.cols());
@@ -285,7 +285,7 @@ std::vector<Eigen::Index> lengths_of(const std::vector<Signatures>& tables, Comm
   return Unpacker(told).take_value<std::vector<Eigen::Index>>();
 }
 
-/// Collective. Brings the rows to the ranks that they belong to: `tables` are of the models at these places.
+/// Distributes rows to the ranks that they belong to; `tables` are those of the models at these positions. Collective.
 std::vector<Signatures> rows_of_rank(const std::vector<Signatures>& tables, std::span<const std::size_t> places,
                                      std::size_t all, Communicator& ranks) {
   const std::vector<Eigen::Index> lengths = lengths_of(tables, ranks);
@@ -317,7 +317,7 @@ std::vector<Signatures> rows_of_rank(const std::vector<Signatures>& tables, std:
   return rows;
 }
 
-/// Collective. On rank 0 what is told of all models, in their order; without values, histograms and features.
+/// Gathers the descriptions of all models on rank 0, in order, without values, histograms and features. Collective.
 std::vector<ModelDescription> told_of_all(const std::vector<const ModelDescription*>& own,
                                           std::span<const std::size_t> places, std::size_t all, Communicator& ranks) {
   Packer packer;
@@ -332,7 +332,7 @@ std::vector<ModelDescription> told_of_all(const std::vector<const ModelDescripti
   return models;
 }
 
-/// What the results tell of the models.
+/// Adds the reports on models to the results.
 void report(std::vector<ModelDescription> models, const Configuration& configuration,
             std::span<const PlannedField> plan, ComputedSignatures& computed) {
   std::vector<const ModelDescription*> all;

@@ -14,7 +14,7 @@ namespace shapegauge {
 
 namespace {
 
-/// What a descriptor learns from one model: its fields, and their keys in the cache.
+/// Input for learning from one model: its fields, and their keys in the cache.
 struct Lesson {
   std::vector<ScalarField> fields;
   std::vector<std::string> keys;
@@ -23,7 +23,7 @@ struct Lesson {
 /// By the model's index in the data set.
 using Lessons = std::map<std::size_t, Lesson>;
 
-/// What a descriptor has learnt, under its key.
+/// Learnt features with their key.
 struct Learnt {
   std::string key;
   LearntFeatures features;
@@ -41,7 +41,7 @@ Lessons lessons_of(const DescribedModels& models, const PlannedDescriptor& plann
   return lessons;
 }
 
-/// In single precision, which is how fields are kept.
+/// Serialises fields in single precision, in which they are stored.
 std::string packed(const Lessons& lessons) {
   Packer packer;
   for (const auto& [index, lesson] : lessons) {
@@ -67,13 +67,13 @@ void unpack(std::string_view bytes, Lessons& lessons) {
   }
 }
 
-/// Meshes are not kept.
+/// Meshes are not available.
 DescriptorInput input_of(const Lesson& lesson) {
   static const Shape none;
   return {.shape = none, .fields = lesson.fields};
 }
 
-/// What is learnt from those models, which are all.
+/// Learns from all models.
 Learnt learn(const Lessons& lessons, const DescriptorChoice& choice, Cache& cache) {
   std::vector<std::vector<std::string>> keys;
   for (const auto& [index, lesson] : lessons) keys.push_back(lesson.keys);
@@ -92,10 +92,10 @@ Learnt learn(const Lessons& lessons, const DescriptorChoice& choice, Cache& cach
   return learnt;
 }
 
-/// The most bytes of fields that one process takes from all others to learn from them.
+/// Maximum size of the fields that rank 0 receives from all others for learning.
 constexpr std::size_t most_bytes_to_learn_from = std::size_t{2} << 30;
 
-/// Rank 0 learns from the models of all ranks.
+/// Learns on rank 0 from the models of all ranks.
 Learnt learn_together(const Lessons& own, const std::string& name, const DescriptorChoice& choice, Cache& cache,
                       Communicator& ranks) {
   if (ranks.size() == 1) return learn(own, choice, cache);

@@ -14,13 +14,13 @@ namespace shapegauge {
 
 namespace {
 
-/// The place in the plan of the field of such settings; the plan's size where it is not there.
+/// Returns the index of the field in the plan; the plan's size if missing.
 std::size_t place_in(std::span<const PlannedField> plan, const Field& field) {
   const auto same = [&](const PlannedField& known) { return known.field.settings == field.settings; };
   return static_cast<std::size_t>(std::ranges::find_if(plan, same) - plan.begin());
 }
 
-/// The plan's entry for the field, which is added where it is new.
+/// Returns the plan's entry for the field, adding it if it is new.
 PlannedField& planned(std::vector<PlannedField>& plan, const Field& field) {
   const std::size_t place = place_in(plan, field);
   if (place == plan.size()) plan.push_back({.field = field, .signatures = {}});
@@ -83,13 +83,13 @@ std::vector<std::size_t> viewed_fields(std::span<const PlannedField> plan, const
 
 namespace {
 
-/// The samples of a shape by plan, taken when first asked for.
+/// Samples of a shape by plan, computed on first use.
 class SamplesByPlan {
  public:
   explicit SamplesByPlan(const Shape& shape) : shape_(&shape) {}
 
   const Samples& at(SamplePlan plan) {
-    // A cloud has its points, whether faces or vertices are asked for.
+    // A cloud is sampled at its points for either site.
     if (is_cloud(*shape_) && plan.site == SampleSite::faces) plan.site = SampleSite::vertices;
     const auto [place, is_new] = samples_.try_emplace(plan);
     if (is_new) place->second = take_samples(*shape_, plan);
@@ -101,7 +101,7 @@ class SamplesByPlan {
   std::map<SamplePlan, Samples> samples_;
 };
 
-/// The values' range, which also says whether there are any.
+/// Returns the range of values; throws if there are none.
 Interval range_of(const ScalarField& field, const Field& what) {
   if (const std::optional<Interval> range = value_range(field)) return *range;
   throw InputError(fmt::format("the field {} has no value at any sample", to_json(what.settings).dump()));

@@ -19,10 +19,10 @@ namespace shapegauge {
 
 namespace {
 
-/// A model whose description comes together, from the cache and by computing.
+/// Description of a model, assembled from the cache and computed parts.
 class DescribedModel {
  public:
-  /// view_faces: of its view; 0: none is wanted.
+  /// `view_faces` is that of its view; 0 for no view.
   DescribedModel(const Configuration& configuration, std::span<const PlannedField> plan, std::string shape_key,
                  Eigen::Index view_faces, Cache& cache)
       : configuration_(&configuration), shape_key_(std::move(shape_key)), cache_(&cache), view_faces_(view_faces) {
@@ -48,7 +48,7 @@ class DescribedModel {
     }
   }
 
-  /// Looks up what the cache has.
+  /// Looks up the cached parts.
   void lookup() {
     shape_ = cache_->lookup(EntryKind::shape, shape_key_, read_shape_record);
     cache_->count(EntryKind::shape, shape_.has_value());
@@ -73,7 +73,7 @@ class DescribedModel {
     for (PartlyKnownField& field : fields_) lookup_field(field);
   }
 
-  /// What lookup() has not found, in the order of the plan.
+  /// Returns the fields that lookup() did not find, in the order of the plan.
   [[nodiscard]] std::vector<PlannedField> missing() const {
     std::vector<PlannedField> missing;
     for (const PartlyKnownField& field : fields_) {
@@ -87,8 +87,7 @@ class DescribedModel {
            std::ranges::all_of(descriptors_, [](const PartlyKnownFeatures& one) { return one.found.has_value(); });
   }
 
-  /// Takes notice of the values of the missing field of that index: stores them, and keeps what is still to be
-  /// described by them.
+  /// Receives the values of the missing field of that index: stores them, and keeps those needed by other parts.
   void take_values(std::size_t index, const Samples& samples, const FieldValues& computed) {
     PartlyKnownField& field = *missing_fields().at(index);
     if (field.described) field.values = {.values = computed.values, .weights = samples.weights};
@@ -96,7 +95,7 @@ class DescribedModel {
     store_values(index, samples, computed);
   }
 
-  /// Computes the features that are missing; once all fields are there.
+  /// Computes the missing features after all fields.
   void describe(FieldSource& source) {
     for (PartlyKnownFeatures& descriptor : descriptors_) {
       if (descriptor.found) continue;
@@ -110,7 +109,7 @@ class DescribedModel {
 
   [[nodiscard]] bool is_drawing_missing() const { return is_picture_missing() || is_view_missing(); }
 
-  /// Draws what is missing, once all fields are there.
+  /// Renders missing pictures and views after all fields.
   void draw(const Shape& shape) {
     if (is_picture_missing()) {
       const PartlyKnownField& field = fields_[*pictured_];
@@ -130,7 +129,7 @@ class DescribedModel {
     cache_->store(EntryKind::view, view_key_, view_record(*view_));
   }
 
-  /// Adds what was computed of the missing fields, and stores it.
+  /// Adds and stores the computed missing fields.
   void complete(ModelDescription computed) {
     const std::vector<PartlyKnownField*> missing = missing_fields();
     for (std::size_t i = 0; i < missing.size(); ++i) {
@@ -143,7 +142,7 @@ class DescribedModel {
     shape_ = std::move(computed);
   }
 
-  /// The whole; once it is complete.
+  /// Returns the complete description.
   ModelDescription description() && {
     ModelDescription description = std::move(shape_.value());
     description.histograms = std::move(histograms_);
@@ -208,7 +207,7 @@ class DescribedModel {
   [[nodiscard]] bool is_picture_missing() const { return pictured_ && !picture_; }
   [[nodiscard]] bool is_view_missing() const { return !viewed_.empty() && !view_; }
 
-  /// Whether its values are wanted for what is missing.
+  /// Returns true if missing pictures or views need its values.
   [[nodiscard]] bool draws(const PartlyKnownField& field) const {
     const auto index = static_cast<std::size_t>(&field - fields_.data());
     return (is_picture_missing() && index == *pictured_) ||
@@ -233,7 +232,7 @@ class DescribedModel {
     if (field.found) cache_->count(EntryKind::field, true);
   }
 
-  /// What the values in the cache tell of the field, with the histograms that are still to be computed.
+  /// Returns the facts of the field from cached values, with the missing histograms.
   std::optional<FieldDescription> lookup_values(PartlyKnownField& field) {
     const std::string samples = samples_key(shape_key_, field.rest.field.settings.samples);
     const auto weights = cache_->lookup(EntryKind::samples, samples, read_numbers);
@@ -253,7 +252,7 @@ class DescribedModel {
     return std::move(cached->facts);
   }
 
-  /// Takes over the histograms that were computed of a field, and stores them.
+  /// Adds and stores the computed histograms of a field.
   void store_histograms(const PartlyKnownField& field, const FieldDescription& facts,
                         std::vector<Eigen::VectorXf>& histograms) {
     for (const std::size_t signature : field.rest.signatures) {

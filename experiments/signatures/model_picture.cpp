@@ -10,8 +10,8 @@ namespace shapegauge {
 
 namespace {
 
-/// The PNG file of the image with 64 levels a channel and 16 of opacity: looks the same at this size and takes a third
-/// less.
+/// Encodes the image as PNG with 64 levels a channel and 16 of opacity, which looks the same at this size and takes a
+/// third less.
 std::string encode_small(Image image) {
   for (std::size_t i = 0; i < image.pixels.size(); ++i) {
     const int step = i % 4 == 3 ? 17 : 4;
@@ -25,7 +25,7 @@ std::string encode_small(Image image) {
 std::string model_picture(const Shape& shape, const Samples& samples, const Eigen::VectorXd& values,
                           const PictureOptions& options) {
   const double width = options.range.high - options.range.low;
-  // Below the range the root would be NaN, which stands for no value.
+  // Below the range the root would be NaN, which represents a missing value.
   const auto place_of = [&](double value) {
     const double part = (value - options.range.low) / width;
     return part < 0 ? 0 : std::sqrt(part);
@@ -35,7 +35,7 @@ std::string model_picture(const Shape& shape, const Samples& samples, const Eige
   RenderOptions view{.width = options.width, .height = options.height};
   view.rays_per_side = 2;
   view.transparent = true;
-  // Of a cloud, too, the samples may be only some of its points.
+  // The samples of a cloud may also be a subset of its points.
   const bool are_some_points = is_cloud(shape) && samples.points.rows() != shape.vertices.rows();
   if (samples.site == SampleSite::surface || are_some_points) {
     const Shape cloud{.vertices = samples.points, .triangles = {}, .normals = samples.normals};

@@ -10,7 +10,7 @@
 namespace shapegauge {
 
 nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
-  // A length greater than 0 has a diagonal greater than 0 beside it.
+  // A positive length implies a positive diagonal.
   const auto fraction = [&](double length) { return length > 0 ? length / diagnostics.diagonal : 0; };
   return {{"closed", diagnostics.watertight},
           {"vertices", diagnostics.vertices},
@@ -37,7 +37,7 @@ nlohmann::ordered_json diagnostics_json(const ShapeDiagnostics& diagnostics) {
 
 namespace {
 
-/// A field's name in a header: its type, then its other settings, for example "offset_sdf at=faces offset=0.05".
+/// Returns a field's name for headers: its type and other settings, such as "offset_sdf at=faces offset=0.05".
 std::string name_of(const FieldReport& field) {
   std::string name = field.settings.at("type");
   for (const auto& [key, value] : field.settings.items()) {
