@@ -84,7 +84,7 @@ Eigen::VectorXd contributions(const Eigen::VectorXd& differences, const Eigen::V
 
 namespace {
 
-// The fraction of the resampled averages to leave out on each side.
+// Returns the fraction of the resampled averages to cut off on each side.
 double tail_of(double confidence, Eigen::Index units) {
   const auto n = static_cast<double>(units);
   const boost::math::students_t student(n - 1);
@@ -92,7 +92,7 @@ double tail_of(double confidence, Eigen::Index units) {
   return boost::math::cdf(boost::math::normal(), -std::sqrt(n / (n - 1)) * t);
 }
 
-// Linear between the order statistics, of which the i-th of B is taken as the quantile i / (B + 1).
+// Interpolates linearly between order statistics; the i-th of B is the quantile i / (B + 1).
 double quantile(const Eigen::VectorXd& sorted, double fraction) {
   const auto count = static_cast<double>(sorted.size());
   const double position = std::clamp(fraction * (count + 1) - 1, 0.0, count - 1);

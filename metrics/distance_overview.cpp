@@ -14,13 +14,13 @@ namespace {
 
 constexpr Eigen::Index nearest_kept = 10;
 
-/// The unit of sums: so fine that the picture's 16 bits do not show it, so coarse that they cannot overflow.
+/// Returns the unit of sums: below the 16-bit resolution of the heat map, and large enough to prevent overflow.
 double unit_for(double largest) {
   constexpr int bits = 24;
   return std::ldexp(1.0, (largest > 0 ? std::ilogb(largest) : 0) - bits);
 }
 
-/// A distance in units; what is out of proportion to the others is cut off.
+/// Converts a distance to units; disproportionate values are clamped.
 std::int64_t in_units(double distance, double unit) {
   constexpr double most = 0x1p35;
   return std::llround(std::clamp(distance / unit, -most, most));
@@ -38,7 +38,7 @@ void add_to_sums(std::span<const double> row, Eigen::Index model, PartialOvervie
   }
 }
 
-/// The rows by the cells that they add to: those of one cell must not be added at the same time.
+/// Groups rows by the cells that they add to, which must not be updated concurrently.
 std::vector<std::vector<Eigen::Index>> rows_by_cell(Eigen::Index first, Eigen::Index count,
                                                     const PartialOverview& seen) {
   std::vector<Eigen::Index> rows(static_cast<std::size_t>(count));

@@ -39,7 +39,7 @@ void check_task(std::size_t rows, std::size_t columns, const RetrievalTask& task
   }
 }
 
-// The first of the rows is the matrix's row `first`.
+// The first row is the matrix's row `first`.
 void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   for (Eigen::Index row = 0; row < distances.rows(); ++row) {
     for (Eigen::Index column = 0; column < distances.cols(); ++column) {
@@ -50,7 +50,7 @@ void check_numbers(const DistanceTable& distances, Eigen::Index first) {
   }
 }
 
-// The rows that are queries, and the classes that have queries.
+// Determines the rows that are queries, and the classes with queries.
 void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluation& evaluation) {
   const std::vector<std::size_t> relevant = relevant_counts(task);
   const auto minimum = static_cast<std::size_t>(minimum_class_size);
@@ -71,7 +71,7 @@ void choose_queries(const RetrievalTask& task, int minimum_class_size, Evaluatio
   evaluation.classes.assign(classes.begin(), classes.end());
 }
 
-// Mean of the rows in each group, in the order of the rows. Every group has rows.
+// Averages the rows of each group, in the order of the rows. No group may be empty.
 Eigen::MatrixXd mean_by_group(const Eigen::MatrixXd& table, const std::vector<std::vector<Eigen::Index>>& groups) {
   Eigen::MatrixXd means = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(groups.size()), table.cols());
   for (std::size_t group = 0; group < groups.size(); ++group) {
@@ -88,7 +88,7 @@ Eigen::VectorXd mean_of_rows(const Eigen::MatrixXd& table) {
   return sum / static_cast<double>(table.rows());
 }
 
-// The part of a task for `count` of its rows from `first` on.
+// Returns the part of a task for `count` rows from `first` on.
 RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Index count) {
   RetrievalTask part{.query_classes = {},
                      .target_classes = task.target_classes,
@@ -108,7 +108,7 @@ RetrievalTask part_of(const RetrievalTask& task, Eigen::Index first, Eigen::Inde
   return part;
 }
 
-// The queries of each class, by evaluation.classes.
+// Returns the queries of each class, by evaluation.classes.
 std::vector<std::vector<Eigen::Index>> queries_by_class(const Evaluation& evaluation) {
   std::map<int, std::vector<Eigen::Index>> queries;
   for (std::size_t i = 0; i < evaluation.query_classes.size(); ++i) {
@@ -124,7 +124,7 @@ void draw_curves(const QueryScores& results, const std::vector<std::vector<Eigen
                  Evaluation& evaluation) {
   evaluation.micro_curve = average_curve(results.precisions, results.relevant, evaluation.curve);
   Eigen::MatrixXd of_classes(std::ssize(groups), results.precisions.cols());
-  std::vector<std::size_t> relevant_of_class;  // a level counts for a class where it does for any of its queries
+  std::vector<std::size_t> relevant_of_class;  // a level counts for a class if it does for any query
   for (const std::vector<Eigen::Index>& group : groups) {
     std::vector<std::size_t> relevant;
     relevant.reserve(group.size());

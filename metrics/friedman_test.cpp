@@ -23,7 +23,7 @@ std::vector<std::size_t> ascending(const Eigen::VectorXd& values) {
   return order;
 }
 
-// The ranks of one data set, the largest value first; adds t^3 - t for each t methods of equal value.
+// Ranks one data set, the largest value first; adds t^3 - t for each group of t tied methods.
 Eigen::VectorXd ranks_of(const Eigen::VectorXd& values, double& ties) {
   const std::vector<std::size_t> order = ascending(-values);
   Eigen::VectorXd ranks(values.size());

@@ -14,7 +14,7 @@
 namespace shapegauge {
 namespace {
 
-// Takes one more number into two hashes.
+// Combines a number into two hashes.
 void mix(std::pair<std::uint64_t, std::uint64_t>& hash, double number) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &number, sizeof bits);
@@ -35,8 +35,8 @@ struct Asymmetry {
 
 constexpr Eigen::Index tile = 64;  // columns that are compared with their mirror images in the cache
 
-// The entries of some columns that are right of the diagonal, against their mirror images. The diagonal's first entry
-// is rows(0, first).
+// Compares the entries of some columns right of the diagonal with their mirror images. The diagonal's first entry is
+// rows(0, first).
 Asymmetry asymmetry_of_columns(const DistanceTable& rows, Eigen::Index first, const DistanceTable& mirrored,
                                const tbb::blocked_range<Eigen::Index>& columns) {
   Asymmetry found;

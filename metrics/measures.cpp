@@ -10,10 +10,10 @@
 namespace shapegauge {
 namespace {
 
-// The sum of gain(rank) over all hits, divided by that of the ideal list, which begins with all relevant models.
+// Divides the sum of gain(rank) over all hits by that of the ideal list, which begins with all relevant models.
 double fraction_of_ideal_gain(const RankedList& list, double (*gain)(std::size_t rank)) {
   double ideal = 0;
-  // Both sums grow in the same order, so that a perfect list gives exactly 1.
+  // Both sums have the same order: a perfect list gives exactly 1.
   for (std::size_t rank = 1; rank <= list.relevant; ++rank) ideal += gain(rank);
   return gain_of_hits(list, gain) / ideal;
 }
@@ -93,7 +93,7 @@ double area_under_curve(const RankedList& list) {
   return sum / static_cast<double>(list.relevant);
 }
 
-// The library's own, in the order in which listings have them.
+// Returns the library's measures, in the order of listings.
 std::vector<MeasureDefinition> own_measures() {
   return {
       {

@@ -11,7 +11,7 @@ namespace shapegauge {
 
 namespace {
 
-// Methods by average, the largest first; equal ones in their own order.
+// Orders methods by average, the largest first (ties: in their own order).
 std::vector<std::size_t> order_of(const Eigen::VectorXd& averages) {
   std::vector<std::size_t> order(static_cast<std::size_t>(averages.size()));
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -50,7 +50,7 @@ std::vector<MethodStanding> standings_of(const Eigen::MatrixXd& per_query, std::
     standing.average = averages[static_cast<Eigen::Index>(order[i])];
     const bool tied = i > 0 && standings[order[i - 1]].average == standing.average;
     standing.rank = tied ? standings[order[i - 1]].rank : i + 1;
-    // Those that do not differ are neighbours in the order.
+    // Methods that do not differ are consecutive in the order.
     const auto holds = [&](const HomogeneousGroup& group) { return group.first <= i && i <= group.last; };
     standing.best_rank = std::ranges::find_if(groups, holds)->first + 1;
     standing.worst_rank = std::find_if(groups.rbegin(), groups.rend(), holds)->last + 1;

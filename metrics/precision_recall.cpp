@@ -15,8 +15,8 @@ constexpr std::array kinds = {
     Named<CurveKind>{CurveKind::raw, "raw"},
 };
 
-// Levels are the multiples of 1 / divisions, and are compared with recalls k / R in whole numbers: no rounding decides
-// whether a hit is in.
+// Returns the divisor of the levels, which are multiples of 1 / divisions. They are compared with recalls k / R in
+// integers, without rounding.
 std::size_t divisions_of(CurveKind kind, std::size_t largest_relevant) {
   if (kind == CurveKind::raw) return largest_relevant;
   return kind == CurveKind::psb ? 20 : 10;
@@ -41,7 +41,7 @@ double last_reached(const Precisions& precision_at_hit, std::size_t level, std::
   return hits == 0 ? 1.0 : precision_at_hit[hits - 1];
 }
 
-// Index of the first hit with a recall of at least the level.
+// Returns the index of the first hit with a recall of at least the level.
 std::size_t first_reaching(const Precisions& precision_at_hit, std::size_t level, std::size_t divisions) {
   const std::size_t hits = (level * precision_at_hit.size() + divisions - 1) / divisions;
   return std::max<std::size_t>(hits, 1) - 1;
@@ -74,7 +74,7 @@ std::vector<double> levels_of(std::size_t first, std::size_t divisions) {
   return levels;
 }
 
-// The mean of the chosen entries of a column, from the first row to the last; nothing chosen: 0 entries.
+// Mean of the chosen entries of a column; 0 entries if nothing is chosen.
 struct Mean {
   double sum = 0;
   std::size_t count = 0;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double negligible = 1e-18;  // of the largest term: less than the rounding of the sum
 
-// The sum of term(probability, t) over the places t that the j-th of `hits` hits may have among `size` places in open
-// order, over that of the probabilities. They are relative to that of the likeliest place, from which they fall to both
-// sides, so that nothing under- or overflows whatever the sizes are.
+// Sums term(probability, t) over the positions t that the j-th of `hits` hits may have among `size` unordered
+// positions, divided by the sum of probabilities. Probabilities are relative to the most likely position, from which
+// they decrease to both sides. This avoids overflow and underflow for all sizes.
 template <typename Term>
 double mean_over_places(std::size_t size, std::size_t hits, std::size_t j, const Term& term) {
   const std::size_t first = j;
@@ -44,12 +44,11 @@ double mean_over_places(std::size_t size, std::size_t hits, std::size_t j, const
   return sum / total;
 }
 
-// Appends, for each of `hits` relevant models among `size` consecutive ranks in open order, the mean of k / rank of
-// the k-th hit of the list: k counts on from the precisions that are there, ranks from `ranks_before`.
+// Appends, for each of `hits` relevant models among `size` consecutive unordered ranks, the mean of k / rank of the
+// k-th hit of the list. k continues from the existing precisions, ranks from `ranks_before`.
 //
-// In all orders of n ranks with m hits, the j-th hit is at the t-th of them with the probability
-// C(t-1, j-1) C(n-t, m-j) / C(n, m) (negative hypergeometric); the mean is the sum over t, with terms below 1e-18 of
-// the largest one left out.
+// Over all orders of n ranks with m hits, the j-th hit is at position t with the probability C(t-1, j-1) C(n-t, m-j) /
+// C(n, m) (negative hypergeometric). The mean is the sum over t, ignoring terms below 1e-18 of the largest one.
 void append_precisions(std::vector<double>& precisions, std::size_t size, std::size_t hits, std::size_t ranks_before) {
   const std::size_t hits_before = precisions.size();
   for (std::size_t j = 1; j <= hits; ++j) {
@@ -86,7 +85,7 @@ struct Miss {
   bool judged = true;
 };
 
-// Models that are not relevant, and how many of them are judged.
+// Number of models that are not relevant, and how many of them are judged.
 struct Misses {
   std::size_t count = 0;
   std::size_t judged = 0;
@@ -97,8 +96,8 @@ struct Misses {
   }
 };
 
-// The models at one distance, at least one of them relevant, and those that are nearer than these but farther than the
-// relevant ones before. Hits and misses are in the order of their columns.
+// Models at one distance, at least one of them relevant, and the irrelevant models nearer than these but farther than
+// the previous relevant ones. Hits and misses are in the order of their columns.
 struct Tied {
   double distance = 0;
   Misses before;
@@ -106,8 +105,7 @@ struct Tied {
   std::vector<Miss> misses;
 };
 
-// What is known of an answer without sorting all of it: the relevant models in their order, and how many others there
-// are between them.
+// Partially sorted answer: the relevant models in order, and the numbers of other models between them.
 struct Answer {
   std::vector<Tied> tied;
   Misses behind;                  // farther than the last relevant model
@@ -115,7 +113,7 @@ struct Answer {
   std::size_t judged_not_found = 0;
 };
 
-// The query of a row, under its task.
+// Query of a row, with its task.
 class Query {
  public:
   Query(const RetrievalTask& task, Eigen::Index row) : task_(task), row_(row), i_(static_cast<std::size_t>(row)) {}
@@ -132,7 +130,7 @@ class Query {
     return task_.grades[i_][static_cast<std::size_t>(std::ranges::lower_bound(judged, column) - judged.begin())];
   }
 
-  // Of a column that is not relevant.
+  // Returns true for a judged column that is not relevant.
   [[nodiscard]] bool is_judged(Eigen::Index column) const {
     return task_.judged_irrelevant.empty() || std::ranges::binary_search(task_.judged_irrelevant[i_], column);
   }
@@ -214,8 +212,8 @@ void append_by_index(RankedList& list, const Tied& tied) {
   for (; hit != tied.hits.end(); ++hit) append(list, *hit);
 }
 
-// The tied models in the order, or the open order, that `ties` wants. Among the hits optimistic has the largest grades
-// first, pessimistic the smallest.
+// Appends tied models in the order, or the open order, of `ties`. Among the hits, optimistic ranks the largest grades
+// first and pessimistic the smallest.
 void append_tied(RankedList& list, const Tied& tied, Ties ties) {
   Misses misses;
   for (const Miss& miss : tied.misses) misses.add(miss.judged);
@@ -246,7 +244,7 @@ void append_tied(RankedList& list, const Tied& tied, Ties ties) {
   }
 }
 
-// All grades, the largest first; the query itself is as relevant as anything.
+// Returns all grades, the largest first; the query itself has the largest grade.
 std::vector<double> grades_of(const Answer& answer, bool starts_with_query) {
   std::vector<double> grades = answer.not_found;
   for (const Tied& tied : answer.tied) {

@@ -17,14 +17,14 @@ namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-/// What a segment of one segmentation and a segment of the other have in common.
+/// Overlap of a segment of one segmentation with a segment of the other.
 struct Overlap {
   std::int32_t label;
   std::int32_t truth;
   double weight;
 };
 
-/// For each pair of labels the weight of the elements that have both.
+/// Contingency table: the weight of the elements with each pair of labels.
 struct ContingencyTable {
   std::vector<Overlap> overlaps;  ///< sorted by label, then by truth; each pair once
   double total = 0;
@@ -61,7 +61,7 @@ ContingencyTable contingency_table(std::span<const std::int32_t> labels, std::sp
   return table;
 }
 
-/// The same with the two segmentations exchanged.
+/// Exchanges the two segmentations.
 ContingencyTable exchanged(ContingencyTable table) {
   for (Overlap& overlap : table.overlaps) std::swap(overlap.label, overlap.truth);
   std::ranges::sort(table.overlaps, {}, [](const Overlap& o) { return std::pair(o.label, o.truth); });
@@ -95,7 +95,8 @@ double sum_of_squared_segments(const ContingencyTable& table) {
   return sum;
 }
 
-/// Share of the surface that lies outside of the largest overlap of its segment with one of the other segmentation's.
+/// Returns the share of the surface outside the largest overlap of its segment with a segment of the other
+/// segmentation.
 double outside_of_largest_overlaps(const ContingencyTable& table) {
   double sum = 0;
   for_each_segment(table, [&](std::span<const Overlap> segment) {
@@ -106,7 +107,7 @@ double outside_of_largest_overlaps(const ContingencyTable& table) {
   return sum / table.total;
 }
 
-/// Of each overlap, in the table's order: the share of its segment in the first segmentation that lies outside of it.
+/// Returns, for each overlap, the share of its segment in the first segmentation that lies outside it.
 std::vector<double> refinement_errors(const ContingencyTable& table) {
   std::vector<double> errors;
   for_each_segment(table, [&](std::span<const Overlap> segment) {
@@ -116,7 +117,7 @@ std::vector<double> refinement_errors(const ContingencyTable& table) {
   return errors;
 }
 
-/// Brings refinement errors of the exchanged table into the order of the table.
+/// Reorders refinement errors of the exchanged table to the order of the table.
 std::vector<double> in_order_of(const ContingencyTable& table, const ContingencyTable& other,
                                 const std::vector<double>& errors) {
   std::vector<double> result;
@@ -128,7 +129,7 @@ std::vector<double> in_order_of(const ContingencyTable& table, const Contingency
   return result;
 }
 
-/// Vertices of cuts, and the length of the cuts that each stands for; 0 for all other vertices.
+/// Returns the length of cuts represented by each vertex; 0 away from cuts.
 std::vector<double> cut_lengths(std::span<const std::int32_t> labels, const std::vector<MeshEdge>& edges,
                                 std::int32_t vertices) {
   std::vector<double> lengths(static_cast<std::size_t>(vertices), 0);
@@ -140,7 +141,7 @@ std::vector<double> cut_lengths(std::span<const std::int32_t> labels, const std:
   return lengths;
 }
 
-/// The edges at each vertex.
+/// Edges at each vertex.
 struct VertexEdges {
   std::vector<std::size_t> first;
   std::vector<std::pair<std::int32_t, double>> ways;  ///< the other end, and the length
@@ -163,7 +164,7 @@ VertexEdges edges_by_vertex(const std::vector<MeshEdge>& edges, std::int32_t ver
   return result;
 }
 
-/// Length of the shortest way along edges from each vertex to one of positive cut length (Dijkstra 1959).
+/// Computes shortest paths along edges from each vertex to the nearest one of positive cut length (Dijkstra 1959).
 std::vector<double> distances_to_cuts(const VertexEdges& edges, const std::vector<double>& cuts) {
   using Reached = std::pair<double, std::size_t>;
   std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
@@ -188,7 +189,7 @@ std::vector<double> distances_to_cuts(const VertexEdges& edges, const std::vecto
   return distances;
 }
 
-/// Mean distance of the cuts from the other cuts; NaN where there are none, or no way leads there.
+/// Returns the mean distance of the cuts from the other cuts; NaN without cuts or without a path.
 double mean_distance(const std::vector<double>& cuts, const std::vector<double>& distances) {
   double sum = 0;
   double length = 0;
@@ -247,7 +248,7 @@ SegmentationErrors segmentation_errors(std::span<const std::int32_t> labels, std
   for (const Overlap& overlap : table.overlaps) together += overlap.weight * overlap.weight;
   const double apart_in_one = sum_of_squared_segments(table) + sum_of_squared_segments(other) - 2 * together;
   const double pairs = table.total * table.total - table.squares;
-  // Rounding may leave a little less than nothing.
+  // Rounding may give slightly negative values.
   errors.rand_index = pairs > 0 ? std::clamp(apart_in_one / pairs, 0.0, 1.0) : 0;
 
   errors.missing_rate = outside_of_largest_overlaps(other);

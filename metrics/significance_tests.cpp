@@ -17,10 +17,10 @@ namespace shapegauge {
 
 namespace {
 
-// Of the magnitudes that are summed: sums in another order or with other signs round otherwise.
+// Tolerance relative to the summed magnitudes: the rounding of sums depends on order and signs.
 constexpr double share_of_rounding = 1e-12;
 
-// The sum of the terms in random signs, 64 of them from each random number.
+// Sums the terms with random signs, 64 from each random number.
 double sum_in_random_signs(const Eigen::VectorXd& terms, RandomNumbers random) {
   double sum = 0;
   std::uint64_t bits = 0;
@@ -75,7 +75,7 @@ PairedT paired_t_test(const Eigen::VectorXd& differences) {
 
 namespace {
 
-// The averages of the methods after a shuffle (Fisher and Yates) of their values within every unit.
+// Averages the methods after shuffling (Fisher and Yates) their values within every unit.
 Eigen::VectorXd shuffled_averages(const Units& units, RandomNumbers random) {
   Eigen::VectorXd averages = Eigen::VectorXd::Zero(units.values.cols());
   for (Eigen::Index unit = 0; unit < units.values.rows(); ++unit) {

@@ -23,7 +23,7 @@ double studentised_range_probability(double range, std::size_t count) {
   if (std::isnan(range)) throw ArgumentError("the range is not a number");
   if (range <= 0) return 0;
   if (std::isinf(range)) return 1;
-  // The smallest value is z, the others are between z and z + range.
+  // The smallest value is z; the others are between z and z + range.
   const boost::math::normal normal;
   const auto density = [&](double z) {
     const double between = boost::math::cdf(normal, z + range) - boost::math::cdf(normal, z);

@@ -19,10 +19,10 @@ namespace shapegauge {
 
 namespace {
 
-/// A cell of a grid, and the octant of a direction.
+/// Cell of a grid, with the octant of a direction.
 using Cell = std::array<std::int64_t, 4>;
 
-/// Sums of the normals of the faces around each vertex, as long as twice their area.
+/// Sums the normals of the faces around each vertex, with twice their areas as lengths.
 Points normal_sums(const Shape& mesh) {
   Points sums = Points::Zero(mesh.vertices.rows(), 3);
   for (const auto& face : mesh.triangles.rowwise()) {
@@ -33,9 +33,8 @@ Points normal_sums(const Shape& mesh) {
   return sums;
 }
 
-/// The mesh with the vertices in each cell of a grid made one, where their normals are in one octant: the sides of what
-/// is thinner than a cell stay apart. Faces with two corners in one place are dropped, and of several with the same
-/// corners all but the first.
+/// Merges the vertices in each grid cell whose normals are in the same octant, which separates the sides of thin parts.
+/// Drops faces with coincident corners, and all but the first of duplicate faces.
 Shape clustered(const Shape& mesh, double side) {
   const Eigen::Vector3d low = bounding_box(mesh).min();
   const Points normals = normal_sums(mesh);
@@ -76,9 +75,9 @@ Shape clustered(const Shape& mesh, double side) {
   return result;
 }
 
-/// The side of the cells with which a mesh of that area comes to about so many faces: a surface meets about 1.5 cells
-/// for each square of their side, and a vertex goes with two faces. Not so large that a tangle of large faces, whose
-/// area is no measure of its extent, falls into a few cells.
+/// Returns the cell size for which a mesh of that area gets about `faces` faces: a surface meets about 1.5 cells for
+/// each square of their side, and each vertex corresponds to two faces. Limited for tangles of large faces, whose area
+/// does not measure their extent.
 double side_for(const Shape& mesh, Eigen::Index faces) {
   const double diagonal = bounding_box_diagonal(mesh);
   return std::clamp(std::sqrt(3 * surface_area(mesh) / static_cast<double>(faces)), 1e-6 * diagonal, diagonal / 16);
@@ -95,13 +94,14 @@ Shape largest_faces(const Shape& mesh, Eigen::Index faces) {
 }
 
 Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
-  // Edge collapses keep the form best, but take some 40 times as long as a grid: they begin with a few faces too many.
+  // Edge collapses preserve the shape best, but take about 40 times as long as a grid; they start from slightly too
+  // many faces.
   constexpr Eigen::Index enough = 5;
   Shape coarse = mesh.triangles.rows() > 2 * enough * faces ? clustered(mesh, side_for(mesh, enough * faces)) : mesh;
   try {
     coarse = decimate(coarse, faces);
   } catch (const InputError&) {
-    // Not one edge can be collapsed: the grid remains.
+    // No edge can be collapsed: only the grid is used.
   }
   const Shape collapsed = coarse;
   for (double side = side_for(collapsed, faces); coarse.triangles.rows() > faces; side *= 1.25) {
@@ -112,7 +112,8 @@ Shape coarse_mesh(const Shape& mesh, Eigen::Index faces) {
 
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3>;
 
-/// For each place, of the four nearest ones in the tree the first whose normal does not point the other way.
+/// Returns, for each sample, the first of the four nearest ones in the tree whose normal does not point the opposite
+/// way.
 std::vector<std::int32_t> nearest_places(const Samples& places, const Samples& among) {
   const Tree tree(3, among.points);
   std::vector<std::int32_t> nearest(static_cast<std::size_t>(places.points.rows()));

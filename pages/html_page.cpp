@@ -10,7 +10,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The text with every occurrence of a word replaced.
+/// Replaces all occurrences of a word.
 std::string replaced(std::string_view text, std::string_view word, std::string_view replacement) {
   std::string result;
   std::size_t begin = 0;
@@ -25,7 +25,7 @@ std::string replaced(std::string_view text, std::string_view word, std::string_v
 
 std::string base64(std::string_view bytes) {
   std::string text;
-  // In pieces, as OpenSSL counts in int; whole groups of three bytes, so that the pieces fit together.
+  // In pieces, as OpenSSL counts in int; a multiple of three bytes makes the pieces concatenable.
   constexpr std::size_t piece = 3 << 20;
   for (std::size_t begin = 0; begin < bytes.size(); begin += piece) {
     const std::string_view part = bytes.substr(begin, piece);

@@ -23,7 +23,7 @@ OrderedJson rounded_list(const Values& values) {
   return json;
 }
 
-// The parts of an evaluation that the charts of reports read (report_json.h).
+// Returns the parts of an evaluation used by the charts of reports (report_json.h).
 OrderedJson charted_json(const Evaluation& evaluation) {
   OrderedJson per_class = OrderedJson::array();
   for (Eigen::Index row = 0; row < evaluation.per_class.rows(); ++row) {

@@ -16,7 +16,7 @@ namespace shapegauge {
 
 namespace {
 
-/// The colour map in steps of 1/255, as an array over several lines.
+/// Formats the colour map in steps of 1/255 as an array over several lines.
 std::string ramp_lines() {
   constexpr int colours = 256;
   constexpr int colours_a_line = 8;

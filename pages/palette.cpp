@@ -50,7 +50,7 @@ std::string theme_rule(std::string_view selector, std::string_view theme, std::s
   return rule + "}\n";
 }
 
-/// Of "#rrggbb".
+/// Parses "#rrggbb".
 Colour colour_of_css(std::string_view text) {
   Colour colour = {};
   for (std::size_t k = 0; k < colour.size(); ++k) {

@@ -35,7 +35,7 @@ Json rows_of(const Eigen::MatrixXd& table) {
   return json;
 }
 
-/// The queries that did worst by average precision, or by the first measure where that is not among them, as positions.
+/// Returns the positions of the queries with the lowest average precision, or first measure if that is missing.
 std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
   const bool has_map = std::ranges::find(evaluation.measures, "mAP") != evaluation.measures.end();
   return worst_queries(evaluation, has_map ? "mAP" : evaluation.measures.front(), worst_count);
@@ -72,7 +72,7 @@ Json evaluation_json(const Evaluation& evaluation) {
           {"macro_curve", fractions(evaluation.macro_curve.precision)}};
 }
 
-/// The models whose nearest ones are listed, ascending.
+/// Returns the models whose nearest ones are listed, ascending.
 std::vector<Eigen::Index> models_with_neighbours(const Report& report, const ReportMethod& method) {
   std::set<Eigen::Index> models;
   if (report.ids.size() <= most_models_with_neighbours) {
@@ -84,7 +84,7 @@ std::vector<Eigen::Index> models_with_neighbours(const Report& report, const Rep
   return {models.begin(), models.end()};
 }
 
-/// For each of those models its nearest ones, with their distances.
+/// Lists the nearest models of each of those, with their distances.
 Json neighbours_json(const Report& report, const ReportMethod& method) {
   const std::vector<Eigen::Index> models = models_with_neighbours(report, method);
   std::vector<std::vector<std::int32_t>> lists;
@@ -107,7 +107,7 @@ Json confusion_json(const Report& report, const ReportMethod& method) {
                        method.evaluations.front().queries, static_cast<int>(report.classes.size()));
   Json rows = Json::array();
   for (Eigen::Index row = 0; row < counts.rows(); ++row) {
-    // Only what is not 0, as pairs of class and number: most of a large matrix is 0.
+    // Only non-zero entries, as pairs of class and number: a large matrix is sparse.
     Json& entries = rows.emplace_back(Json::array());
     for (Eigen::Index column = 0; column < counts.cols(); ++column) {
       if (counts(row, column) > 0) entries.push_back({column, counts(row, column)});

@@ -13,7 +13,7 @@
 namespace shapegauge {
 
 std::string report_page(const Report& report) {
-  // three.js weighs 0.6 MB: it is there where there are shapes to draw.
+  // three.js has 0.6 MB: included only if there are shapes to draw.
   const bool turns = !report.views.shapes.empty();
   const std::string title = html_text(report.title);
   const std::string data = script_data(report_json(report));

@@ -26,7 +26,7 @@ std::string html_table(const Table& table) {
   return html + "</table></div>\n";
 }
 
-/// The mean Rand errors of all methods, class by class.
+/// Renders the mean Rand errors of all methods, class by class.
 std::string class_bars(const SegmentationPageErrors& errors) {
   std::string html = "<div class=\"bars\">\n";
   for (const SegmentationClassErrors& one : errors.classes) {

@@ -25,14 +25,14 @@ using Json = nlohmann::ordered_json;
 
 constexpr int digits = 7;  ///< of numbers that are not packed
 
-/// The vertices in the order in which they are drawn first; those that are never drawn are not in it.
+/// Used vertices in the order of first use.
 struct VertexOrder {
   std::vector<std::int32_t> vertices;
   std::string corners;  ///< of the triangles, packed
 };
 
-/// Each corner becomes the number of vertices between it and the next one that is still unused, 7 bits a byte, least
-/// first: triangles near each other share vertices, so that most take one byte.
+/// Encodes each corner as the number of vertices between it and the next unused one, 7 bits a byte, least first.
+/// Neighbouring triangles share vertices; most corners therefore take one byte.
 VertexOrder order_of_use(const Shape& mesh) {
   VertexOrder order;
   std::vector<std::int32_t> position(static_cast<std::size_t>(mesh.vertices.rows()), -1);
@@ -102,7 +102,7 @@ Json packed_parts(const ShapeView& view, const std::vector<std::int32_t>& places
   return {{"values", packed_shorts(parts)}, {"colours", std::move(colours)}};
 }
 
-/// The points of a cloud as the hexagons that splats() makes of them: how large, and facing where.
+/// Encodes the points of a cloud as the hexagons of splats(): sizes and directions.
 Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) {
   const Shape mesh = splats(cloud);
   const Eigen::Index corners = mesh.vertices.rows() / cloud.vertices.rows();
@@ -124,10 +124,10 @@ Json packed_splats(const Shape& cloud, const std::vector<std::int32_t>& places) 
       {"step", rounded(step, digits)}, {"values", base64(bytes)}, {"directions", packed_directions(normals, places)}};
 }
 
-/// How the shape is seen at first.
+/// Returns the camera of the initial position.
 RenderOptions first_look(const ShapeView& view, RenderOptions look = {}) {
   if (!view.up) return principal_view(view.shape, look);
-  // The front of a shape whose z is up looks along -y, of one whose y is up along z.
+  // The front of a shape with z up faces -y; that of a shape with y up faces z.
   const Eigen::Vector3d up = view.up->normalized();
   const Eigen::Vector3d front =
       std::abs(up.z()) > 0.5 ? Eigen::Vector3d(-Eigen::Vector3d::UnitY()) : Eigen::Vector3d::UnitZ();
@@ -136,7 +136,7 @@ RenderOptions first_look(const ShapeView& view, RenderOptions look = {}) {
   return look;
 }
 
-/// To the right, upwards and towards the viewer of the shape's picture.
+/// Returns the axes of the initial picture: right, up and towards the viewer.
 Json first_axes(const ShapeView& view) {
   const RenderOptions look = first_look(view);
   const Eigen::Vector3d towards = look.towards_viewer.normalized();

@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-/// What one pass over the distances of a term finds.
+/// Results of one pass over the distances of a term.
 struct TermPass {
   NearestModels nearest;
   Eigen::VectorXd means;  ///< mean_distance_to_nearest(), by model
@@ -36,7 +36,7 @@ TermPass pass_over(Eigen::Index models, const RowSource& rows) {
   return found;
 }
 
-/// A pass over the rows of few models, the others' entries following from an earlier pass and these rows.
+/// Pass over the rows of a few models; the entries of the others follow from an earlier pass and these rows.
 class PassUpdate {
  public:
   PassUpdate(Eigen::Index models, const RowSource& rows, const EarlierSum& earlier, std::size_t term)
@@ -73,7 +73,7 @@ class PassUpdate {
     return earlier_.places[static_cast<std::size_t>(model)];
   }
 
-  /// Takes the first of the entries, which are all or at least all that are nearest.
+  /// Takes the first of the entries, which must include all of the nearest.
   void take_nearest(Eigen::Index model, std::vector<Entry>& entries) {
     std::ranges::partial_sort(entries, entries.begin() + count_);
     for (Eigen::Index n = 0; n < count_; ++n) {
@@ -83,7 +83,7 @@ class PassUpdate {
     }
   }
 
-  /// Asks for the model's row, and takes its nearest and their mean from it.
+  /// Requests the model's row, and takes its nearest and their mean from it.
   DistanceMatrix whole_row(Eigen::Index model) {
     DistanceMatrix row = rows_(model, 1);
     std::vector<Entry> entries;
@@ -95,7 +95,8 @@ class PassUpdate {
     return row;
   }
 
-  /// Whether the model's earlier nearest and the new models say all; then takes its nearest and their mean from them.
+  /// Takes the model's nearest and their mean from its earlier nearest and the new models, and returns true, if these
+  /// suffice.
   bool follows_from_earlier(Eigen::Index model) {
     std::vector<Entry> entries;
     for (Eigen::Index n = 0; n < before_.indices.cols(); ++n) {

@@ -38,13 +38,13 @@ constexpr auto diffusion_parameters = parameters_of(diffusion_table);
 
 void check(const DiffusionOptions& options) { check_options("diffusion", diffusion_table, options); }
 
-/// What the original distances add to the new ones.
+/// Contribution of the original distances to the new ones.
 struct OriginalShare {
   double factor = 1;   ///< safe_factor()
   double share = 0;    ///< of distances that are multiplied by the factor
-  double largest = 0;  ///< what the largest finite distance adds
+  double largest = 0;  ///< contribution of the largest finite distance
 
-  /// `wanted` of the distances over `unit`, which is multiplied by the factor already; 0 where the unit is.
+  /// Computes `wanted` divided by `unit`, which includes the factor; 0 for a unit of 0.
   OriginalShare(double wanted, double unit, double safe, double largest_distance)
       : factor(safe),
         share(unit > 0 ? wanted / unit : 0),
@@ -57,8 +57,8 @@ struct OriginalShare {
   }
 };
 
-/// Sets new distances to joined(row, column) where the original ones are infinite; elsewhere limits those that overflow
-/// to the largest number.
+/// Sets new distances to joined(row, column) where the original ones are infinite, and limits overflowing ones to the
+/// largest number.
 template <typename Joined>
 void settle_infinite(const DistanceMatrix& distances, const Joined& joined, DistanceMatrix& result) {
   for (Eigen::Index i = 0; i < result.rows(); ++i) {
@@ -74,7 +74,7 @@ void settle_infinite(const DistanceMatrix& distances, const Joined& joined, Dist
 }
 
 using FloatGraph = Eigen::SparseMatrix<float, Eigen::RowMajor>;
-/// Columns of a few models: what is added to each other stands side by side.
+/// Columns of a few models, stored side by side for vectorisation.
 using Block = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr Eigen::Index columns_at_once = 16;  // two cache lines a row
@@ -88,26 +88,26 @@ void add_product(const FloatGraph& graph, Eigen::Index row, const Block& block, 
   }
 }
 
-/// Columns of the identity.
+/// Returns columns of the identity.
 Block unit_columns(Eigen::Index size, std::span<const Eigen::Index> models) {
   Block columns = Block::Zero(size, std::ssize(models));
   for (std::size_t k = 0; k < models.size(); ++k) columns(models[k], static_cast<Eigen::Index>(k)) = 1;
   return columns;
 }
 
-/// So many indices from the first on.
+/// Returns `count` consecutive indices.
 std::vector<Eigen::Index> counted_from(Eigen::Index first, Eigen::Index count) {
   std::vector<Eigen::Index> indices(static_cast<std::size_t>(count));
   std::iota(indices.begin(), indices.end(), first);
   return indices;
 }
 
-/// The factor by which the coefficients of 1 / (1 - damping x) fall, as a series of Chebyshev polynomials.
+/// Returns the decay of the coefficients of 1 / (1 - damping x) in Chebyshev polynomials.
 double series_rate(double damping) { return damping / (1 + std::sqrt(1 - damping * damping)); }
 
-/// Columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961): the graph's eigenvalues
-/// are between -1 and 1, so the number of steps to a tolerance is known beforehand. In single precision, which is finer
-/// than the tolerance.
+/// Computes columns of (I - damping graph)^-1 by the Chebyshev semi-iteration (Golub and Varga 1961). The graph's
+/// eigenvalues are in [-1, 1], which determines the number of steps for a tolerance. Single precision is finer than the
+/// tolerance.
 class ColumnSolver {
  public:
   ColumnSolver(const Graph& graph, double damping)
@@ -147,9 +147,9 @@ class ColumnSolver {
   int steps_;
 };
 
-/// Entries of the diagonal of (I - damping graph)^-1. The inverse is a series of Chebyshev polynomials T_m of the
-/// graph. Columns of T_m give the diagonals of T_2m and T_2m+1, since T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - T_1
-/// (Weisse, Wellein, Alvermann, Fehske 2006), so half of the series suffices.
+/// Computes entries of the diagonal of (I - damping graph)^-1 as a series of Chebyshev polynomials T_m of the graph.
+/// Columns of T_m give the diagonals of T_2m and T_2m+1, since T_2m = 2 T_m^2 - 1 and T_2m+1 = 2 T_m T_m+1 - T_1
+/// (Weisse, Wellein, Alvermann, Fehske 2006); half of the series suffices.
 class DiagonalSolver {
  public:
   DiagonalSolver(const Graph& graph, double damping)
@@ -229,7 +229,7 @@ void factorise(Eigen::MatrixXd& matrix) {
 /// Inverts a symmetric positive definite matrix by its Cholesky factorisation, in parallel where possible. The result
 /// has the same bits as Eigen's matrix.llt().solve(identity), on any number of threads. Throws Interrupted.
 Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix) {
-  // A multiple of the columns that Eigen's kernels take together, so that each is computed as in the whole.
+  // A multiple of the column block of Eigen's kernels, for the same bits as in the whole.
   constexpr Eigen::Index columns_together = 64;
   const Eigen::Index size = matrix.rows();
   factorise(matrix);
@@ -243,7 +243,7 @@ Eigen::MatrixXd positive_definite_inverse(Eigen::MatrixXd matrix) {
   return inverse;
 }
 
-/// exp(-distance^2 / (scale_a scale_b)), by logarithms where a product over- or underflows.
+/// Computes exp(-distance^2 / (scale_a scale_b)), by logarithms if a product overflows or underflows.
 double affinity_of(double distance, double scale_a, double scale_b) {
   if (!(distance > 0)) return 1;
   const double square = distance * distance;
@@ -252,7 +252,7 @@ double affinity_of(double distance, double scale_a, double scale_b) {
   return std::exp(-std::exp(2 * std::log(distance) - std::log(scale_a) - std::log(scale_b)));
 }
 
-/// By model, the least model that the edges of any of the graphs join it to.
+/// Returns, by model, the least model connected to it by the edges of any of the graphs.
 std::vector<std::int32_t> components_of(const std::vector<Graph>& graphs, std::size_t models) {
   DisjointSets components;
   components.grow_to(models);
@@ -268,7 +268,7 @@ std::vector<std::int32_t> components_of(const std::vector<Graph>& graphs, std::s
   return least;
 }
 
-/// The graphs of a diffusion, one for each number of neighbours, and the distances that follow from similarities.
+/// Graphs of a diffusion, one for each number of neighbours, with the conversion of similarities to distances.
 struct Diffusion {
   double damping;
   std::vector<Graph> graphs;
@@ -281,7 +281,7 @@ struct Diffusion {
   Diffusion(const NearestModels& nearest, const DiffusionOptions& options)
       : Diffusion(neighbour_counts(options.neighbours), nearest, options) {}
 
-  /// New distances, from the similarities and distances of rows from `first` on.
+  /// Converts rows of similarities and distances, from `first` on, to new distances.
   [[nodiscard]] DistanceMatrix distances_of(const DistanceMatrix& similarities, const DistanceMatrix& distances,
                                             Eigen::Index first) const {
     const auto walked = 1 - similarities.array();
@@ -318,7 +318,7 @@ struct Diffusion {
   }
 };
 
-/// The similarities of all models.
+/// Computes the similarities of all models.
 Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
   Eigen::MatrixXd mean;
   for (const Graph& graph : diffusion.graphs) {
@@ -334,7 +334,7 @@ Eigen::MatrixXd dense_similarities(const Diffusion& diffusion) {
   return mean;
 }
 
-/// By graph, the diagonals' inverse square roots, where similarities are normalised by them.
+/// Returns, by graph, the diagonals' inverse square roots if similarities are normalised.
 std::vector<Eigen::VectorXd> diagonal_roots(const Diffusion& diffusion) {
   std::vector<Eigen::VectorXd> roots;
   if (diffusion.graphs.size() == 1) return roots;
@@ -344,7 +344,7 @@ std::vector<Eigen::VectorXd> diagonal_roots(const Diffusion& diffusion) {
   return roots;
 }
 
-/// Rows of the similarities, `count` from `first` on.
+/// Computes `count` rows of the similarities from `first` on.
 DistanceMatrix similarity_rows(const Diffusion& diffusion, const std::vector<Eigen::VectorXd>& roots,
                                Eigen::Index first, Eigen::Index count) {
   DistanceMatrix mean;
@@ -358,8 +358,8 @@ DistanceMatrix similarity_rows(const Diffusion& diffusion, const std::vector<Eig
   return mean;
 }
 
-/// The answer to one query, of which only what is needed is computed: a model's similarity takes its entry of the
-/// diagonal, which costs as much as the query's own column.
+/// Lazy answer to one query: a model's similarity needs its entry of the diagonal, which costs as much as the query's
+/// own column.
 class QueryDiffusion {
  public:
   QueryDiffusion(const NearestModels& nearest, Eigen::Index query, const Eigen::VectorXd& distances,
@@ -374,7 +374,7 @@ class QueryDiffusion {
     }
   }
 
-  /// By model, what its new distance is at least: no entry of the diagonal is below 1.
+  /// Returns a lower bound of each model's new distance: entries of the diagonal are at least 1.
   [[nodiscard]] Eigen::VectorXd lower_bounds() const {
     constexpr double rounding = 1e-5;  // the solvers' tolerance, and some more
     DistanceMatrix similarities = DistanceMatrix::Zero(1, distances_.cols());
@@ -382,7 +382,7 @@ class QueryDiffusion {
     return diffusion_.distances_of(similarities, distances_, query_).row(0).array() - rounding;
   }
 
-  /// The new distances of these models.
+  /// Computes the new distances of these models.
   [[nodiscard]] Eigen::VectorXd distances_of(std::span<const Eigen::Index> models) const {
     DistanceMatrix similarities = DistanceMatrix::Zero(1, distances_.cols());
     for (std::size_t k = 0; k < columns_.size(); ++k) {
@@ -438,7 +438,7 @@ Graph diffusion_graph(const NearestModels& nearest, int k) {
   }
   graph.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXd degrees = graph * Eigen::VectorXd::Ones(models);
-  // Where all affinities vanish, the walk does not leave.
+  // If all affinities underflow, the walk does not leave the model.
   const Eigen::VectorXd inverse_root = (degrees.array() > 0).select(degrees.array().rsqrt(), 0.0);
   return inverse_root.asDiagonal() * graph * inverse_root.asDiagonal();
 }

@@ -42,7 +42,7 @@ void check_domain(const SignatureBlock& block, const NamedDistance& distance) {
   }
 }
 
-/// Signatures that follow each other: their indices in the set from `first` to before `last`.
+/// Consecutive signatures: indices [first, last) in the set.
 struct Stretch {
   Eigen::Index first;
   Eigen::Index last;
@@ -50,7 +50,7 @@ struct Stretch {
   [[nodiscard]] Eigen::Index size() const { return last - first; }
 };
 
-/// Those signatures of the block, as one span.
+/// Returns those signatures of the block as one span.
 std::span<const float> numbers_of(const SignatureBlock& block, const Stretch& some) {
   const Eigen::Index length = block.signatures.cols();
   return {block.signatures.data() + (some.first - block.first) * length,
@@ -61,13 +61,13 @@ std::span<const float> numbers_of(const SignatureBlock& block, Eigen::Index sign
   return numbers_of(block, Stretch{signature, signature + 1});
 }
 
-/// Signatures of a tile: so few that two tiles, in double precision, stay in a core's own cache.
+/// Returns the number of signatures of a tile: two tiles in double precision fit into a core's cache.
 Eigen::Index tile_size(const SignatureBlock& block) {
   constexpr Eigen::Index entries = 32768;
   return std::clamp<Eigen::Index>(entries / std::max<Eigen::Index>(block.signatures.cols(), 1), 8, 32);
 }
 
-/// A stretch in tiles.
+/// Range divided into tiles.
 struct Tiles {
   Stretch whole;
   Eigen::Index size;
@@ -82,7 +82,7 @@ struct Tiles {
   }
 };
 
-/// Distances from each signature of `rows` to each of `columns`; those to itself do not count.
+/// Computes distances from each signature of `rows` to each of `columns`, except to itself.
 DistanceMatrix tile_distances(const NamedDistance& distance, const SignatureBlock& some, const Stretch& rows,
                               const SignatureBlock& others, const Stretch& columns) {
   DistanceMatrix tile(rows.size(), columns.size());
@@ -94,7 +94,7 @@ DistanceMatrix tile_distances(const NamedDistance& distance, const SignatureBloc
   }
   for (Eigen::Index i = rows.first; i < rows.last; ++i) {
     for (Eigen::Index j = columns.first; j < columns.last; ++j) {
-      // Both of a pair from one call: where compilers contract, (a, b) and (b, a) may differ in the last bit.
+      // One call for both orders: with contraction of operations, (a, b) and (b, a) may differ in the last bit.
       const std::span<const float> a = numbers_of(some, i);
       const std::span<const float> b = numbers_of(others, j);
       tile(i - rows.first, j - columns.first) = i == j ? 0 : i < j ? distance.function(a, b) : distance.function(b, a);
@@ -117,7 +117,7 @@ DistanceMatrix distance_matrix(const Signatures& signatures, const std::string& 
   const Tiles all(block);
   DistanceMatrix matrix(signatures.rows(), signatures.rows());
   const tbb::blocked_range2d<Eigen::Index> tiles(0, all.count(), 0, all.count());
-  // Each pair is computed by whichever thread has its tile, and by itself: threads cannot change a bit.
+  // Each pair is computed once, within one tile: results do not depend on the threads.
   parallel_for_parts(tiles, [&](const tbb::blocked_range2d<Eigen::Index>& some) {
     for (Eigen::Index i = some.rows().begin(); i < some.rows().end(); ++i) {
       for (Eigen::Index j = std::max(i, some.cols().begin()); j < some.cols().end(); ++j) {

@@ -106,7 +106,7 @@ double jensen_shannon_distance(std::span<const float> a, std::span<const float> 
   return std::sqrt(std::max(0.0, sum / 2));  // rounding may leave a little less than nothing
 }
 
-// The library's own, in the order in which listings have them.
+// Returns the library's distances, in the order of listings.
 std::vector<NamedDistance> own_distances() {
   return {
       {"l1", l1_distance, DistanceDomain::any, l1_distances},

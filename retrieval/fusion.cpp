@@ -34,7 +34,7 @@ void check(std::span<const DistanceMatrix> matrices, std::span<const double> wei
   }
 }
 
-/// The finite distances between different models.
+/// Returns the finite distances between different models.
 std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   std::vector<double> distances;
   distances.reserve(static_cast<std::size_t>(matrix.size()));
@@ -46,7 +46,7 @@ std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   return distances;
 }
 
-/// sum += weight matrix(i, j) / (roots[i] roots[j])
+/// Computes sum += weight matrix(i, j) / (roots[i] roots[j]).
 void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceMatrix& sum) {
   Eigen::VectorXd means(matrix.rows());
   parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
@@ -58,7 +58,7 @@ void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceMat
   });
 }
 
-/// Replaces sums that are not finite: by infinity where a summand is infinite, otherwise by the largest number.
+/// Replaces sums that are not finite: by infinity if a summand is infinite, otherwise by the largest number.
 void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const double> weights, DistanceMatrix& sum) {
   for (Eigen::Index i = 0; i < sum.rows(); ++i) {
     for (Eigen::Index j = 0; j < sum.cols(); ++j) {
@@ -72,13 +72,14 @@ void settle_infinite(std::span<const DistanceMatrix> matrices, std::span<const d
   }
 }
 
-/// By model, itself and its k nearest, ascending.
+/// By model: itself and its k nearest, ascending.
 struct NearestSets {
   std::size_t count = 0;  ///< k
   std::vector<std::vector<std::int32_t>> of;
 };
 
-/// The sets of several k. The nearest are those nearer than the next one: of those that tie with it none counts.
+/// Computes the sets for several k. Nearest models must be strictly nearer than the next one; ties with it are
+/// excluded.
 std::vector<NearestSets> nearest_sets(const NearestModels& nearest, const std::vector<int>& counts) {
   std::vector<NearestSets> all;
   for (const int count : counts) {
@@ -97,7 +98,7 @@ std::vector<NearestSets> nearest_sets(const NearestModels& nearest, const std::v
   return all;
 }
 
-/// The number of models in both sets.
+/// Returns the number of models in both sets.
 double common_models(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
   double common = 0;
   auto other = b.begin();
@@ -108,7 +109,7 @@ double common_models(const std::vector<std::int32_t>& a, const std::vector<std::
   return common;
 }
 
-/// The sum of per_model(i), in the models' order.
+/// Sums per_model(i) in the models' order.
 template <typename PerModel>
 double sum_over_models(std::size_t models, const PerModel& per_model) {
   std::vector<double> values(models);
@@ -116,14 +117,14 @@ double sum_over_models(std::size_t models, const PerModel& per_model) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// The mean share of a model's nearest that are among its nearest by the other matrix.
+/// Returns the mean share of a model's nearest that are also among its nearest by the other matrix.
 double agreement(const NearestSets& one, const NearestSets& other) {
   const double common = sum_over_models(
       one.of.size(), [&](std::size_t i) { return common_models(one.of[i], other.of[i]) - 1; });  // itself
   return common / static_cast<double>(one.of.size() * one.count);
 }
 
-/// The mean Jaccard index of a model's set and the sets of its nearest.
+/// Returns the mean Jaccard index of a model's set and the sets of its nearest.
 double cohesion(const NearestSets& sets) {
   const double sum = sum_over_models(sets.of.size(), [&](std::size_t i) {
     double alike = 0;
@@ -138,7 +139,7 @@ double cohesion(const NearestSets& sets) {
   return sum / static_cast<double>(sets.of.size() * sets.count);
 }
 
-/// By matrix; 0 where its weight is.
+/// Returns the factors by matrix; 0 for a weight of 0.
 std::vector<double> agreement_factors(const std::vector<std::vector<NearestSets>>& nearest,
                                       std::span<const double> weights) {
   std::vector<double> factors(nearest.size());
@@ -167,7 +168,7 @@ double score_of(Eigen::Index rank, Eigen::Index models, RankScore score) {
                                         : static_cast<double>(models - rank);
 }
 
-/// Adds the scores of a row's ranks, from 1 on, of the models at a finite distance.
+/// Adds the scores of a row's ranks, from 1 on, for models at a finite distance.
 void add_scores(const DistanceMatrix& matrix, Eigen::Index row, double weight, RankScore score, DistanceMatrix& sums) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(matrix.cols()));
   std::iota(order.begin(), order.end(), Eigen::Index{0});

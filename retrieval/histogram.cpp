@@ -30,7 +30,7 @@ void check_options(const Interval& range, const HistogramOptions& options) {
 Eigen::Index bin_of(double value, const Interval& range, int bins) {
   const double width = range.high - range.low;
   if (width == 0) return 0;
-  // Clamped before the conversion: an infinite position has no integer.
+  // Clamped before the conversion: an infinite position has no integer value.
   const double position = (value - range.low) / width * bins;
   return static_cast<Eigen::Index>(std::clamp(position, 0.0, static_cast<double>(bins - 1)));
 }
@@ -84,7 +84,7 @@ namespace {
 
 constexpr double kernel_reach = 4.0;  // in standard deviations
 
-// Weights for offsets 0, 1, ... reach; the kernel is symmetric, and its two halves together sum to 1.
+// Returns the weights of offsets 0, 1, ... reach of the symmetric kernel, whose total is 1.
 Eigen::VectorXd half_kernel(double standard_deviation) {
   const auto reach = static_cast<Eigen::Index>(std::lround(kernel_reach * standard_deviation));
   Eigen::VectorXd weights(reach + 1);
@@ -97,7 +97,7 @@ Eigen::VectorXd half_kernel(double standard_deviation) {
   return weights / total;
 }
 
-// The bin that the mirrored continuation of a histogram of that many bins shows at a position.
+// Returns the bin at a position of the reflected continuation of a histogram.
 Eigen::Index mirrored_bin(Eigen::Index position, Eigen::Index bins) {
   const Eigen::Index period = 2 * bins;
   const Eigen::Index phase = ((position % period) + period) % period;
@@ -129,7 +129,7 @@ Eigen::VectorXd smooth_gaussian(const Eigen::VectorXd& histogram, double standar
 
 namespace {
 
-// Brings a row of parts that lie side by side to sum 1.
+// Normalises a row of concatenated parts to sum 1.
 void normalise(Eigen::Ref<Eigen::RowVectorXf> signature) {
   double total = 0;
   for (Eigen::Index i = 0; i < signature.size(); ++i) {

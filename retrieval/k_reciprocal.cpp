@@ -36,13 +36,13 @@ constexpr std::array reciprocal_table = {
 };
 constexpr auto reciprocal_parameters = parameters_of(reciprocal_table);
 
-/// By model, whether others are among its k nearest.
+/// Returns true if `other` is among the k nearest of `model`.
 bool is_near(const NearestModels& nearest, std::int32_t model, std::int32_t other, Eigen::Index k) {
   const auto row = nearest.indices.row(model).head(std::min(k, nearest.indices.cols()));
   return (row.array() == other).any();
 }
 
-/// The model and those of its k nearest that have it among theirs, ascending.
+/// Returns the model and those of its k nearest that have it among theirs, ascending.
 std::vector<std::int32_t> reciprocal_neighbours(const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   std::vector<std::int32_t> mutual = {model};
   for (const std::int32_t other : nearest.indices.row(model).head(std::min(k, nearest.indices.cols()))) {
@@ -52,7 +52,8 @@ std::vector<std::int32_t> reciprocal_neighbours(const NearestModels& nearest, st
   return mutual;
 }
 
-/// The reciprocal neighbours, and those of half the size of each of them of which two thirds are among them.
+/// Returns the reciprocal neighbours, extended by the sets of half the size of those neighbours of which two thirds are
+/// among them.
 std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   const std::vector<std::int32_t> mutual = reciprocal_neighbours(nearest, model, k);
   std::vector<std::int32_t> expanded = mutual;
@@ -67,7 +68,7 @@ std::vector<std::int32_t> expanded_neighbours(const NearestModels& nearest, std:
   return expanded;
 }
 
-/// A model's neighbours with Gaussian weights that sum to 1.
+/// Returns a model's neighbours with Gaussian weights that sum to 1.
 SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest, std::int32_t model, Eigen::Index k) {
   SparseRow row;
   const double unit = mean_distance(nearest.distances.row(model).head(std::min(k, nearest.distances.cols())));
@@ -82,7 +83,7 @@ SparseRow encoded(const DistanceMatrix& distances, const NearestModels& nearest,
   return row;
 }
 
-/// The mean of the rows of the model and its nearest neighbours, of `most` rows or as many as there are.
+/// Averages the rows of the model and its nearest neighbours, at most `most` rows.
 SparseRow mean_row(const std::vector<SparseRow>& rows, const NearestModels& nearest, std::int32_t model,
                    Eigen::Index most) {
   SparseRow sum = rows[static_cast<std::size_t>(model)];
@@ -102,10 +103,10 @@ SparseRow mean_row(const std::vector<SparseRow>& rows, const NearestModels& near
   return merged;
 }
 
-/// The sets of neighbours of all models.
+/// Sets of neighbours of all models.
 struct NeighbourSets {
   std::vector<SparseRow> rows;
-  std::vector<SparseRow> columns;  ///< the same, by neighbour
+  std::vector<SparseRow> columns;  ///< transposed: by neighbour
   Eigen::RowVectorXd sums;         ///< of the rows
 };
 
@@ -129,7 +130,7 @@ NeighbourSets neighbour_sets(const DistanceMatrix& distances, const NearestModel
   return sets;
 }
 
-/// 1 - sum of minima / sum of maxima, of one row with all.
+/// Computes 1 - sum of minima / sum of maxima, of one row with all.
 Eigen::RowVectorXd jaccard_distances(const NeighbourSets& sets, Eigen::Index model) {
   Eigen::RowVectorXd minima = Eigen::RowVectorXd::Zero(sets.sums.size());
   for (const auto& [column, weight] : sets.rows[static_cast<std::size_t>(model)]) {
@@ -140,7 +141,7 @@ Eigen::RowVectorXd jaccard_distances(const NeighbourSets& sets, Eigen::Index mod
   return 1 - minima.array() / (sets.sums.array() + sets.sums[model] - minima.array());
 }
 
-/// The mean over the numbers of neighbours.
+/// Averages over the numbers of neighbours.
 Eigen::RowVectorXd mean_jaccard_distances(const std::vector<NeighbourSets>& of_counts, Eigen::Index model) {
   Eigen::RowVectorXd sum = jaccard_distances(of_counts.front(), model);
   for (std::size_t k = 1; k < of_counts.size(); ++k) sum += jaccard_distances(of_counts[k], model);

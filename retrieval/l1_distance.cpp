@@ -17,12 +17,12 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Eight sums, of the entries i with the same i % 8, whatever the width of a vector: the same bits on every machine.
+/// Eight sums, of the entries i with the same i % 8, whatever the vector width: the same bits on every machine.
 constexpr std::size_t sums = 8;
 using D = hn::CappedTag<double, sums>;
 constexpr std::size_t lanes = hn::MaxLanes(D());
 
-/// Signatures in double precision, each with zeros behind it up to a multiple of eight entries: they add nothing.
+/// Signatures in double precision, padded with zeros to a multiple of eight entries.
 struct Promoted {
   hwy::AlignedFreeUniquePtr<double[]> entries;
   std::size_t stride;  ///< entries from one signature to the next
@@ -50,8 +50,8 @@ double total(const std::array<double, sums>& parts) {
   return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
 }
 
-/// Distances of `rows` signatures from `i` on to `columns` others from `j` on: together, so that no addition has to
-/// wait for the one before, and each entry is loaded for several of them.
+/// Computes distances of `rows` signatures from `i` on to `columns` others from `j` on. Processing them together hides
+/// the latency of additions and reuses loaded entries.
 template <std::size_t rows, std::size_t columns>
 void l1_block(const Promoted& some, std::size_t i, const Promoted& others, std::size_t j, double* distances) {
   const auto one = hn::Set(D(), 1.0);
@@ -65,7 +65,7 @@ void l1_block(const Promoted& some, std::size_t i, const Promoted& others, std::
       for (std::size_t column = 0; column < columns; ++column) {
         const auto right = hn::Load(D(), others.row(j + column) + entry);
         for (std::size_t row = 0; row < rows; ++row) {
-          // Where products can be subtracted from in one step, this is a - b to the bit, on units that else are idle.
+          // With fused multiply-subtract this equals a - b to the bit, on otherwise idle units.
           const auto difference = hn::MulSub(left[row], one, right);
           sum[row][column] = hn::Add(sum[row][column], hn::Abs(difference));
         }

@@ -25,7 +25,7 @@ constexpr std::array expansion_table = {
 };
 constexpr auto expansion_parameters = parameters_of(expansion_table);
 
-/// Whether a column is infinite in the row and in those of its nearest neighbours.
+/// Returns true if a column is infinite in the row and in those of its nearest neighbours.
 bool is_far_from_all(const DistanceMatrix& distances, const NearestModels& nearest, Eigen::Index row,
                      Eigen::Index column) {
   const auto is_far = [&](Eigen::Index i) { return i != column && std::isinf(distances(i, column)); };
@@ -33,8 +33,8 @@ bool is_far_from_all(const DistanceMatrix& distances, const NearestModels& neare
          std::ranges::all_of(nearest.indices.row(row), [&](std::int32_t other) { return other < 0 || is_far(other); });
 }
 
-/// Weights of the nearest neighbours' rows, so many, over that of a model's own: the r-th has 1 / (1 + r) of it in the
-/// mean of the first k rows, for each of the counts k that it is within.
+/// Returns the weights of the nearest neighbours' rows relative to that of a model's own: the r-th has 1 / (1 + r) of
+/// it in the mean of the first k rows, for each of the counts k that include it.
 std::vector<double> neighbour_weights(Eigen::Index neighbours, const std::vector<int>& counts) {
   std::vector<double> totals{1};
   for (Eigen::Index r = 1; r <= neighbours; ++r) totals.push_back(totals.back() + 1 / static_cast<double>(r + 1));

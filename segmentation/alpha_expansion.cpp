@@ -15,7 +15,7 @@ namespace {
 
 using Flow = maxflow::Graph<double, double, double>;
 
-/// The library would end the program.
+/// Error handler of the library, which would otherwise terminate the program.
 void report(const char* message) { throw std::runtime_error(message); }
 
 void check(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, std::span<const std::int32_t> labels) {
@@ -34,7 +34,7 @@ void check(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges, st
   }
 }
 
-/// The labels after the best change of any nodes to one label. Nodes on the sink's side of the cut change.
+/// Returns the labels after the optimal expansion of one label. Nodes on the sink's side of the cut change.
 std::vector<std::int32_t> expanded(const Eigen::MatrixXd& costs, const std::vector<LabelEdge>& edges,
                                    std::vector<std::int32_t> labels, std::int32_t label) {
   Flow flow(static_cast<int>(costs.rows()), static_cast<int>(edges.size()), report);
@@ -43,7 +43,7 @@ std::vector<std::int32_t> expanded(const Eigen::MatrixXd& costs, const std::vect
     flow.add_tweights(static_cast<int>(node), costs(node, label), costs(node, labels[static_cast<std::size_t>(node)]));
   }
   for (const LabelEdge& edge : edges) {
-    // Kolmogorov and Zabih 2004: a cost of two nodes is split into costs of each and one of the pair (stay, change).
+    // Kolmogorov and Zabih 2004: the cost of two nodes is split into costs of each and one of the pair (stay, change).
     const std::int32_t a = labels[static_cast<std::size_t>(edge.a)];
     const std::int32_t b = labels[static_cast<std::size_t>(edge.b)];
     const double stay_stay = a != b ? edge.cost : 0;
@@ -83,7 +83,7 @@ std::vector<std::int32_t> alpha_expansion(const Eigen::MatrixXd& costs, const st
       check_interruption();
       std::vector<std::int32_t> next = expanded(costs, edges, labels, label);
       const double next_cost = labelling_cost(next, costs, edges);
-      // Less by more than rounding: otherwise labels of equal cost could take turns for ever.
+      // The gain must exceed rounding: otherwise labels of equal cost could alternate for ever.
       if (!(next_cost < cost - 1e-12 * std::abs(cost))) continue;
       labels = std::move(next);
       cost = next_cost;

@@ -17,10 +17,10 @@ namespace shapegauge {
 
 namespace {
 
-/// For each node near a border the ways, in units, to the other parts near it.
+/// For each node near a border: distances, in units, to the other parts near it.
 using WaysToParts = std::vector<std::map<std::int32_t, double>>;
 
-/// Follows the links from a part's border outwards, up to the width.
+/// Follows the links outwards from a part's border, up to the width.
 void add_ways(WaysToParts& ways, const ThickSurface& surface, std::span<const std::int32_t> labels,
               const std::vector<std::int32_t>& border, double width) {
   using Reached = std::pair<double, std::int32_t>;
@@ -57,7 +57,7 @@ WaysToParts ways_to_parts(const ThickSurface& surface, std::span<const std::int3
   return ways;
 }
 
-/// The nodes that may change, and the labelling problem in terms of them.
+/// Nodes that may change, with their labelling problem.
 struct Band {
   std::vector<std::int32_t> nodes;
   std::vector<std::int32_t> places;  ///< of each node of the surface among `nodes`; -1: it stays
@@ -75,7 +75,7 @@ double border_cost(const ThickSurface& surface, std::int32_t node, const Surface
   return options.strength * length / (1 + curvature / options.concavity);
 }
 
-/// The nodes of the band and the labels that they may have.
+/// Returns the nodes of the band and their admissible labels.
 Band empty_band(std::span<const std::int32_t> labels, const WaysToParts& ways) {
   Band band;
   band.places.assign(labels.size(), -1);
@@ -114,7 +114,7 @@ Band band_of(const ThickSurface& surface, std::span<const std::int32_t> labels, 
       const double cost = border_cost(surface, node, link, options);
       if (other > static_cast<std::int32_t>(k)) band.edges.push_back({static_cast<std::int32_t>(k), other, cost});
       if (other >= 0) continue;
-      // The neighbour keeps its label: every other label costs the border.
+      // The neighbour keeps its label: every other label has the cost of the border.
       band.costs.row(row).array() += cost;
       const std::int32_t kept = labels[static_cast<std::size_t>(link.to)];
       if (std::ranges::binary_search(band.labels, kept)) band.costs(row, column_of(kept)) -= cost;

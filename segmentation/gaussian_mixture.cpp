@@ -17,22 +17,22 @@ namespace {
 
 constexpr double least_gain = 1e-9;  ///< of the log-likelihood, relative to its size, for another iteration
 
-/// Variance that every component has at least, by coordinate.
+/// Returns the minimum variance of components by coordinate.
 Eigen::RowVectorXd least_variances(const Eigen::MatrixXd& points, double share) {
   const Eigen::RowVectorXd mean = points.colwise().mean();
   const Eigen::RowVectorXd variance = (points.rowwise() - mean).array().square().colwise().mean();
-  // A coordinate in which all points agree gets any variance: it tells none of them apart.
+  // A constant coordinate gets any variance, since it distinguishes no points.
   return variance.unaryExpr([&](double v) { return v > 0 ? share * v : 1.0; });
 }
 
-/// Logarithm of the sum of each row's exponentials.
+/// Returns the logarithm of the sum of each row's exponentials.
 Eigen::VectorXd log_sums(const Eigen::MatrixXd& rows) {
   const Eigen::VectorXd largest = rows.rowwise().maxCoeff();
   return largest.array() + (rows.colwise() - largest).array().exp().rowwise().sum().log();
 }
 
-/// Points in scaled coordinates chosen one after the other, each with a probability proportional to its squared
-/// distance from those before.
+/// Chooses points in scaled coordinates sequentially, with probabilities proportional to their squared distances from
+/// the previous ones.
 Eigen::MatrixXd spread_centres(const Eigen::MatrixXd& points, const Eigen::RowVectorXd& scale, Eigen::Index count,
                                RandomNumbers& random) {
   Eigen::MatrixXd centres(count, points.cols());

@@ -24,7 +24,7 @@ constexpr double least_probability = 1e-6;
 constexpr double least_turn = 1e-3;  ///< radians, so that flat borders cost a finite amount
 constexpr double convex_share = 0.1;
 
-/// What a border costs for each of its length: little where the surface is folded.
+/// Returns the cost per length of a border: small where the surface is folded.
 double cost_of_turn(double concavity) {
   const double turn = std::max(least_turn, concavity > 0 ? concavity : -convex_share * concavity);
   return -std::log(turn / std::numbers::pi);

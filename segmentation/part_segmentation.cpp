@@ -22,7 +22,7 @@ namespace {
 constexpr int patches_per_part = 3;
 constexpr Eigen::Index triangles_per_part = 20;
 
-/// Regions at most, unless more patches were asked for: what is known of pairs of them takes room by their square.
+/// Maximum number of regions, unless more patches were requested: memory for pairs grows quadratically.
 constexpr std::int32_t most_regions = 600;
 
 void check(const PartSegmentationOptions& options, std::int32_t nodes) {
@@ -36,8 +36,8 @@ void check(const PartSegmentationOptions& options, std::int32_t nodes) {
   }
 }
 
-/// The patches' numbers in order of area, largest first, or -1 for those beyond so many. Only components make more
-/// patches than were asked for, so that these have no neighbours to be merged with.
+/// Numbers the patches by decreasing area, or -1 beyond a maximum. Only components increase the number of patches;
+/// these have no neighbours to merge with.
 std::vector<std::int32_t> largest_patches(const SurfaceGraph& graph, std::span<const std::int32_t> patch,
                                           std::int32_t most) {
   std::vector<double> areas(static_cast<std::size_t>(*std::ranges::max_element(patch) + 1), 0);
@@ -86,7 +86,7 @@ std::vector<std::int32_t> part_segmentation(const Shape& given, const PartSegmen
   require_usable(given);
   const DistinctTriangles mesh = distinct_triangles(given);
   const Shape& shape = mesh.shape;
-  // Many parts of few triangles are of single triangles.
+  // Many parts of few triangles consist of single triangles.
   if (triangles_per_part * options.parts > shape.triangles.rows()) {
     return with_duplicates(mesh, part_segmentation(thick_surface(shape), options, model));
   }

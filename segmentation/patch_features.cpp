@@ -12,8 +12,8 @@ namespace shapegauge {
 
 namespace {
 
-/// Of each value the share of the weight that lies below it, those like it by half: from 0 to 1. NaN where the value is
-/// not finite.
+/// Returns, for each value, the share of the weight below it, plus half of that of equal values: from 0 to 1. NaN for
+/// values that are not finite.
 std::vector<double> ranks(const ScalarField& field) {
   std::vector<Eigen::Index> order;
   double whole = 0;
@@ -37,7 +37,7 @@ std::vector<double> ranks(const ScalarField& field) {
   return result;
 }
 
-/// Patches x levels; the last row is the whole surface's.
+/// Returns patches x levels; the last row is that of the whole surface.
 Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::Index patches, const ScalarField& field,
                                   int levels) {
   const std::vector<double> places = ranks(field);
@@ -46,7 +46,7 @@ Eigen::MatrixXd cumulative_shares(std::span<const std::int32_t> patch, Eigen::In
   for (std::size_t i = 0; i < patch.size(); ++i) {
     if (std::isnan(places[i])) continue;
     const double weight = field.weights[static_cast<Eigen::Index>(i)];
-    // The least level (k + 1/2) / n that is not below the place.
+    // The lowest level (k + 1/2) / n that is not below the rank.
     const auto first = static_cast<Eigen::Index>(std::max(0.0, std::ceil(places[i] * levels - 0.5)));
     for (const Eigen::Index row : {Eigen::Index{patch[i]}, patches}) {
       weights[row] += weight;

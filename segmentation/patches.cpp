@@ -16,7 +16,7 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-/// Cheapest ways from centres, which may be added one after the other.
+/// Shortest paths from centres, which may be added incrementally.
 class Growth {
  public:
   Growth(const SurfaceGraph& graph, std::span<const double> costs)
@@ -27,7 +27,7 @@ class Growth {
 
   void start_at(std::int32_t centre, std::int32_t number) { reach(centre, 0, number); }
 
-  /// Spreads from the centres that were added since. Ties go to the patch that came first.
+  /// Propagates from the centres added since the last call. Ties go to the earlier patch.
   void spread() {
     const SparseInterruptionCheck check;
     while (!queue_.empty()) {
@@ -72,7 +72,7 @@ std::vector<std::int32_t> farthest_centres(const SurfaceGraph& graph, const Patc
   };
   RandomNumbers random(options.seed);
   add(static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(graph.size()))));
-  // Every component has a centre before any has two.
+  // Every component gets a centre before any gets two.
   for (std::int32_t node = 0; node < graph.size(); ++node) {
     if (growth.cost[static_cast<std::size_t>(node)] == unreached) add(node);
   }
@@ -85,7 +85,7 @@ std::vector<std::int32_t> farthest_centres(const SurfaceGraph& graph, const Patc
   return centres;
 }
 
-/// Of each patch the node closest to its mean place.
+/// Returns the node of each patch closest to its mean position.
 std::vector<std::int32_t> middles(const SurfaceGraph& graph, const std::vector<std::int32_t>& patch,
                                   std::size_t count) {
   const Samples& samples = graph.samples;

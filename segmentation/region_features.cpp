@@ -17,7 +17,7 @@ constexpr double least_spread = 1e-6;
 constexpr double least_sight = 0.05;
 constexpr double usual_tilt = -0.3;  ///< where no samples are near each other
 
-/// The form of a region from its second moments.
+/// Form of a region from its second moments.
 struct Form {
   double area;
   Eigen::Vector3d place;
@@ -52,7 +52,7 @@ Thickness thickness_of(const RegionSum& sum) {
   return {mean, std::sqrt(std::max(0.0, sum.squared_thickness / area - mean * mean))};
 }
 
-/// How far mass must move, in logarithms of thickness, to make one distribution of the other.
+/// Computes the earth mover's distance between two thickness distributions, in logarithms of thickness.
 double earth_movers_distance(const RegionSum& a, const RegionSum& b) {
   double moved = 0;
   double carried = 0;
@@ -63,7 +63,7 @@ double earth_movers_distance(const RegionSum& a, const RegionSum& b) {
   return moved * -std::log(lowest_thickness) / thickness_bins;
 }
 
-/// The features one after the other, each with its name.
+/// Features in order, each with its name.
 class Features {
  public:
   Features(const Regions& regions, std::int32_t a, std::int32_t b) : regions_(regions), small_(a), large_(b) {

@@ -12,14 +12,14 @@ namespace shapegauge {
 
 namespace {
 
-/// Two regions as they were when they were compared: `age` counts the merges of both.
+/// Pair of regions when compared; `age` counts the merges of both.
 struct Candidate {
   double affinity;
   std::int32_t a;
   std::int32_t b;
   std::int32_t age;
 
-  /// Whether another one comes before this one.
+  /// Orders candidates for merging.
   bool operator<(const Candidate& other) const {
     if (affinity != other.affinity) return affinity < other.affinity;
     return a != other.a ? a > other.a : b > other.b;

@@ -14,7 +14,8 @@ namespace shapegauge {
 
 namespace {
 
-/// Hues apart in lightness too (Paul Tol's "bright" and "muted" schemes), so that they can be told apart by everybody.
+/// Hues of different lightness (Paul Tol's "bright" and "muted" schemes), distinguishable with colour vision
+/// deficiencies.
 constexpr std::array<Colour, 12> palette = {{{68, 119, 170},
                                              {238, 102, 119},
                                              {34, 136, 51},
@@ -32,7 +33,7 @@ void check(const SurfaceGraph& graph, std::span<const std::int32_t> labels) {
   if (std::ssize(labels) != graph.size()) throw ArgumentError("a surface needs one label a node");
 }
 
-/// Areas of labels, which go from 0 on, and the lengths of their borders with each other.
+/// Areas of labels, which start at 0, and the lengths of their common borders.
 struct LabelBorders {
   std::vector<double> areas;
   std::vector<std::map<std::int32_t, double>> lengths;
@@ -101,7 +102,7 @@ std::vector<Colour> label_colours(const SurfaceGraph& graph, std::span<const std
     for (const auto& [other, length] : borders.lengths[static_cast<std::size_t>(label)]) {
       taken[chosen[static_cast<std::size_t>(other)]] = true;
     }
-    // Parts that do not touch look better in colours of their own, as long as there are any.
+    // Parts that do not touch get different colours as long as there are any.
     std::size_t colour = next;
     for (std::size_t tried = 0; tried < palette.size() && taken[colour]; ++tried)
       colour = (colour + 1) % palette.size();

@@ -20,12 +20,12 @@ constexpr Eigen::Index fewest_triangles = 8000;
 constexpr Eigen::Index points_of_cracked = 10000;
 constexpr double most_open_edges = 0.05;
 
-/// Each triangle cut into four at the middles of its edges, one after the other, its middle one first.
+/// Subdivides each triangle into four at the midpoints of its edges, in order, the middle one first.
 Shape cut_into_four(const Shape& mesh) {
   const std::vector<std::int32_t> merged = welded_vertices(mesh.vertices);
   const std::vector<HalfEdge> uses = half_edges(mesh.triangles, merged);
   const Eigen::Index corners = mesh.vertices.rows();
-  // A side of its own for each triangle with two corners at one place, which half_edges() leaves out.
+  // Triangles with coincident corners, which half_edges() omits, get separate sides.
   Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor> middle =
       Eigen::Matrix<std::int32_t, Eigen::Dynamic, 3, Eigen::RowMajor>::Constant(mesh.triangles.rows(), 3, -1);
   auto next = static_cast<std::int32_t>(corners);

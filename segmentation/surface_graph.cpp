@@ -20,7 +20,7 @@ namespace {
 
 constexpr Eigen::Index neighbours_in_cloud = 8;
 
-/// At one vertex; where there are more, triangles meet there by chance.
+/// Maximum number of boundary edges at a vertex; with more, triangles meet there by chance.
 constexpr std::size_t most_border_ends = 12;
 
 struct Pair {
@@ -29,7 +29,8 @@ struct Pair {
   bool over_gap = false;
 };
 
-/// Positive where each of two points lies in front of the other's plane, or would if they were oriented alike.
+/// Returns an angle that is positive if each of two points lies in front of the other's plane, assuming consistent
+/// orientation.
 double signed_angle(const Eigen::Vector3d& way, const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   if (from.isZero(0) || to.isZero(0)) return 0;
   const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
@@ -60,14 +61,14 @@ void add_edge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& sample
                 .concavity = signed_angle(to - from, normal, side * samples.normals.row(b.triangle).transpose())}});
 }
 
-/// The end of an edge that only one triangle has.
+/// End of a boundary edge.
 struct BorderEnd {
   std::int32_t vertex;
   std::int32_t triangle;
   double length;  ///< of the edge
 };
 
-/// Links two triangles over the gap at a vertex that both have, with what the edges there would have been.
+/// Links two triangles across the gap at a common vertex, with the properties of the missing edge.
 void add_bridge(std::vector<Pair>& pairs, const Shape& mesh, const Samples& samples, const BorderEnd& a,
                 const BorderEnd& b) {
   const Eigen::Vector3d vertex = mesh.vertices.row(a.vertex);
@@ -142,8 +143,8 @@ SurfaceGraph surface_graph(const Shape& shape) {
   SurfaceGraph graph;
   graph.samples = sample_shape(shape, SampleSite::faces);
   std::vector<Pair> pairs = is_cloud(shape) ? pairs_of_cloud(graph.samples) : pairs_of_mesh(shape, graph.samples);
-  // Two triangles that touch at a vertex of a gap may have several links over it: the longest is kept. Those that share
-  // an edge need none.
+  // Two triangles that touch at a vertex of a gap may have several links: the longest is kept. Triangles that share an
+  // edge need none.
   const SparseInterruptionCheck check;
   std::sort(pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) {
     check();

@@ -25,18 +25,18 @@ constexpr double least_slope = 0.1;        ///< sine of a ray's angle with the s
 constexpr double most_border_turn = 1.5;
 constexpr double fold = 0.1;  ///< turn of a border that counts as folded
 
-/// How deep below the surface the looking begins, as a share of the thickness.
+/// Starting depths of lines of sight below the surface, as fractions of the thickness.
 constexpr std::array<double, 2> depths = {0.1, 0.5};
 constexpr std::array<PairSum, 2> seen_sums = {PairSum::seen_shallow, PairSum::seen_deep};
 
-/// Nodes that stand for their patch.
+/// Nodes that represent their patch.
 struct PatchSample {
   std::int32_t node;
   std::int32_t patch;
-  double area;  ///< that it stands for
+  double area;  ///< area represented by the node
 };
 
-/// Nodes of each patch at equal steps of area, in the order of the nodes.
+/// Selects nodes of each patch at equal steps of cumulative area, in the order of the nodes.
 std::vector<PatchSample> sampled(const ThickSurface& surface, std::span<const std::int32_t> patch,
                                  const Regions& regions, int samples) {
   std::vector<std::int32_t> nodes;
@@ -115,7 +115,7 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
   parallel_for(std::int32_t{0}, surface.graph.size(), [&](std::int32_t i) {
     const Eigen::Vector3d normal = samples.normals.row(i);
     if (normal.isZero(0)) return;
-    // From just below the surface, so that a cloud's overlapping splats do not count.
+    // Starts just below the surface, which avoids the overlapping splats of a cloud.
     const double depth = depths[0] * std::exp(surface.log_thickness[i]) * surface.unit;
     const RayHit hit = caster.first_hit(samples.points.row(i).transpose() - depth * normal, -normal);
     if (hit) opposite[static_cast<std::size_t>(i)] = hit.triangle / per_node;
@@ -128,8 +128,8 @@ void add_opposites(Regions& regions, const ThickSurface& surface, std::span<cons
   }
 }
 
-/// For every pair of places, row by row above the diagonal, whether the straight line between them is free, of those
-/// that are `wanted`.
+/// Returns, for every pair of points, row by row above the diagonal, whether the straight line between them is free;
+/// only for `wanted` pairs.
 template <typename Wanted>
 std::vector<std::vector<char>> free_lines(const RayCaster& caster, const Points& places, Wanted wanted) {
   const auto count = static_cast<std::size_t>(places.rows());
@@ -192,7 +192,7 @@ class Sights {
     });
   }
 
-  /// How surface normals lean towards each other, which needs no rays.
+  /// Adds the tilts of surface normals towards each other, which need no rays.
   void add_tilts() {
     for (Eigen::Index i = 0; i < points_.rows(); ++i) {
       for (Eigen::Index j = i + 1; j < points_.rows(); ++j) {

@@ -34,7 +34,7 @@ double missing_area(const Eigen::VectorXd& values, const Samples& samples) {
   return area;
 }
 
-/// Diameters in the shape's units, not positive or NaN where there is none; the samples' normals are turned outwards.
+/// Computes diameters in the shape's units, not positive or NaN if missing; turns the samples' normals outwards.
 Eigen::VectorXd diameters(const Shape& shape, Samples& samples) {
   if (!is_cloud(shape)) {
     Eigen::VectorXd values = cone_sdf(shape, samples, {}).values;
@@ -47,7 +47,7 @@ Eigen::VectorXd diameters(const Shape& shape, Samples& samples) {
   return std::move(result.values);
 }
 
-/// Gives nodes without a value (NaN) the mean of their neighbours', one ring after the other.
+/// Fills missing values (NaN) by the mean of neighbours, ring by ring.
 void fill(Eigen::VectorXd& values, const SurfaceGraph& graph) {
   std::vector<std::int32_t> missing;
   for (std::int32_t i = 0; i < graph.size(); ++i) {
@@ -72,7 +72,7 @@ void fill(Eigen::VectorXd& values, const SurfaceGraph& graph) {
   for (const std::int32_t i : missing) values[i] = std::log(usual_thickness);
 }
 
-/// Averages values with those of neighbours, the less the more they differ.
+/// Averages values with those of neighbours, with weights that decrease with their difference.
 Eigen::VectorXd smoothed(const Eigen::VectorXd& values, const SurfaceGraph& graph) {
   Eigen::VectorXd result(values.size());
   for (std::int32_t i = 0; i < graph.size(); ++i) {
@@ -89,7 +89,7 @@ Eigen::VectorXd smoothed(const Eigen::VectorXd& values, const SurfaceGraph& grap
   return result;
 }
 
-/// Rounds of averaging with neighbours that reach as far as the smoothing width: a random walk's.
+/// Returns the number of averaging rounds whose reach, that of a random walk, is the smoothing width.
 int smoothing_rounds(const SurfaceGraph& graph, double unit) {
   if (graph.links.empty()) return 0;
   double sum = 0;

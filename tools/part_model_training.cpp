@@ -19,7 +19,7 @@ constexpr double examples_end = 0.3;
 constexpr std::size_t batch_size = 256;
 constexpr float most_deviations = 4;
 
-/// Follows the merges of regions with what people say of them.
+/// Tracks labels from human segmentations through merges of regions.
 class PeoplesView {
  public:
   explicit PeoplesView(Eigen::MatrixXd together) : together_(std::move(together)) {}
@@ -38,7 +38,7 @@ class PeoplesView {
   std::size_t followed_ = 0;
 };
 
-/// One network's parameters in a row: hidden weights by feature, hidden biases, output weights, output bias.
+/// Parameters of one network: hidden weights by feature, hidden biases, output weights, output bias.
 struct Network {
   Network(Eigen::Index hidden_units, RandomNumbers& random)
       : units(hidden_units), values(Eigen::VectorXf::Zero(hidden_units * (region_features + 2) + 1)) {
@@ -62,14 +62,14 @@ struct Network {
   Eigen::VectorXf values;
 };
 
-/// The examples with standardised features, one a column.
+/// Examples with standardised features, one a column.
 struct TrainingSet {
   Eigen::MatrixXf features;
   Eigen::VectorXf together;
   Eigen::VectorXf weights;  ///< of mean 1
 };
 
-/// Gradient of the mean cross entropy of a batch, and of the decay.
+/// Computes the gradient of the mean cross entropy of a batch, and of the weight decay.
 Eigen::VectorXf gradient_of(Network& network, const TrainingSet& set, std::span<const Eigen::Index> batch,
                             float decay) {
   const std::vector<Eigen::Index> chosen(batch.begin(), batch.end());
@@ -90,7 +90,7 @@ Eigen::VectorXf gradient_of(Network& network, const TrainingSet& set, std::span<
   return gradient;
 }
 
-/// Adam's moments.
+/// Moments of Adam.
 class Adam {
  public:
   explicit Adam(Eigen::Index size) : mean_(Eigen::VectorXf::Zero(size)), square_(Eigen::VectorXf::Zero(size)) {}
@@ -134,7 +134,7 @@ Network trained(const TrainingSet& set, const TrainingOptions& options, int numb
   return network;
 }
 
-/// Means and deviations of the features go into the model, the features in terms of these into the set.
+/// Stores means and deviations of the features in the model and returns the standardised examples.
 TrainingSet standardised(const std::vector<PartExample>& examples, PartModel& model) {
   const auto count = static_cast<double>(examples.size());
   model.mean.setZero();

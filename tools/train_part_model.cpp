@@ -39,7 +39,7 @@ namespace {
 constexpr int none_left_out = -1;
 constexpr int no_class = -2;  // of what belongs to no class that could be left out
 
-/// A mesh as merging sees it, and what people say of it.
+/// Mesh with its regions and human segmentations.
 struct TrainingModel {
   std::vector<std::int32_t> patch;
   Regions regions{0};
@@ -48,7 +48,7 @@ struct TrainingModel {
   int label = 0;
 };
 
-/// An ellipsoid of these radii, which is one part: what generated shapes do not show.
+/// Makes an ellipsoid, which is one part: generated shapes have none.
 Shape ellipsoid(const Eigen::Vector3d& radii) {
   constexpr int rings = 28;
   constexpr int sectors = 56;
@@ -81,7 +81,7 @@ Shape ellipsoid(const Eigen::Vector3d& radii) {
   return shape;
 }
 
-/// A mesh as merging sees it; `people` are the numbers of segments, by person and face.
+/// Prepares a mesh for merging; `people` are the numbers of segments, by person and face.
 TrainingModel prepared(const Shape& mesh, std::vector<std::vector<std::int32_t>> people) {
   const PartSegmentationOptions options;
   const ThickSurface surface = thick_surface(mesh);
@@ -122,7 +122,7 @@ void add_examples(std::vector<PartExample>& examples, const std::vector<Training
   }
 }
 
-/// A first model learns from merging as people would, the second also from where the first one leads.
+/// Trains a first model on merges by the labels, and a second one also on merges by the first.
 PartModel trained(const std::vector<TrainingModel>& models, int left_out = none_left_out) {
   std::vector<PartExample> examples;
   add_examples(examples, models, left_out, nullptr);
@@ -144,7 +144,7 @@ double rand_error(const TrainingModel& training, const PartModel& model) {
   return sum / static_cast<double>(training.people.size());
 }
 
-/// The mean Rand error on the shapes of a class.
+/// Returns the mean Rand error on the shapes of a class.
 double class_error(const std::vector<TrainingModel>& shapes, int label, const PartModel& model) {
   double error = 0;
   int count = 0;
@@ -168,7 +168,7 @@ void cross_validate(const SegmentationBenchmark& benchmark, const std::vector<Tr
   fmt::print("{:10} {:.4f}\n", "mean", sum / static_cast<double>(benchmark.classes.size()));
 }
 
-/// The groups of features by the names of their first ones.
+/// Groups of features, by the names of their first ones.
 struct FeatureGroup {
   std::string_view name;
   std::string_view first;
@@ -180,7 +180,7 @@ constexpr std::array<FeatureGroup, 5> feature_groups{{{"lines of sight", "seen s
                                                       {"opposite sides", "opposite"},
                                                       {"form and size", "elongation small"}}};
 
-/// The first feature of a group, and the first that is no longer of it.
+/// Returns the half-open range of a group's features.
 std::pair<Eigen::Index, Eigen::Index> range_of(std::size_t group) {
   const auto place_of = [](std::string_view name) {
     return std::ranges::find(region_feature_names(), name) - region_feature_names().begin();
@@ -190,7 +190,7 @@ std::pair<Eigen::Index, Eigen::Index> range_of(std::size_t group) {
           last ? region_features : place_of(feature_groups.at(group + 1).first)};
 }
 
-/// The model of examples that lack the features of a group.
+/// Trains a model without the features of a group.
 PartModel model_without(std::size_t group, std::vector<PartExample> examples, const TrainingOptions& options) {
   const auto [begin, end] = range_of(group);
   for (PartExample& example : examples) example.features.segment(begin, end - begin).setZero();
@@ -207,7 +207,7 @@ PartModel trained_without(std::size_t group, const std::vector<TrainingModel>& m
   return model_without(group, std::move(examples), {});
 }
 
-/// The mean of the classes' mean Rand errors.
+/// Returns the mean of the classes' mean Rand errors.
 double mean_error(const SegmentationBenchmark& benchmark, const std::vector<TrainingModel>& tests,
                   const PartModel& model) {
   double sum = 0;

@@ -69,7 +69,7 @@ namespace {
 
 constexpr std::string_view no_parent = "0";
 
-// Gives the words of a text one after the other and knows the line of the last one.
+// Iterates over the words of a text with their lines.
 class WordReader {
  public:
   WordReader(std::string_view text, const std::string& source)
@@ -80,7 +80,7 @@ class WordReader {
     return rest_.empty();
   }
 
-  // The next word; `what` names it where the text ends instead.
+  // Returns the next word; `what` names it in the error at the end of the text.
   std::string_view word(std::string_view what) {
     if (at_end()) fail(fmt::format("the file ends where {} should be", what));
     const std::string_view word = rest_.substr(0, rest_.find_first_of(white_space));
@@ -172,7 +172,7 @@ class ClassificationParser {
       words_.fail(fmt::format("there are {1} models up to class {0}, but the header announces {2} in total",
                               quoted_word(read.name), models_read_, models_promised_));
     }
-    // No room is reserved for `count` models: the number is only a claim until they are there.
+    // No memory is reserved for `count` models: the number is unverified until they have been read.
     for (std::size_t i = 0; i < count; ++i) {
       read.models.emplace_back(
           words_.word(fmt::format("model {} of {} of class {}", i + 1, count, quoted_word(read.name))));
@@ -235,7 +235,7 @@ Classification read_classification(const std::filesystem::path& path) {
 
 void write_classification(const std::filesystem::path& path, const Classification& classification) {
   const std::string text = format_classification(classification);
-  // What cannot be expressed does not read back: one check for all of it.
+  // A classification that is not representable does not survive a round trip: one check covers all cases.
   if (parse_classification(text, "cannot write " + path.string()) != classification) {
     throw InputError(fmt::format(
         "cannot write {}: a class name or model id is empty or has white space in it, or a parent does not exist",

@@ -26,7 +26,7 @@ using Archive = std::unique_ptr<archive, FreeArchive>;
   throw InputError(fmt::format("{}: {}: {}", source, what, reason != nullptr ? reason : "the file is damaged"));
 }
 
-// The contents of the archive's current entry. `packed`: size of the archive.
+// Returns the contents of the archive's current entry. `packed` is the size of the archive.
 std::string entry_bytes(archive* opened, std::size_t packed, const std::string& source, std::string_view what) {
   const std::size_t most = most_unpacked_bytes(packed);
   std::string bytes;

@@ -43,10 +43,10 @@ class CsvParser {
     while (!rest_.empty() && is_blank(rest_.front())) rest_.remove_prefix(1);
   }
 
-  // Blanks that are the separator are none.
+  // Blanks that are the separator are not blanks.
   [[nodiscard]] bool is_blank(char c) const { return (c == ' ' || c == '\t') && c != separator_; }
 
-  // Up to the separator or the line end behind it, which stays.
+  // Returns the cell up to the separator or the line end, which stays.
   std::string_view take_to_cell_end() {
     std::string_view cell = rest_.substr(0, rest_.find_first_of(cell_ends_));
     rest_.remove_prefix(cell.size());
@@ -106,12 +106,12 @@ namespace {
 std::string_view first_line(std::string_view text) {
   text = without_byte_order_mark(text);
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  // A line that begins with a tab has an empty cell in front.
+  // A line that begins with a tab has an empty first cell.
   const std::size_t line_begin = text.substr(0, begin).rfind('\n') + 1;
   return text.substr(line_begin, text.find_first_of("\r\n", begin) - line_begin);
 }
 
-/// The line without quoted text and without decimal commas.
+/// Returns the line without quoted text and without decimal commas.
 std::string separators_only(std::string_view line) {
   std::string rest;
   bool quoted = false;

@@ -23,7 +23,7 @@ struct FreeVariable {
 };
 using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 
-// MATLAB's matrices lie column by column.
+// MATLAB's matrices are stored column by column.
 template <typename Number>
 void copy_numbers(const matvar_t& variable, DistanceMatrix& matrix) {
   using Columns = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
@@ -33,7 +33,7 @@ void copy_numbers(const matvar_t& variable, DistanceMatrix& matrix) {
 
 using CopyNumbers = void (*)(const matvar_t&, DistanceMatrix&);
 
-// What copies numbers of that class; null for what holds none.
+// Returns the function that copies numbers of a class; null for other classes.
 CopyNumbers copier_of(matio_classes numbers) {
   switch (numbers) {
     case MAT_C_DOUBLE:
@@ -86,7 +86,7 @@ DistanceMatrix read_mat(const std::filesystem::path& path) {
         fmt::format("{}: expected one matrix of real numbers, but the file has {}{}", path.string(),
                     names.empty() ? "none" : "several: ", printable(fmt::format("{}", fmt::join(names, ", ")), 60)));
   }
-  // Numbers may be compressed, and the claimed size may be any.
+  // Numbers may be compressed, and the announced size may be wrong.
   const std::size_t packed = std::filesystem::file_size(path);
   if (bytes > static_cast<double>(most_unpacked_bytes(packed))) fail_unpacking(path.string(), packed);
   const Variable variable{Mat_VarRead(file.get(), names.front().c_str())};

@@ -20,7 +20,7 @@ namespace shapegauge {
 
 namespace {
 
-// N where there are exactly N^2 numbers of that many bytes each, and some.
+// Returns N if the size is that of exactly N^2 positive numbers of that many bytes.
 std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_per_number) {
   const std::size_t numbers = bytes / bytes_per_number;
   const auto size = static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(numbers))));
@@ -32,7 +32,7 @@ std::optional<Eigen::Index> size_of_square(std::size_t bytes, std::size_t bytes_
 
 Eigen::Index psb_matrix_size(std::size_t bytes, const std::string& source) {
   if (const auto size = size_of_square(bytes, sizeof(float))) return *size;
-  // 8 N^2 bytes can never be 4 M^2 bytes: the square root of 2 is no fraction.
+  // 8 N^2 bytes never equal 4 M^2 bytes, since the square root of 2 is irrational.
   if (const auto size_in_doubles = size_of_square(bytes, sizeof(double))) {
     throw InputError(
         fmt::format("{}: {} bytes do not form a square matrix of float32, as the format requires; they match float64 "

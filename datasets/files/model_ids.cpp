@@ -12,7 +12,8 @@ namespace shapegauge {
 
 namespace {
 
-// Takes a run of digits from the front of the text; without its leading zeros, so that its length tells its size.
+// Removes a run of digits from the front of the text and returns it without leading zeros; its length then orders by
+// size.
 std::string_view take_number(std::string_view& text) {
   const auto end = static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
   std::string_view number = text.substr(0, end);
@@ -21,7 +22,7 @@ std::string_view take_number(std::string_view& text) {
   return number;
 }
 
-// The order of two texts where numbers count by their value, so that T1 and T01 are equal.
+// Compares two texts with numbers by value: T1 and T01 are equal.
 std::strong_ordering compare_by_value(std::string_view a, std::string_view b) {
   while (!a.empty() && !b.empty()) {
     if (is_digit(a.front()) && is_digit(b.front())) {
@@ -39,7 +40,7 @@ std::strong_ordering compare_by_value(std::string_view a, std::string_view b) {
   return a.size() <=> b.size();
 }
 
-// The last `count` parts of a path, or all of it.
+// Returns the last `count` components of a path, or all of it.
 std::string end_of(const std::filesystem::path& path, std::ptrdiff_t count) {
   const std::vector<std::filesystem::path> parts(path.begin(), path.end());
   std::filesystem::path end;

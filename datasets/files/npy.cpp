@@ -25,8 +25,8 @@ namespace {
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t alignment = 64;  // of the data, as NumPy has it
 
-// Reads the dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }: of the Python literals only those
-// that such a header can have, keys in any order.
+// Parses the dictionary {'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }: only the Python literals that
+// occur in such headers, with keys in any order.
 class DictionaryReader {
  public:
   DictionaryReader(std::string_view text, std::size_t begin, const std::string& source)
@@ -106,7 +106,7 @@ class DictionaryReader {
     return value;
   }
 
-  // The next character that is not white space, '\0' at the end. It stays.
+  // Returns the next character that is not white space, without consuming it; '\0' at the end.
   char peek() {
     while (position_ < text_.size() && (text_[position_] == ' ' || text_[position_] == '\n')) ++position_;
     return position_ < text_.size() ? text_[position_] : '\0';
@@ -271,21 +271,21 @@ void check_data_size(const NpyHeader& header, std::size_t item, std::size_t file
   const std::size_t data_bytes = file_size - header.data_begin;
   const std::uint64_t rows = header.shape[0];
   const std::uint64_t columns = columns_of(header);
-  // Compared by division: the claimed size may be so large that the product does not fit into a number.
+  // Compared by division: the product of an announced size could overflow.
   if (rows <= data_bytes / item / columns && rows * columns * item == data_bytes) return;
   throw InputError(fmt::format(
       "{}: {} bytes of data do not match an array of shape {} and type {}; the file is truncated or damaged", source,
       data_bytes, shape_as_text(header), printable(header.type, 40)));
 }
 
-/// How the strings of an array lie in its file.
+/// Layout of the strings of an array in its file.
 struct StringFormat {
   bool unicode = false;  ///< a character has four bytes, not one
   std::endian order = std::endian::little;
   std::size_t length = 0;  ///< in characters; shorter ones are followed by zeros
 };
 
-/// Nothing for a type that is not of strings.
+/// Returns nothing for a type other than strings.
 std::optional<StringFormat> string_format_of(std::string_view type) {
   if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == std::string_view::npos) return std::nullopt;
   if (type[1] != 'U' && type[1] != 'S') return std::nullopt;
@@ -316,7 +316,7 @@ void append_utf8(std::string& text, std::uint32_t character) {
   append(0x80U | (character & 0x3FU));
 }
 
-/// One string of `format.length` characters, without trailing zeros; nothing for invalid Unicode.
+/// Decodes one string of `format.length` characters, without trailing zeros; nothing for invalid Unicode.
 std::optional<std::string> decoded_string(std::string_view bytes, const StringFormat& format) {
   if (!format.unicode) return std::string(bytes.substr(0, bytes.find_last_not_of('\0') + 1));
   std::u32string characters;

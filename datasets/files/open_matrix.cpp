@@ -22,7 +22,7 @@ namespace shapegauge {
 
 namespace {
 
-// A file whose bytes are read at any place.
+// File with random access.
 class OpenFile {
  public:
   explicit OpenFile(const std::filesystem::path& path) : path_(path), descriptor_(::open(path.c_str(), O_RDONLY)) {
@@ -70,7 +70,7 @@ DistanceMatrix read_block(const OpenFile& file, const NpyTable& table, const Mat
   return numbers;
 }
 
-// How a file is read by blocks; nothing where it cannot be.
+// Returns the layout for reading a file in blocks; nothing if that is not possible.
 std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableShape shape) {
   const std::string extension = lower_case(path.extension().string());
   const bool psb = extension == ".matrix";

@@ -26,7 +26,7 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view s
   }
 }
 
-// The words of each line that is not blank, with where it is.
+// Words of a non-blank line with their position.
 struct WordLine {
   std::vector<std::string_view> words;
   std::string where;
@@ -49,16 +49,16 @@ void expect_words(const WordLine& line, std::size_t count, std::string_view form
   throw InputError(fmt::format("{}: found {} words; a line must be \"{}\"", line.where, line.words.size(), form));
 }
 
-// Whether the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
+// Returns true if the first line is "query Q0 model rank score tag"; a line of numbers has no Q0.
 bool begins_like_a_run(std::string_view text) {
   const std::vector<std::string_view> words = words_of(text.substr(0, text.find('\n')), " \t\r");
   return words.size() == 6 && (words[1] == "Q0" || words[1] == "q0");
 }
 
-// Gives each query its place, and refuses a model that a query has already.
+// Assigns an index to each query, and rejects repeated models of a query.
 class Queries {
  public:
-  // The place of the query; the next free one where it is new.
+  // Returns the index of the query; the next free one for a new query.
   std::size_t place_of(std::string_view query) {
     return places_.emplace(std::string(query), places_.size()).first->second;
   }

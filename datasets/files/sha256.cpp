@@ -15,7 +15,7 @@ namespace shapegauge {
 
 namespace {
 
-/// SHA-256 of bytes that come in pieces.
+/// Incremental SHA-256.
 class Digest {
  public:
   Digest() : context_(EVP_MD_CTX_new()) {
@@ -52,7 +52,7 @@ std::string sha256(std::string_view bytes) {
 
 std::string sha256_of_file(const std::filesystem::path& path) {
   constexpr std::size_t piece = 1 << 20;
-  // Refuses what is no file, or empty.
+  // Throws for a path that is not a file, or empty.
   const std::string beginning = read_file_bytes(path, piece);
   Digest digest;
   digest.add(beginning);

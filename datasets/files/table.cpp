@@ -16,7 +16,7 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// Letters, not bytes, of a UTF-8 text.
+/// Counts the letters, not bytes, of a UTF-8 text.
 std::size_t letters(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xC0') != '\x80'; }));
 }
@@ -52,7 +52,7 @@ Table with_cells(Table table, const std::function<std::string(const std::string&
   return table;
 }
 
-// A cell on one line of a terminal.
+// Formats a cell for one line of a terminal.
 std::string plain_cell(std::string text) {
   std::ranges::replace_if(
       text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
@@ -98,7 +98,7 @@ std::string latex_cell(const std::string& text) {
   return escaped;
 }
 
-// The cells with their emphases, written as a format has them.
+// Formats the emphases of a cell.
 using Emphasise = std::function<std::string(const std::string& cell, const Emphasis& emphasis)>;
 
 Table with_emphases(Table table, const Emphasise& emphasise) {
@@ -123,10 +123,10 @@ std::string with_latex(const std::string& cell, const Emphasis& emphasis) {
   return (emphasis.bold ? fmt::format("\\textbf{{{}}}", cell) : cell) + mark;
 }
 
-// The number that the cell begins with.
+// Returns the number at the beginning of the cell.
 std::optional<double> leading_number(const std::string& cell) { return parse_number(cell.substr(0, cell.find(' '))); }
 
-// Marks the best of some rows in one column.
+// Emphasises the best of some rows in one column.
 void embolden_best_of(Table& table, const std::vector<std::size_t>& rows, std::size_t column) {
   std::optional<double> best;
   for (const std::size_t row : rows) {

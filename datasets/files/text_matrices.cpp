@@ -15,12 +15,12 @@ namespace shapegauge {
 
 namespace {
 
-// Puts a matrix together from the rows of a text file and refuses what does not fit, with file and line.
+// Assembles a matrix from the rows of a text file; errors have file and line.
 class NumberRows {
  public:
   NumberRows(const std::string& source, TableShape shape) : source_(&source), shape_(shape) {}
 
-  // Adds the next number to the row that is being read.
+  // Adds the next number to the current row.
   void add_number(std::string_view word, std::size_t line) {
     const auto number = parse_number(word);
     if (!number) {
@@ -80,7 +80,7 @@ void check_ids(const std::vector<std::string>& ids, const std::string& where) {
   }
 }
 
-// The ids of the columns, behind the first cell of the header row.
+// Returns the ids of the columns, after the first cell of the header row.
 std::vector<std::string> read_ids(const CsvRow& header, const std::string& source) {
   std::vector<std::string> ids(header.cells.begin() + 1, header.cells.end());
   check_ids(ids, fmt::format("{}:{}", source, header.line));
@@ -111,7 +111,7 @@ bool has_header(const std::vector<CsvRow>& table) {
   return names_ids(cells.front()) || !std::all_of(cells.begin() + 1, cells.end(), is_number);
 }
 
-// The separator of numbers: a semicolon or comma where the line has one, a blank otherwise.
+// Returns the separator of numbers: a semicolon or comma if the line has one, otherwise a blank.
 char separator_of_line(std::string_view line) {
   for (const char separator : {';', ','}) {
     if (line.find(separator) != std::string_view::npos) return separator;

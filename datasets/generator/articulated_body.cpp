@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Whether a triangle is a thousand times longer than high.
+/// Returns true if a triangle is a thousand times longer than high.
 bool has_degenerate_triangle(const Shape& shape) {
   for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {
     const Eigen::Vector3d a = shape.vertices.row(shape.triangles(f, 0));

@@ -6,7 +6,7 @@ namespace shapegauge {
 
 namespace {
 
-// A class's place also seeds its models: append, do not reorder.
+// The index of a class also seeds its models: append, do not reorder.
 constexpr std::array skeletons = {&dog_skeleton,      &human_skeleton,    &hand_skeleton,  &octopus_skeleton,
                                   &spider_skeleton,   &bird_skeleton,     &snake_skeleton, &glasses_skeleton,
                                   &pliers_skeleton,   &ant_skeleton,      &shark_skeleton, &lamp_skeleton,

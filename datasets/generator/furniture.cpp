@@ -22,7 +22,7 @@ Solid post(const Vector3d& from, const Vector3d& to, double radius, bool square)
 
 namespace {
 
-/// Four legs under the corners of a plate, splayed; labels from `first` on. `corner` is on the plate's upper side.
+/// Adds four splayed legs under the corners of a plate; labels from `first` on. `corner` is on the plate's upper side.
 void add_legs(SolidObject& object, int first, const Vector3d& corner, double height, Draw& draw) {
   const double radius = draw(0.04, 0.09);
   const double splay = draw.happens(0.5) ? 0 : draw(0, 0.25);
@@ -42,7 +42,7 @@ void add_legs(SolidObject& object, int first, const Vector3d& corner, double hei
   }
 }
 
-/// A column in the middle with a foot: labels `column` and `column + 1`.
+/// Adds a column in the middle with a foot: labels `column` and `column + 1`.
 void add_column(SolidObject& object, int column, double height, double foot_radius, Draw& draw) {
   const double radius = draw(0.06, 0.13);
   object.parts.push_back({column, rounded_cylinder({0, 0, -height}, {0, 0, 0}, radius, radius / 4)});
@@ -68,7 +68,7 @@ Solid plate_top(const Vector3d& half, bool round) {
   return rounded_cylinder({0, 0, -half.z()}, {0, 0, half.z()}, half.x(), 0.4 * half.z());
 }
 
-/// A chair's back above y = -half.y(): a panel or two posts with a rail.
+/// Makes a chair's back above y = -half.y(): a panel or two posts with a rail.
 Solid chair_back(const Vector3d& half, double height, double thickness, double lean) {
   const Eigen::Isometry3d motion(Eigen::Translation3d(0, -half.y() + thickness, 0) *
                                  Eigen::AngleAxisd(lean, Vector3d::UnitX()));

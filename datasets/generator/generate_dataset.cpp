@@ -41,7 +41,7 @@ constexpr Parameter faces_parameter{.name = "faces",
 
 constexpr int most_models = 1000;
 
-/// The classes' names, in their order: articulated bodies, then objects.
+/// Returns the names of the classes in order: articulated bodies, then objects.
 const std::vector<std::string>& class_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
@@ -62,7 +62,7 @@ SolidMesh draw_object(const ObjectClass& objects, int faces, RandomNumbers& rand
       fmt::format("no object of the generated class {} can be meshed; raise the number of faces", objects.name));
 }
 
-/// Draws the models of a class, each with random numbers of its own.
+/// Draws the models of a class, each with its own random stream.
 class ClassModels {
  public:
   ClassModels(std::size_t class_index, int faces, std::uint64_t seed)
@@ -70,7 +70,7 @@ class ClassModels {
     if (class_index < class_count()) body_ = make_body(class_skeleton(class_index), faces);
   }
 
-  /// An individual in a pose, or an object.
+  /// Draws an individual in a pose, or an object.
   [[nodiscard]] SolidMesh draw(std::size_t model) const {
     RandomNumbers random(seed_, (class_index_ << 32U) + model);
     if (body_) return {draw_model(*body_, random), body_->labels};
@@ -84,7 +84,7 @@ class ClassModels {
   std::optional<ArticulatedBody> body_;
 };
 
-/// The names of a class's parts, by label.
+/// Returns the names of a class's parts, by label.
 std::vector<std::string> part_names(std::size_t class_index) {
   if (class_index >= class_count()) return object_classes()[class_index - class_count()].parts;
   std::vector<std::string> names;
@@ -108,7 +108,7 @@ bool belongs_to_dataset(const std::filesystem::path& file) {
   return numbered && (file.extension() == ".off" || file.extension() == ".seg");
 }
 
-// Makes the folder and sees to it that it holds no data set.
+// Creates the folder and checks that it has no data set.
 void prepare_folder(const std::filesystem::path& folder, bool force) {
   try {
     std::filesystem::create_directories(folder);
@@ -127,7 +127,8 @@ void prepare_folder(const std::filesystem::path& folder, bool force) {
   }
 }
 
-// The numbers 0, 1, ... of all models in random order (Fisher-Yates); class c has those from c * models_per_class on.
+// Returns the numbers 0, 1, ... of all models in random order (Fisher-Yates); class c has those from c *
+// models_per_class on.
 std::vector<int> scattered_numbers(const GeneratorOptions& options) {
   std::vector<int> numbers(static_cast<std::size_t>(options.classes) *
                            static_cast<std::size_t>(options.models_per_class));

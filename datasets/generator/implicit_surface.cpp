@@ -10,7 +10,7 @@ namespace {
 
 constexpr int pieces_per_segment = 3;
 
-// Uniform Catmull-Rom spline from b (t = 0) to c (t = 1).
+// Evaluates a uniform Catmull-Rom spline from b (t = 0) to c (t = 1).
 template <typename Value>
 Value catmull_rom(const Value& a, const Value& b, const Value& c, const Value& d, double t) {
   const double t2 = t * t;
@@ -36,7 +36,7 @@ struct ConeHit {
   double radius = 0;                                    // of the cone there
 };
 
-// The ball of the cone that minimises |q - centre| - radius: the foot point slides towards the thick end.
+// Finds the ball of the cone that minimises |q - centre| - radius: the foot point moves towards the thick end.
 ConeHit closest_ball(const RoundCone& cone, const Eigen::Vector3d& q) {
   const Eigen::Vector3d from_start = q - cone.start;
   const double along = cone.direction.dot(from_start);
@@ -55,7 +55,7 @@ RoundCone round_cone(const Eigen::Vector3d& start, double start_radius, const Ei
   cone.taper = (start_radius - end_radius) / length;
   cone.last = length;
   cone.segment = segment;
-  // Where one end's ball holds the other's, the cone is that ball alone.
+  // If one end's ball contains the other's, the cone is that ball.
   if (cone.taper >= 1) cone.last = 0;
   if (cone.taper <= -1) cone.first = length;
   if (std::abs(cone.taper) < 1) cone.slide = cone.taper / std::sqrt(1 - cone.taper * cone.taper);
@@ -128,7 +128,7 @@ ImplicitSurface::Nearest ImplicitSurface::nearest_on_limb(int limb, const Eigen:
       nearest.segment = cone.segment;
     }
   }
-  // Value over gradient is the distance to first order.
+  // The value divided by the gradient is the distance to first order.
   const double length = best_hit.from_axis.norm();
   const double slope = length > 0 ? (field.to_round * best_hit.from_axis).norm() / length : 1;
   nearest.limb = limb;
@@ -154,7 +154,7 @@ double ImplicitSurface::operator()(const Eigen::Vector3d& point) const {
   double value = std::numeric_limits<double>::infinity();
   for (int limb = 0; limb < limb_count(); ++limb) {
     const LimbField& field = limbs_[static_cast<std::size_t>(limb)];
-    // Further than the blend's width a limb leaves the value as it is.
+    // Beyond the blend's width a limb does not affect the value.
     if (lower_bound(field, point) >= value + field.blend) continue;
     const double distance = nearest_on_limb(limb, point).distance;
     value = std::isinf(value) ? distance : smooth_minimum(value, distance, field.blend);

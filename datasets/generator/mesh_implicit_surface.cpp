@@ -24,12 +24,12 @@
 #include <unordered_map>
 #include <vector>
 
-// Of CGAL: to be included by sources only.
+// Internal to the sources that use CGAL.
 
 namespace shapegauge {
 
-/// A vertex or cell that knows when it was made. CGAL then orders handles by that and not by address, without which the
-/// refinement of a surface would not be the same from run to run.
+/// Vertex or cell with a time stamp, by which CGAL orders handles. Ordering by address would make the refinement of a
+/// surface vary between runs.
 template <typename Base>
 class TimeStamped : public Base {
  public:
@@ -73,8 +73,8 @@ double squared_size(const ImplicitSurface& surface, double coarseness, const Eig
   return coarseness * coarseness * surface.radius() * surface.nearest_limb(point).thin_radius;
 }
 
-// The point of the surface on a segment whose ends have values of opposite sign, by the Illinois variant of the rule of
-// false position, to within 1e-7 of the surface's extent.
+// Finds the point of the surface on a segment whose ends have values of opposite sign, by the Illinois variant of the
+// false position method, to within 1e-7 of the surface's extent.
 Eigen::Vector3d surface_point_between(const ImplicitSurface& surface, Eigen::Vector3d a, double value_a,
                                       Eigen::Vector3d b, double value_b) {
   const double tolerance = 1e-7 * surface.radius();
@@ -82,7 +82,7 @@ Eigen::Vector3d surface_point_between(const ImplicitSurface& surface, Eigen::Vec
     const Eigen::Vector3d middle = a + value_a / (value_a - value_b) * (b - a);
     const double value = surface(middle);
     if (std::abs(value) <= tolerance) return middle;
-    // The end that moves is always b; an end that stays has its value halved.
+    // b is the end that moves; the value of an end that stays is halved.
     if ((value < 0) == (value_b < 0)) {
       value_a /= 2;
     } else {
@@ -95,8 +95,8 @@ Eigen::Vector3d surface_point_between(const ImplicitSurface& surface, Eigen::Vec
   return b;
 }
 
-// The surface as CGAL's surface mesher sees it (a model of its concept SurfaceMeshTraits_3): where does a segment cross
-// it? CGAL's own Implicit_surface_3 halves the segment; taking the values into account needs a third of the
+// Adapts the surface to CGAL's surface mesher (a model of its concept SurfaceMeshTraits_3), which asks for
+// intersections with segments. CGAL's own Implicit_surface_3 bisects the segment; false position needs a third of the
 // evaluations.
 class SurfaceTraits {
  public:
@@ -111,7 +111,7 @@ class SurfaceTraits {
     CGAL::Object operator()(const ImplicitSurface& surface, const Segment_3& segment) const {
       return crossing(surface, to_eigen(segment.source()), to_eigen(segment.target()));
     }
-    // What is beyond the ball around the surface does not matter.
+    // Everything beyond the surface's bounding ball is irrelevant.
     CGAL::Object operator()(const ImplicitSurface& surface, const Ray_3& ray) const {
       const Eigen::Vector3d start = to_eigen(ray.source());
       return crossing(surface, start, start + beyond(surface, start) * direction(ray.to_vector()));
@@ -142,7 +142,7 @@ class SurfaceTraits {
     return (point - surface.centre()).norm() + surface.radius();
   }
 
-  // Flat tetrahedra have centres that are very far away, so the segment is cut to the ball first.
+  // Flat tetrahedra have very distant centres; the segment is first clipped to the ball.
   static CGAL::Object crossing(const ImplicitSurface& surface, Eigen::Vector3d a, Eigen::Vector3d b) {
     if ((b - surface.centre()).squaredNorm() < (a - surface.centre()).squaredNorm()) std::swap(a, b);
     const Eigen::Vector3d along = b - a;
@@ -158,7 +158,7 @@ class SurfaceTraits {
   }
 };
 
-// The refinement criterion: the smallest angle and the radius of the surface ball, relative to the size wanted there.
+// Refinement criterion: the smallest angle and the radius of the surface ball, relative to the desired size.
 class FacetCriterion {
  public:
   using Quality = double;  // the worst facet, of least quality, is refined first
@@ -193,7 +193,7 @@ class FacetCriterion {
   double coarseness_;
 };
 
-// The first point of the surface on the way out of it from `inside`.
+// Finds the first point of the surface on a path outwards from `inside`.
 Eigen::Vector3d way_out(const ImplicitSurface& surface, const Eigen::Vector3d& inside,
                         const Eigen::Vector3d& direction) {
   double value = surface(inside);
@@ -207,7 +207,7 @@ Eigen::Vector3d way_out(const ImplicitSurface& surface, const Eigen::Vector3d& i
   }
 }
 
-// Points all over the surface, so that no thin part is missed: outwards from every node of every limb.
+// Distributes points over the surface, outwards from every node of every limb, which covers thin parts.
 std::vector<Point> seeds(const ImplicitSurface& surface, double coarseness) {
   std::vector<Eigen::Vector3d> kept;
   for (const Eigen::Vector3d& inside : surface.inner_points()) {
@@ -232,7 +232,7 @@ struct TriangleSoup {
   bool is_complete = false;  // whether all points of the triangulation are in it: where not, a thin part is lost
 };
 
-// The facets of the complex, in the triangulation's own order.
+// Returns the facets of the complex, in the triangulation's own order.
 TriangleSoup to_soup(const SurfaceComplex& complex) {
   const Triangulation& triangulation = complex.triangulation();
   TriangleSoup soup;
@@ -276,7 +276,7 @@ Shape to_shape(const ClosedMesh& mesh) {
   return shape;
 }
 
-// The soup as a closed mesh of one component, oriented outward; nothing where it is not one.
+// Converts the soup to a closed, connected, outward-oriented mesh; nothing if it is not one.
 std::optional<Shape> closed_shape(TriangleSoup soup) {
   namespace processing = CGAL::Polygon_mesh_processing;
   if (!soup.is_complete || !processing::orient_polygon_soup(soup.points, soup.facets)) return std::nullopt;
@@ -296,7 +296,7 @@ Shape mesh_implicit_surface(const ImplicitSurface& surface, int faces) {
   constexpr int attempts = 8;
   constexpr int corrections = 2;
   constexpr double trial = 0.16;
-  // The number of triangles goes with the inverse square of their size, more or less.
+  // The number of triangles is roughly proportional to the inverse square of their size.
   const auto correction = [faces](std::size_t count) { return std::sqrt(static_cast<double>(count) / faces); };
   double coarseness = trial * correction(refine(surface, trial).facets.size());
   bool too_coarse = false;

@@ -17,7 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-// Of CGAL: to be included by sources only.
+// Internal to the sources that use CGAL.
 
 namespace shapegauge {
 
@@ -28,7 +28,7 @@ namespace processing = CGAL::Polygon_mesh_processing;
 using SolidKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using HalfedgeMesh = CGAL::Surface_mesh<SolidKernel::Point_3>;
 
-/// Values at the points of a grid, of which those far from the surface are not exact.
+/// Values at the points of a grid; approximate far from the surface.
 struct Grid {
   Eigen::Vector3d origin;
   double step = 0;
@@ -56,7 +56,7 @@ void for_each_point(const Eigen::Vector3i& first, const Eigen::Vector3i& end, Vi
 }
 
 Grid sampled(const SolidObject& object, double step) {
-  // Functions may overestimate distances, up to twice.
+  // Functions may overestimate distances by a factor of two.
   constexpr double caution = 2;
   Eigen::AlignedBox3d box;
   for (const SolidPart& part : object.parts) box.extend(part.solid.box);
@@ -79,7 +79,7 @@ Grid sampled(const SolidObject& object, double step) {
   return grid;
 }
 
-/// The surface where a grid's values change their sign, by tetrahedra about the diagonals of its cells.
+/// Extracts the surface where a grid's values change sign, by tetrahedra about the diagonals of its cells.
 class MarchingTetrahedra {
  public:
   explicit MarchingTetrahedra(const Grid& grid) : grid_(grid) {
@@ -110,7 +110,7 @@ class MarchingTetrahedra {
   }
 
   void add_tetrahedron(std::array<Corner, 4> corners) {
-    // Inside corners first; a swap of two turns the tetrahedron inside out, which another one repairs.
+    // Inside corners first; a swap of two reverses the tetrahedron, and another swap restores its orientation.
     std::array<std::size_t, 4> order = {0, 1, 2, 3};
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return corners[i].value < 0 ? 0 : 1; });
     const auto inside = std::ranges::count_if(corners, [](const Corner& corner) { return corner.value < 0; });
@@ -130,7 +130,7 @@ class MarchingTetrahedra {
   }
 
   HalfedgeMesh::Vertex_index vertex_between(const Corner& a, const Corner& b) {
-    // So that triangles have an area.
+    // Ensures that triangles have an area.
     constexpr double least_share = 0.03;
     const std::size_t low = std::min(grid_.index(a.at), grid_.index(b.at));
     const std::size_t high = std::max(grid_.index(a.at), grid_.index(b.at));
@@ -143,7 +143,7 @@ class MarchingTetrahedra {
     return position->second;
   }
 
-  /// Which of the seven directions an edge has.
+  /// Returns which of the seven directions an edge has.
   [[nodiscard]] std::size_t edge_kind(std::size_t difference) const {
     std::size_t kind = 1;
     while (grid_.index({static_cast<int>(kind & 1U), static_cast<int>((kind >> 1U) & 1U),
@@ -207,7 +207,7 @@ std::optional<SolidMesh> mesh_solid(const SolidObject& object, int faces) {
   Grid coarse = sampled(object, 0.06);
   const auto near = std::ranges::count_if(coarse.values, [&](float v) { return std::abs(v) < coarse.step / 2; });
   const double area = static_cast<double>(near) * coarse.step * coarse.step;
-  // A grid's step gives about six triangles for each square of it.
+  // A grid produces about six triangles for each square of its step.
   const double step = std::min(object.thinnest / points_in_wall, std::sqrt(6 * area / (finer * faces)));
   HalfedgeMesh fine = MarchingTetrahedra(sampled(object, step)).mesh;
   if (!is_sound(fine)) return std::nullopt;

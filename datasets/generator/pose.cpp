@@ -15,7 +15,7 @@ namespace {
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-// The cotangent Laplacian (positive semi-definite) and, in `areas`, a third of the area around every vertex.
+// Computes the cotangent Laplacian (positive semidefinite) and, in `areas`, a third of the area around every vertex.
 SparseMatrix laplacian(const Shape& mesh, Eigen::VectorXd& areas) {
   areas = Eigen::VectorXd::Zero(mesh.vertices.rows());
   std::vector<Eigen::Triplet<double>> entries;
@@ -39,7 +39,7 @@ SparseMatrix laplacian(const Shape& mesh, Eigen::VectorXd& areas) {
   return matrix;
 }
 
-// The bend of a limb that curls: for each of its hinges a number in [-1, 1] at the limb's root and one at its tip.
+// Bend of a limb that curls: for each of its hinges a number in [-1, 1] at the limb's root and one at its tip.
 struct Curl {
   std::vector<double> at_root, at_tip;
 };
@@ -54,7 +54,7 @@ std::vector<int> bone_counts(const BoneTree& tree) {
   return counts;
 }
 
-// A number in [-1, 1] for one hinge of a bone: independent of the others, or nearly that of the limb's smooth bend.
+// Draws a number in [-1, 1] for one hinge of a bone: independent, or close to that of the limb's smooth bend.
 double draw_fraction(bool curls, Curl& curl, std::size_t hinge, double position, RandomNumbers& random) {
   if (!curls) return random.uniform(-1, 1);
   while (curl.at_root.size() <= hinge) {
@@ -83,7 +83,7 @@ std::map<std::string, Growth> draw_growth(const Skeleton& skeleton, RandomNumber
   return growth;
 }
 
-// Where every bone's surroundings go: stretched along the bone and around it, moved along with the bone's parent.
+// Computes the map of every bone's surroundings: stretched along and around the bone, and moved with the bone's parent.
 std::vector<Eigen::Affine3d> bone_maps(const Skeleton& skeleton, const BoneTree& tree, RandomNumbers& random) {
   const std::map<std::string, Growth> growth = draw_growth(skeleton, random);
   std::vector<Eigen::Affine3d> maps;
@@ -165,7 +165,7 @@ Points skinned(const Points& points, const Eigen::MatrixXd& weights, const std::
     const Eigen::Quaterniond dual = Eigen::Quaterniond(0, half.x(), half.y(), half.z()) * motion.rotation;
     motion_rows.row(b) << motion.rotation.coeffs().transpose(), dual.coeffs().transpose();
   }
-  // A motion and its negative are the same; those of a parent and its child are on the same side as they are made.
+  // A motion and its negative are equal; by construction those of a parent and its child have the same sign.
   const Eigen::Matrix<double, Eigen::Dynamic, 8> blended = weights * motion_rows;
   Points result(points.rows(), 3);
   for (Eigen::Index i = 0; i < points.rows(); ++i) {

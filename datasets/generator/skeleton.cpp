@@ -17,7 +17,7 @@ Limb mirrored(Limb limb) {
   const Eigen::Vector3d plane(1, -1, 1);
   for (LimbNode& node : limb.nodes) node.position = node.position.cwiseProduct(plane);
   limb.flat_axis = limb.flat_axis.cwiseProduct(plane);
-  // An axis of rotation is a pseudo-vector: the same angle about the new axis is the mirror image of the motion.
+  // A rotation axis is a pseudo-vector: the same angle about the new axis is the mirrored motion.
   for (Joint& joint : limb.joints) {
     for (Hinge& h : joint.hinges) h.axis = -h.axis.cwiseProduct(plane);
   }
@@ -43,7 +43,7 @@ const Joint* joint_at(const Limb& limb, std::size_t node) {
   return found == limb.joints.end() ? nullptr : &*found;
 }
 
-// Appends the bones of one limb; gives the bone of each of its segments.
+// Appends the bones of one limb; returns the bone of each of its segments.
 std::vector<int> add_bones(const Limb& limb, int limb_index, int parent, std::vector<Bone>& bones) {
   std::vector<int> of_segment;
   const std::size_t before = bones.size();

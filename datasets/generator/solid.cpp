@@ -32,7 +32,8 @@ double distance_to_outline(const Outline& outline, const Eigen::Vector2d& point)
   return least;
 }
 
-/// Whether a horizontal ray towards greater distances from the axis crosses a closed polygon an odd number of times.
+/// Returns true if a horizontal ray towards greater distances from the axis crosses a closed polygon an odd number of
+/// times.
 bool is_within(const Outline& polygon, const Eigen::Vector2d& point) {
   bool within = false;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -88,7 +89,7 @@ Solid rounded_cylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, d
 Solid tube(const std::vector<LimbNode>& nodes, const Eigen::Vector3d& flat_axis, double flatness) {
   const Skeleton skeleton{"", {{.nodes = nodes, .flat_axis = flat_axis, .flatness = flatness}}};
   const auto surface = std::make_shared<const ImplicitSurface>(skeleton);
-  // Splines leave the nodes' balls by a little; the radius stands for that too.
+  // Splines leave the nodes' balls slightly; the radius allows for that.
   Eigen::AlignedBox3d box;
   for (const LimbNode& node : nodes) {
     const Eigen::Vector3d margin = Eigen::Vector3d::Constant(1.5 * node.radius);

@@ -46,7 +46,7 @@ Skeleton bird_skeleton() {
   return s;
 }
 
-// A two-legged one, with a heavy tail and small arms.
+// Two-legged, with a heavy tail and small arms.
 Skeleton dinosaur_skeleton() {
   Skeleton s{"dinosaur", {}};
   const int body = add_limb(
@@ -192,7 +192,7 @@ Skeleton flamingo_skeleton() {
   return s;
 }
 
-// A finger from its knuckle, in a direction in the plane of the palm; z is the back of the hand.
+// Makes a finger from its knuckle, in a direction in the plane of the palm; z is the back of the hand.
 namespace {
 
 Limb finger(const std::string& kind, int palm, const Eigen::Vector3d& knuckle, const Eigen::Vector3d& direction,

@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// A handle from one height of a vessel's wall to a lower one: round as an ear, or straight.
+/// Makes a handle from one height of a vessel's wall to a lower one: round or straight.
 Solid ear(const Vector3d& high, const Vector3d& low, double reach, double radius, Draw& draw) {
   const double lift = draw(-0.05, 0.1);
   const double boxy = draw(0.7, 1);
@@ -30,7 +30,7 @@ Solid ear(const Vector3d& high, const Vector3d& low, double reach, double radius
               {0, 1, 0}, draw(0.8, 1.4));
 }
 
-/// A vessel's outline of these radii at heights: smooth in between.
+/// Makes a smooth outline through radii at heights.
 Outline smooth_outline(const Outline& nodes) {
   constexpr int pieces = 6;
   Outline outline;
@@ -46,7 +46,7 @@ Outline smooth_outline(const Outline& nodes) {
   return outline;
 }
 
-/// The outline from the axis on.
+/// Closes an outline at the axis.
 Outline with_floor(const Outline& outline, double height) {
   Outline result(outline.size() + 1);
   result.front() = {0, height};

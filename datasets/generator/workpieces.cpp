@@ -59,7 +59,7 @@ SolidObject draw_spectacles(RandomNumbers& random) {
   return object;
 }
 
-/// Turned pieces one above the other, each with its own radius: a shaft, a bearing, a flange.
+/// Turned pieces above each other, each with its own radius: a shaft, a bearing, a flange.
 SolidObject draw_shaft(RandomNumbers& random) {
   Draw draw(random);
   SolidObject object;
@@ -73,7 +73,7 @@ SolidObject draw_shaft(RandomNumbers& random) {
     object.parts.push_back({i, rounded_cylinder({0, 0, at - 0.02}, {0, 0, at + length}, radius, 0.02)});
     least = std::min(least, radius);
     at += length;
-    // Far enough from the last one to be seen as another piece.
+    // Clearly different from the last radius.
     const double factor = draw(1.4, 2.6);
     radius = radius > 0.4 || (radius > 0.25 && draw.happens(0.5)) ? radius / factor : radius * factor;
   }

@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 20> shrec07_classes{
 
 std::string id_of(const fs::path& file) { return fs::path(file).filename().replace_extension().string(); }
 
-// The whole number that the name of the file is.
+// Returns the number in the name of a file such as 12.off.
 std::optional<int> number_of(const fs::path& file) {
   const std::string id = id_of(file);
   int number = 0;
@@ -46,7 +46,7 @@ int label_in(std::vector<std::string>& classes, const std::string& name) {
   return label;
 }
 
-// Adds a model; throws InputError where the data set has one of that id.
+// Adds a model; throws InputError for a repeated id.
 void add_model(Model model, std::set<std::string>& ids, Dataset& dataset) {
   if (!ids.insert(model.id).second) {
     throw InputError(fmt::format("{}: another file is also model {}; keep one", model.file.string(), model.id));
@@ -59,7 +59,7 @@ bool is_there(const fs::path& path) {
   return fs::exists(path, unknown);
 }
 
-// The name without the digits at its end; empty where there are none or nothing else.
+// Returns the name without its final digits; empty if there are none or nothing else.
 std::string name_before_number(const fs::path& file) {
   const std::string id = id_of(file);
   const std::size_t end = id.find_last_not_of("0123456789") + 1;

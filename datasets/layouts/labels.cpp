@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Collects models under the names of their classes and refuses a model that is there already.
+// Collects models by the names of their classes and rejects repeated models.
 class Collector {
  public:
   explicit Collector(const std::string& where) : where_(where) {}
@@ -77,7 +77,7 @@ ModelLabels all_are_both(Classification classification, const fs::path& path) {
           .source = path.string()};
 }
 
-// Where a table has what.
+// Columns of a table of labels.
 struct LabelColumns {
   std::optional<std::size_t> id;
   std::optional<std::size_t> name;
@@ -128,7 +128,7 @@ ModelLabels parse_label_table(const std::vector<CsvRow>& rows, const std::string
   return labels;
 }
 
-// Labels of models that have no ids, in their order.
+// Returns labels of models without ids, in order.
 ModelLabels labels_in_order(const std::vector<std::string>& names, const std::string& source) {
   Collector collector(source);
   ModelLabels labels;
@@ -173,7 +173,7 @@ ModelLabels read_label_array(const fs::path& path) {
   return labels_in_order(names, path.string());
 }
 
-/// Lines "id class" as rows of a table; none where they can also be a list of classes.
+/// Parses lines "id class" as rows of a table; none if they may also be a list of classes.
 std::vector<CsvRow> rows_of_words(std::string_view text) {
   std::vector<CsvRow> rows;
   std::set<std::string> ids;
@@ -223,7 +223,7 @@ Classification read_folders(const fs::path& path) {
   return classification;
 }
 
-// The classes from the root down to the class itself.
+// Returns the classes from the root down to the class itself.
 std::vector<std::size_t> line_of(const Classification& classification, std::size_t position) {
   std::vector<std::size_t> line = {position};
   while (classification.classes[line.back()].parent) line.push_back(*classification.classes[line.back()].parent);
@@ -247,7 +247,7 @@ Classification at_level(const Classification& classification, std::size_t level,
   return collector.result();
 }
 
-// Models without ids, under ids that no models of another file have.
+// Gives models without ids such ids that no models of another file have.
 ModelLabels told_apart(ModelLabels labels, std::string_view role) {
   if (!labels.without_ids) return labels;
   for (std::string& model : labels.models) model = fmt::format("{} {}", role, model);
@@ -265,7 +265,7 @@ std::unordered_map<std::string, std::string> class_names_by_model(const Classifi
   return names;
 }
 
-/// The class of a name, added where there is none.
+/// Returns the class of that name, adding it if missing.
 ModelClass& class_named(const std::string& name, std::vector<ModelClass>& classes) {
   const auto same = std::ranges::find(classes, name, &ModelClass::name);
   if (same != classes.end()) return *same;

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Positions of the columns of a table of models.
+/// Indices of the columns of a table of models.
 struct ModelColumns {
   std::size_t id = 0;
   std::size_t path = 0;
@@ -49,7 +49,7 @@ const std::string& cell(const CsvRow& row, std::size_t position, const std::stri
   return row.cells[position];
 }
 
-/// The number of a class, a new one where the name is new.
+/// Returns the number of a class, adding it if the name is new.
 int label_of(const std::string& name, Dataset& dataset) {
   const auto found = std::ranges::find(dataset.classes, name);
   const auto label = static_cast<int>(found - dataset.classes.begin());
@@ -57,10 +57,10 @@ int label_of(const std::string& name, Dataset& dataset) {
   return label;
 }
 
-/// The layout "csv": a table with the columns id, path and class, in any order, named in its first row in any case,
-/// with commas, semicolons or tabs; paths are relative to the root. Further columns are allowed. Throws InputError with
-/// the line: a table that is absent, empty or lacks a column, a row of another length, an empty cell, an id that occurs
-/// twice.
+/// Finds a data set of the layout "csv": a table with the columns id, path and class, named in its first row in any
+/// order and case, separated by commas, semicolons or tabs. Paths are relative to the root. Additional columns are
+/// allowed. Throws InputError, with the line, for a table that is absent, empty or lacks a column, a row of another
+/// length, an empty cell, and a repeated id.
 Dataset find_csv_dataset(const DatasetLocation& location) {
   const std::string source = location.classification.string();
   const std::vector<CsvRow> rows = parse_word_table(read_file_bytes(location.classification), source);
@@ -85,12 +85,12 @@ Dataset find_csv_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
-/// The models in the folder or, where it cannot be read, the folder itself as a model that fails.
+/// Returns the models in the folder or, if it cannot be read, the folder itself, which then fails as a model.
 std::vector<fs::path> models_or_itself(const fs::path& folder) {
   return is_readable_folder(folder) ? model_files(folder) : std::vector{folder};
 }
 
-/// The files of a class: those of the split, and with "all" also those right in the class's folder.
+/// Returns the files of a class: those of the split, and with "all" also those directly in the class's folder.
 std::vector<fs::path> class_files(const fs::path& folder, const std::string& split) {
   std::vector<fs::path> files;
   if (split == "all" || !is_readable_folder(folder)) files = models_or_itself(folder);
@@ -103,10 +103,10 @@ std::vector<fs::path> class_files(const fs::path& folder, const std::string& spl
   return files;
 }
 
-/// The layout "folders": a folder for each class, in it the models, or folders train and test with the models. The id
-/// of a model is its path below the root without the extension. A folder that cannot be read is a model of its class,
-/// which check_models then names. Throws InputError: no class folders, a class without models, two files of one id, a
-/// split that no class has.
+/// Finds a data set of the layout "folders": a folder for each class, with the models, or with folders train and test
+/// that contain them. The id of a model is its path below the root without the extension. An unreadable folder counts
+/// as a model of its class, which check_models() then reports. Throws InputError for missing class folders, a class
+/// without models, two files of one id, and a split that no class has.
 Dataset find_folders_dataset(const DatasetLocation& location) {
   Dataset dataset;
   std::set<std::string> ids;
@@ -120,7 +120,7 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
     const int label = static_cast<int>(dataset.classes.size());
     dataset.classes.push_back(folder.filename().string());
     for (const fs::path& file : files) {
-      // An unreadable folder may have a name with a dot.
+      // An unreadable folder may have a dot in its name.
       const fs::path named = is_model_file(file) ? fs::path(file).replace_extension() : file;
       const std::string id = named.lexically_relative(location.root).generic_string();
       if (!ids.insert(id).second) {
@@ -137,7 +137,7 @@ Dataset find_folders_dataset(const DatasetLocation& location) {
   return dataset;
 }
 
-/// The models' files by canonical id.
+/// Returns the models' files by canonical id.
 std::map<std::string, fs::path> files_by_id(const fs::path& folder) {
   std::map<std::string, fs::path> files;
   for (const fs::path& file : model_files(folder)) {
@@ -150,9 +150,9 @@ std::map<std::string, fs::path> files_by_id(const fs::path& folder) {
   return files;
 }
 
-/// The layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file that says which of them are used
-/// and their classes. A model of the .cla file without a file gets the name that the file should have. Throws
-/// InputError: a .cla file that is absent or wrong, two files for one model.
+/// Finds a data set of the layout "shrec11": one folder of models, T0.off, T1.off, ..., and a .cla file with the models
+/// and their classes. A model of the .cla file without a file gets the expected file name. Throws InputError for an
+/// absent or invalid .cla file, and two files for one model.
 Dataset find_shrec11_dataset(const DatasetLocation& location) {
   const Classification classification = read_classification(location.classification);
   const std::vector<std::string> ids = models_in_natural_order(classification);
@@ -214,7 +214,7 @@ Dataset find_dataset(const DatasetLocation& location) {
                                  fmt::join(unambiguous_shape_extensions(), ", "), location.layout));
   }
   if (!layout.has_classification) {
-    // The models of other splits are no news.
+    // Models of other splits are not skipped entries.
     DatasetLocation whole = location;
     whole.split = "all";
     dataset.skipped =

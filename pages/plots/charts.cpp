@@ -15,7 +15,7 @@ namespace {
 constexpr double font_size = 10;
 constexpr double title_size = 12;
 
-/// The area of a chart between its axes.
+/// Area of a chart between its axes.
 struct ChartFrame {
   double left = 0;
   double top = 0;
@@ -42,7 +42,7 @@ void draw_title(Drawing& drawing, const std::string& title) {
 
 double top_margin(const std::string& title) { return title.empty() ? 10 : 26; }
 
-/// The widest of the texts.
+/// Returns the width of the widest text.
 double widest(const std::vector<std::string>& texts) {
   double width = 0;
   for (const std::string& text : texts) width = std::max(width, estimated_text_width(text, font_size));
@@ -92,7 +92,7 @@ void draw_y_axis(Drawing& drawing, const ChartFrame& frame, const ChartAxis& axi
                 .upwards = true});
 }
 
-/// Names of methods with their lines, below each other, in as many columns as fit.
+/// Legend: names of methods with their lines, in as many columns as fit.
 class Legend {
  public:
   Legend(std::vector<std::string> names, double width) : names_(std::move(names)) {
@@ -141,7 +141,7 @@ std::vector<std::string> names_of(const std::vector<Series>& series) {
   return names;
 }
 
-/// The frame of a chart with an axis at its left, whose legend is below.
+/// Computes the frame of a chart with an axis on its left and the legend below.
 ChartFrame frame_of(Drawing& drawing, const std::string& title, const ChartAxis& y, const Legend& legend) {
   ChartFrame frame;
   frame.left = 26 + widest(labels_of(axis_ticks(y)));
@@ -363,7 +363,7 @@ Drawing draw_chart(const ColourBar& bar) {
   Drawing drawing{.width = room + 8, .height = bar.height + top + 8, .elements = {}};
   drawing.text({.text = bar.axis.label, .place = {0, 10}, .size = font_size, .colour = ink()});
   for (int k = 0; k < steps; ++k) {
-    // Each step reaches under the next, so that no seam shows.
+    // Steps overlap to avoid visible seams.
     const double from = bar.height * (1 - (k + 1.0) / steps);
     const double part = (k + 0.5) / steps;
     const double value = bar.axis.logarithmic ? bar.axis.low * std::pow(bar.axis.high / bar.axis.low, part)

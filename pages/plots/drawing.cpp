@@ -42,7 +42,7 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-/// At most two decimals.
+/// Formats a number with at most two decimals.
 std::string coordinate(double value) {
   std::string text = fmt::format("{:.2f}", value);
   while (text.ends_with('0')) text.pop_back();
@@ -181,7 +181,7 @@ std::string to_pdf(const Drawing& drawing) {
   const CairoSurface surface(
       cairo_pdf_surface_create_for_stream(append_to_string, &bytes, drawing.width, drawing.height),
       cairo_surface_destroy);
-  // The time of the making would make each file another one.
+  // A creation time would make every file different.
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
   draw(surface.get(), drawing, 1);
   cairo_surface_finish(surface.get());

@@ -48,7 +48,7 @@ void check_fields(ShapeFields fields, std::size_t expected) {
   }
 }
 
-/// The fields' values at a sample, or nothing where it does not count.
+/// Returns the fields' values at a sample; nothing for an invalid sample.
 std::optional<Eigen::RowVectorXf> vector_at(ShapeFields fields, Eigen::Index sample) {
   const double weight = fields.front().weights[sample];
   if (!(weight > 0) || !std::isfinite(weight)) return std::nullopt;
@@ -60,7 +60,7 @@ std::optional<Eigen::RowVectorXf> vector_at(ShapeFields fields, Eigen::Index sam
   return vector;
 }
 
-/// So many samples of a shape, at equal steps of its weight.
+/// Appends samples of a shape at equal steps of cumulative weight.
 void append_samples(ShapeFields fields, int count, std::vector<Eigen::RowVectorXf>& samples) {
   double total = 0;
   for (Eigen::Index i = 0; i < fields.front().values.size(); ++i) {
@@ -88,7 +88,7 @@ Vectors samples_of(std::span<const ShapeFields> shapes, int per_shape) {
   return matrix;
 }
 
-/// Standard deviations by column; 1 where that is 0.
+/// Returns standard deviations by column; 1 in place of 0.
 Eigen::RowVectorXf deviations_of(const Vectors& samples) {
   const Eigen::MatrixXd values = samples.cast<double>();
   const Eigen::RowVectorXd mean = values.colwise().mean();
@@ -96,7 +96,8 @@ Eigen::RowVectorXf deviations_of(const Vectors& samples) {
   return (deviation.array() > 0).select(deviation, 1).cast<float>();
 }
 
-/// k-means++: each further word a sample, the more likely the farther it is from those there are.
+/// Seeds by k-means++: each further word is a sample, drawn with a probability that increases with its distance to the
+/// others.
 Eigen::MatrixXf seed_words(const Vectors& samples, int count, RandomNumbers& random) {
   Eigen::MatrixXf words(count, samples.cols());
   words.row(0) = samples.row(static_cast<Eigen::Index>(random.below(static_cast<std::uint64_t>(samples.rows()))));
@@ -112,7 +113,7 @@ Eigen::MatrixXf seed_words(const Vectors& samples, int count, RandomNumbers& ran
   return words;
 }
 
-/// From each word.
+/// Returns the squared distances from each word.
 Eigen::VectorXf squared_distances(const Eigen::MatrixXf& words, const Eigen::RowVectorXf& vector) {
   Eigen::VectorXf sum = Eigen::VectorXf::Zero(words.rows());
   for (Eigen::Index k = 0; k < words.cols(); ++k) sum.array() += (words.col(k).array() - vector[k]).square();
@@ -125,7 +126,7 @@ Eigen::Index nearest_word(const Eigen::MatrixXf& words, const Eigen::RowVectorXf
   return nearest;
 }
 
-/// Lloyd's algorithm. A word that no sample is nearest to stays where it is.
+/// Runs Lloyd's algorithm. A word without nearest samples stays.
 void refine(Eigen::MatrixXf& words, const Vectors& samples, int iterations) {
   std::vector<Eigen::Index> nearest(static_cast<std::size_t>(samples.rows()), -1);
   for (int iteration = 0; iteration < iterations; ++iteration) {
@@ -134,7 +135,7 @@ void refine(Eigen::MatrixXf& words, const Vectors& samples, int iterations) {
                  [&](Eigen::Index i) { now[static_cast<std::size_t>(i)] = nearest_word(words, samples.row(i)); });
     if (now == nearest) return;
     nearest = std::move(now);
-    // In the samples' order, whatever the threads did.
+    // In the samples' order, for the same result on any number of threads.
     Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(words.rows(), words.cols());
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(words.rows());
     for (std::size_t i = 0; i < nearest.size(); ++i) {
@@ -147,7 +148,7 @@ void refine(Eigen::MatrixXf& words, const Vectors& samples, int iterations) {
   }
 }
 
-/// The mean distance of a word from the nearest other; 1 where there is only one.
+/// Returns the mean distance of a word to its nearest neighbour; 1 for a single word.
 float spacing_of(const Eigen::MatrixXf& words) {
   float sum = 0;
   for (Eigen::Index k = 0; k < words.rows(); ++k) {
@@ -159,15 +160,15 @@ float spacing_of(const Eigen::MatrixXf& words) {
   return std::isfinite(mean) && mean > 0 ? mean : 1;
 }
 
-/// How much a sample belongs to each word.
+/// Returns the membership of a sample in each word.
 Eigen::VectorXd memberships(const Eigen::MatrixXf& words, const Eigen::RowVectorXf& vector, double width) {
   const Eigen::ArrayXd square = squared_distances(words, vector).cast<double>();
-  // Relative to the nearest, so that far from all words they do not all vanish.
+  // Relative to the nearest, to avoid underflow far from all words.
   const Eigen::ArrayXd weights = (-(square - square[nearest_word(words, vector)]) / (2 * width * width)).exp();
   return weights / weights.sum();
 }
 
-/// The codebook in one matrix, the scales first.
+/// Packs the codebook into one matrix, with the scales first.
 LearntFeatures as_matrix(const Codebook& codebook) {
   LearntFeatures matrix(codebook.words.rows() + 1, codebook.words.cols());
   matrix << codebook.scales, codebook.words;

@@ -15,13 +15,13 @@ namespace shapegauge {
 
 namespace {
 
-/// A vertex in the coordinates of a cylinder.
+/// Vertex in the coordinates of a cylinder.
 struct CylinderPoint {
   double row;              ///< height, in rows: row k has its centre at k + 0.5
-  Eigen::Vector2d across;  ///< place in the plane across the axis, in radii
+  Eigen::Vector2d across;  ///< position in the plane across the axis, in radii
 };
 
-/// The cut of a triangle and a plane across the axis, seen counter-clockwise from the axis.
+/// Intersection of a triangle with a plane across the axis, counterclockwise as seen from the axis.
 struct PlaneCut {
   Eigen::Vector2d first;
   Eigen::Vector2d last;
@@ -53,7 +53,7 @@ class CylinderProjection {
     }
   }
 
-  /// - normal: of the triangle, of unit length, across the axis
+  /// `normal` is the triangle's unit normal, across the axis.
   void add(const std::array<CylinderPoint, 3>& corners, const Eigen::Vector2d& normal) {
     const auto [low, high] = std::minmax({corners[0].row, corners[1].row, corners[2].row});
     if (!(high >= 0.5 && low <= heights_ - 0.5)) return;
@@ -67,7 +67,7 @@ class CylinderProjection {
   CylinderMap take() { return std::move(map_); }
 
  private:
-  /// Angle in columns: column k has its centre at k + 0.5.
+  /// Returns the angle in columns; the centre of column k is at k + 0.5.
   [[nodiscard]] double column_of(const Eigen::Vector2d& at) const {
     return std::atan2(at.y(), at.x()) / (2 * std::numbers::pi) * angles_;
   }

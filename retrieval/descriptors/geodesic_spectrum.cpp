@@ -23,7 +23,7 @@ constexpr std::array table = {
 };
 constexpr auto parameters = parameters_of(table);
 
-/// Distances between landmarks, weighted by the square roots of their areas on both sides.
+/// Returns the distances between landmarks, weighted by the square roots of their areas on both sides.
 Eigen::MatrixXd weighted_distances(const ProxyGeodesics& geodesics) {
   const Eigen::Index count = geodesics.areas.size();
   const Eigen::VectorXd roots = (geodesics.areas / geodesics.areas.sum()).cwiseSqrt();
@@ -62,7 +62,7 @@ Eigen::VectorXd dominant_eigenvalues(const Eigen::MatrixXd& matrix, Eigen::Index
 Eigen::VectorXf geodesic_spectrum(ProxySource& source, const GeodesicSpectrumOptions& options) {
   check_options("geodesic_spectrum", table, options);
   const Eigen::VectorXd sizes = dominant_eigenvalues(weighted_distances(source.geodesics()), options.eigenvalues + 1);
-  // Far below the least ratio of surfaces, which is about 1e-4 for 20 eigenvalues.
+  // Far below the smallest ratio of surfaces, which is about 1e-4 for 20 eigenvalues.
   constexpr double least = 1e-9;
   Eigen::VectorXf features(options.eigenvalues);
   for (Eigen::Index k = 0; k < features.size(); ++k) {

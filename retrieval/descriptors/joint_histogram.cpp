@@ -37,7 +37,7 @@ constexpr std::array options_table = {
 };
 constexpr auto options_parameters = parameters_of(options_table);
 
-/// The mean of the finite values by weight.
+/// Returns the weighted mean of the finite values.
 double mean_of(const ScalarField& field) {
   double sum = 0;
   double total = 0;
@@ -49,7 +49,7 @@ double mean_of(const ScalarField& field) {
   return sum / total;
 }
 
-/// What the values are divided by.
+/// Returns the divisor of the values.
 double unit_of(const ScalarField& field, bool divide_by_mean) {
   if (!divide_by_mean) return 1;
   const double mean = mean_of(field);
@@ -73,7 +73,7 @@ void set_range(JointAxis& axis, const Interval& of_values) {
   axis.high = of_values.low < of_values.high ? of_values.high : of_values.low + 1;
 }
 
-/// The axis with the range of the shape where that is asked for.
+/// Returns the axis, with the range of the shape if requested.
 JointAxis resolved(JointAxis axis, const ScalarField& field) {
   if (axis.per_shape) set_range(axis, joint_range(field, axis.divide_by_mean));
   check_axis(axis);
@@ -101,7 +101,7 @@ std::size_t checked_size(std::span<const ScalarField> fields, std::span<const Jo
   return bins;
 }
 
-/// Smooths along one axis; `stride` bins apart are neighbours on it.
+/// Smooths along one axis, whose adjacent bins are `stride` apart.
 void smooth_axis(Eigen::VectorXd& counts, const JointAxis& axis, Eigen::Index stride) {
   const Eigen::Index bins = axis.bins;
   for (Eigen::Index begin = 0; begin < counts.size(); begin += bins * stride) {
@@ -174,14 +174,14 @@ std::vector<JointAxis> axes_from(const DescriptorSettings& settings) {
   return axes;
 }
 
-/// What is wrong with axes whatever the fields are.
+/// Validates axes independently of the fields.
 void check_axes(const DescriptorSettings& settings) {
   for (const JointAxis& axis : axes_from(settings)) {
     if (!axis.per_shape && !axis.over_data_set) check_axis(axis);
   }
 }
 
-/// The data set's ranges, a row an axis.
+/// Returns the data set's ranges, one row an axis.
 LearntFeatures learn_ranges(std::span<const DescriptorInput> shapes, const DescriptorSettings& settings) {
   if (shapes.empty()) return {};
   const std::vector<JointAxis> axes = axes_from(settings);

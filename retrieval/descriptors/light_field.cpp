@@ -42,7 +42,7 @@ using Axes = std::array<Eigen::Vector3d, light_field_views>;
 using ViewPermutation = std::array<std::uint8_t, light_field_views>;
 constexpr std::size_t rotations_of_dodecahedron = 60;
 
-/// One of each pair of opposite vertices of a dodecahedron.
+/// Returns one of each pair of opposite vertices of a dodecahedron.
 Axes dodecahedron_axes() {
   const double golden = std::numbers::phi;
   Axes axes = {{{1, 1, 1},
@@ -59,7 +59,8 @@ Axes dodecahedron_axes() {
   return axes;
 }
 
-/// The rotations that bring a dodecahedron upon itself: those that bring two neighbouring vertices upon two such.
+/// Returns the rotations that map a dodecahedron to itself, as those that map two adjacent vertices to adjacent
+/// vertices.
 std::vector<Eigen::Matrix3d> dodecahedron_rotations() {
   std::vector<Eigen::Vector3d> vertices;
   for (const Eigen::Vector3d& axis : dodecahedron_axes()) vertices.insert(vertices.end(), {axis, -axis});
@@ -82,7 +83,7 @@ std::vector<Eigen::Matrix3d> dodecahedron_rotations() {
   return rotations;
 }
 
-/// By rotation of the dodecahedron, which axis each comes upon.
+/// Returns, by rotation of the dodecahedron, the axis to which each axis is mapped.
 std::array<ViewPermutation, rotations_of_dodecahedron> view_permutations() {
   const Axes axes = dodecahedron_axes();
   std::array<ViewPermutation, rotations_of_dodecahedron> permutations{};
@@ -98,8 +99,8 @@ std::array<ViewPermutation, rotations_of_dodecahedron> view_permutations() {
   return permutations;
 }
 
-/// The turns of the sets: from the first, which is none, each the one of many random ones that is farthest from those
-/// there are, where rotations that differ by one of the dodecahedron are the same.
+/// Returns the rotations of the sets. The first is the identity. Each further one is the random candidate farthest from
+/// the previous ones, modulo rotations of the dodecahedron.
 std::array<Eigen::Quaterniond, light_field_sets> set_turns() {
   std::vector<Eigen::Quaterniond> symmetries;
   for (const Eigen::Matrix3d& rotation : dodecahedron_rotations()) symmetries.emplace_back(rotation);
@@ -127,18 +128,18 @@ std::array<Eigen::Quaterniond, light_field_sets> set_turns() {
   return turns;
 }
 
-/// The rotation that brings an axis upon z.
+/// Returns the rotation that maps an axis to z.
 Eigen::Matrix3d looking_along(const Eigen::Vector3d& axis) {
   return Eigen::Quaterniond::FromTwoVectors(axis, Eigen::Vector3d::UnitZ()).toRotationMatrix();
 }
 
-/// A mesh as it is drawn: the vertices that triangles use, a column each.
+/// Mesh for drawing: the used vertices, one a column.
 struct DrawnMesh {
   Eigen::Matrix3Xf vertices;
   Triangles triangles;
 };
 
-/// The shape as a mesh with its centroid in the origin, in the unit ball, which it touches.
+/// Converts the shape to a mesh with its centroid at the origin and the unit ball as bounding ball.
 DrawnMesh in_unit_ball(const Shape& shape) {
   Shape mesh = splatted(shape);
   mesh = in_unit_frame(mesh, unit_frame(mesh));

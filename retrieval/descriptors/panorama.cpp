@@ -37,7 +37,7 @@ constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t poses = 2;
 
-/// Waves of frequency 0 to `highest`, a row each, at the centres of so many cells: cos or sin.
+/// Returns waves (cos or sin) of frequency 0 to `highest`, one a row, at the centres of the cells.
 Eigen::MatrixXf waves(int highest, int cells, double (*wave)(double)) {
   Eigen::MatrixXf result(highest + 1, cells);
   for (int k = 0; k <= highest; ++k) {
@@ -48,7 +48,7 @@ Eigen::MatrixXf waves(int highest, int cells, double (*wave)(double)) {
   return result;
 }
 
-/// The features of maps of one size: Fourier magnitudes at low frequencies.
+/// Features of maps of one size: Fourier magnitudes at low frequencies.
 class LowFrequencies {
  public:
   explicit LowFrequencies(const PanoramaOptions& options)
@@ -84,7 +84,8 @@ class LowFrequencies {
   Eigen::MatrixXf along_sin_;
 };
 
-/// The shape as a mesh, its centroid in the origin, its root mean square distance from there 1; and its moments before.
+/// Converts the shape to a mesh with its centroid at the origin and a root mean square distance of 1; also returns the
+/// original moments.
 std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
   Shape mesh = splatted(shape);
   mesh = in_unit_frame(mesh, unit_frame(mesh));

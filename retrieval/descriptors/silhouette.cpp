@@ -17,22 +17,22 @@ namespace shapegauge {
 
 namespace {
 
-/// Fractions of a pixel that corners are rounded to: coordinates are whole numbers, and the tests of edges exact.
+/// Resolution of corners in fractions of a pixel: integer coordinates make edge tests exact.
 constexpr std::int32_t steps_per_pixel = 256;
 
-/// A place in an image, in steps.
+/// Point of an image, in steps.
 struct ImagePoint {
   std::int32_t x;
   std::int32_t y;
 };
 
-/// The first pixel whose centre lies at a coordinate or beyond it, and the last whose centre does not.
+/// Returns the first pixel whose centre is at or beyond a coordinate, and the last whose centre is not.
 std::int32_t first_centre_from(std::int32_t low) {
   return (low + steps_per_pixel / 2 - 1) / steps_per_pixel;  // `low` is not negative
 }
 std::int32_t last_centre_to(std::int32_t high) { return (high + steps_per_pixel / 2) / steps_per_pixel - 1; }
 
-/// The directed line from one place to another: `value` is positive on its left, and changes by a constant per pixel.
+/// Directed edge function: `value` is positive on its left, and changes by a constant per pixel.
 struct ImageEdge {
   std::int64_t per_column;
   std::int64_t per_row;
@@ -49,7 +49,7 @@ struct ImageEdge {
   }
 };
 
-/// An image to draw in.
+/// Binary image.
 class Canvas {
  public:
   explicit Canvas(int pixels)
@@ -59,7 +59,7 @@ class Canvas {
     image_[index(std::min(at.x / steps_per_pixel, pixels_ - 1), std::min(at.y / steps_per_pixel, pixels_ - 1))] = 1;
   }
 
-  /// Most triangles of fine meshes have no pixel's centre in their box.
+  /// Draws a triangle. The boxes of most triangles of fine meshes contain no pixel centre.
   void draw_triangle(const ImagePoint& a, const ImagePoint& b, const ImagePoint& c) {
     const std::int32_t left = first_centre_from(std::min(std::min(a.x, b.x), c.x));
     const std::int32_t right = last_centre_to(std::max(std::max(a.x, b.x), c.x));
@@ -78,7 +78,7 @@ class Canvas {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels_) + static_cast<std::size_t>(x);
   }
 
-  /// Whether all pixels of a box are filled, as most are behind the first layer of a surface.
+  /// Returns true if all pixels of a box are filled, as most are behind the first layer of a surface.
   [[nodiscard]] bool is_filled(const ImagePoint& first, const ImagePoint& last) const {
     for (std::int32_t y = first.y; y <= last.y; ++y) {
       for (std::size_t k = index(first.x, y); k <= index(last.x, y); ++k) {
@@ -88,7 +88,7 @@ class Canvas {
     return true;
   }
 
-  /// - first, last: pixels at opposite corners of what may be covered
+  /// Fills a triangle. `first` and `last` are the corner pixels of its box.
   void fill(const ImagePoint& a, ImagePoint b, ImagePoint c, const ImagePoint& first, const ImagePoint& last) {
     const auto twice_area = [&] {
       return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) -
@@ -115,7 +115,7 @@ class Canvas {
 
 constexpr int highest_order = 10;
 
-/// A Zernike polynomial's order and repetition.
+/// Order and repetition of a Zernike polynomial.
 struct ZernikeIndex {
   int order;
   int repetition;
@@ -132,7 +132,7 @@ std::array<ZernikeIndex, zernike_moments> zernike_indices() {
 
 double factorial(int n) { return std::tgamma(n + 1.0); }
 
-/// Radial polynomials at many radii: their coefficients are known before.
+/// Radial polynomial with precomputed coefficients.
 class RadialPolynomial {
  public:
   explicit RadialPolynomial(ZernikeIndex index) : order_(index.order) {
@@ -144,7 +144,7 @@ class RadialPolynomial {
     }
   }
 
-  /// Its value, from the radius' powers.
+  /// Evaluates the polynomial from the powers of the radius.
   double operator()(const std::array<double, highest_order + 1>& powers) const {
     double sum = 0;
     auto power = static_cast<std::size_t>(order_);
@@ -160,21 +160,21 @@ class RadialPolynomial {
   std::vector<double> coefficients_;
 };
 
-/// A pixel of an image; also a step.
+/// Pixel of an image, or a step.
 struct Pixel {
   int x;
   int y;
   friend bool operator==(const Pixel&, const Pixel&) = default;
 };
 
-/// Filled pixels of a row that touch: columns from `first` to before `end`.
+/// Run of adjacent filled pixels in a row: columns [first, end).
 struct Run {
   int row;
   int first;
   int end;
 };
 
-/// The runs of an image, in reading order.
+/// Returns the runs of an image, in reading order.
 std::vector<Run> runs_of(std::span<const std::uint8_t> image, int pixels) {
   std::vector<Run> runs;
   for (int row = 0; row < pixels; ++row) {
@@ -189,7 +189,7 @@ std::vector<Run> runs_of(std::span<const std::uint8_t> image, int pixels) {
   return runs;
 }
 
-/// The first run, in reading order, of each connected part (8 neighbours).
+/// Returns the first run, in reading order, of each connected component (8 neighbours).
 std::vector<Run> first_runs_of_parts(const std::vector<Run>& runs) {
   std::vector<std::size_t> earlier(runs.size());  // a run of the same part, the first of it points to itself
   std::iota(earlier.begin(), earlier.end(), std::size_t{0});
@@ -215,12 +215,12 @@ std::vector<Run> first_runs_of_parts(const std::vector<Run>& runs) {
   return firsts;
 }
 
-/// Follows outlines in a binary image.
+/// Traces outlines in a binary image.
 class Outliner {
  public:
   Outliner(std::span<const std::uint8_t> image, int pixels) : image_(image), pixels_(pixels) {}
 
-  /// The longest outline of a connected part; the first of several.
+  /// Returns the longest outline of a connected component (ties: the first).
   [[nodiscard]] std::vector<Pixel> longest(const std::vector<Run>& runs) const {
     std::vector<Pixel> longest;
     for (const Run& first : first_runs_of_parts(runs)) {
@@ -240,7 +240,7 @@ class Outliner {
                0;
   }
 
-  /// Moore's neighbour tracing, from a part's first pixel in reading order, until its first step comes again.
+  /// Applies Moore's neighbour tracing from a component's first pixel in reading order, until its first step recurs.
   [[nodiscard]] std::vector<Pixel> follow(Pixel start) const {
     std::vector<Pixel> outline;
     std::size_t direction = 0;  // of the last step
@@ -272,7 +272,7 @@ class Outliner {
   int pixels_;
 };
 
-/// Distances of a closed outline from its centroid, at so many equal steps along it.
+/// Returns `count` distances of a closed outline from its centroid, at equal steps along it.
 std::vector<double> distances_along(const std::vector<Pixel>& outline, std::size_t count) {
   std::vector<double> along = {0};
   Eigen::Vector2d centroid = Eigen::Vector2d::Zero();

@@ -58,7 +58,7 @@ Quadrature gauss_legendre(int count) {
 Eigen::Index meridians_of(int bandwidth) { return 4 * static_cast<Eigen::Index>(bandwidth); }
 Eigen::Index circles_of(int bandwidth) { return 2 * static_cast<Eigen::Index>(bandwidth); }
 
-/// The shape in units in which the centroid is the origin and the mean distance from it is 1.
+/// Scales the shape to a mean distance of 1 from its centroid, at the origin.
 Shape centred(const Shape& shape, const Samples& samples) {
   const double total = samples.weights.sum();
   if (!(total > 0)) throw InputError("the descriptor spherical_harmonics needs a shape with area");
@@ -71,13 +71,13 @@ Shape centred(const Shape& shape, const Samples& samples) {
   return result;
 }
 
-/// Which cubes of a grid over [-2, 2]^3 the surface passes through.
+/// Cubes of a grid over [-2, 2]^3 that the surface intersects.
 class Voxels {
  public:
   Voxels(const Shape& shape, int shells) : per_axis_(2 * static_cast<Eigen::Index>(shells)) {
     const Eigen::Index cubes = per_axis_ * per_axis_ * per_axis_;
     filled_.assign(static_cast<std::size_t>(cubes), 0);
-    // Some twenty a cube of a sphere's surface.
+    // About twenty samples for each cube of a sphere's surface.
     const Samples samples = sample_surface_of(shape, 60 * static_cast<Eigen::Index>(shells) * shells);
     for (Eigen::Index i = 0; i < samples.points.rows(); ++i) {
       const Eigen::Index cube = cube_of(samples.points.row(i));
@@ -105,7 +105,7 @@ class Voxels {
   std::vector<char> filled_;
 };
 
-/// Norms of a function of space on shells of radius 2 k / shells, one shell after the other.
+/// Computes the norms of a function of space on shells of radius 2 k / shells, shell by shell.
 template <typename Function>
 Eigen::VectorXf shell_norms(const SphericalHarmonicsOptions& options, Function at) {
   const HarmonicTransform transform(options.bandwidth);

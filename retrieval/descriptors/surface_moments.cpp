@@ -8,7 +8,7 @@ namespace shapegauge {
 SurfaceMoments surface_moments(const Shape& mesh) {
   SurfaceMoments moments;
   if (mesh.triangles.rows() == 0) return moments;
-  // Near the surface squares of coordinates keep their digits.
+  // A nearby origin preserves the digits of squared coordinates.
   const Eigen::Vector3d origin = bounding_box(mesh).center();
   for (Eigen::Index f = 0; f < mesh.triangles.rows(); ++f) {
     Eigen::Matrix3d corners;
