@@ -34,7 +34,8 @@ void add_program_options(CLI::App& app) {
   app.footer(
       "Example: shapegauge run configs/quickstart.json\n"
       "Help on a command: shapegauge help COMMAND\n"
-      "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that could\n"
+      "Exit status: 0 success; 1 completed with reported failures; 2 unusable input or arguments, or results that "
+      "could\n"
       "not be written; 130, 143, 129 interrupted (SIGINT, SIGTERM, SIGHUP).");
 }
 
