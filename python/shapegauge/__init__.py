@@ -1,12 +1,12 @@
 """Shape diameter function, shape signatures and retrieval evaluation.
 
-Arrays are NumPy's: vertices are n x 3 floats, faces m x 3 vertex indices, points n x 3 floats, distances n x n floats.
-Wherever vertices are asked for, an object with ``vertices`` and ``faces`` (trimesh), with ``vertices`` and ``triangles``
-or with ``points`` (Open3D, meshio) does as well, and then stands alone: what follows the shape comes after it. A shape without
-faces is a point cloud.
+Arrays are those of NumPy: vertices are n x 3 floats, faces m x 3 vertex indices, points n x 3 floats, distances n x n
+floats. In place of vertices and faces, functions accept an object with ``vertices`` and ``faces`` (trimesh), with
+``vertices`` and ``triangles``, or with ``points`` (Open3D, meshio); further arguments follow it. A shape without faces is
+a point cloud.
 
-Unusable input raises InputError, a ValueError that says what is wrong. Values are the same bytes as the command line's,
-for any number of threads, and what the command line warns of is a Python warning. Ctrl-C stops computations.
+Unusable input raises InputError, a ValueError. Values are the same bytes as those of the command line, for any number of
+threads; its warnings are Python warnings. Ctrl-C stops computations.
 """
 
 from . import _native

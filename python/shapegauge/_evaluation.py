@@ -25,9 +25,9 @@ class Scores(_abc.Mapping):
     """Scores of a distance matrix, fractions from 0 to 1. scores["FT"] is the mean over queries.
 
     micro, macro: measure -> mean over queries, over classes. per_query: measure -> array, by `queries` (rows of the
-    matrix). per_class: class -> measure -> mean. recall, precision: the curve. intervals: "micro" and "macro" -> measure
-    -> low and high end, where evaluate() was asked for a confidence. queries_with_ties: queries with relevant and other
-    models at equal distance. models_left_out: models that are no queries, since their classes are too small.
+    matrix). per_class: class -> measure -> mean. recall, precision: precision-recall curve. intervals: "micro" and
+    "macro" -> measure -> low and high end, if evaluate() had a confidence. queries_with_ties: number of queries with
+    relevant and other models at equal distance. models_left_out: number of models whose classes are too small for queries.
     """
 
     def __init__(self, native: _native.Evaluation, class_names: Sequence[Any], name: str,
@@ -73,26 +73,26 @@ class Scores(_abc.Mapping):
         return f"<table><tr><th>{self.protocol}, %</th>{cells}</tr>{rows}</table>"
 
     def to_latex(self) -> str:
-        """The table for a paper."""
+        """Returns the table as LaTeX."""
         return self._native.table(self._name, "latex")
 
     def to_markdown(self) -> str:
-        """The table for a README."""
+        """Returns the table as Markdown."""
         return self._native.table(self._name, "markdown")
 
     def to_csv(self) -> str:
-        """The table for other programs."""
+        """Returns the table as CSV."""
         return self._native.table(self._name, "csv")
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas frame with a row for each query: its class, then its measures."""
+        """Returns a pandas frame with a row for each query: its class, then its measures."""
         import pandas
         rows = pandas.Index(self.queries, name="query")
         columns: dict[str, Any] = {"class": self.query_classes, **self.per_query}
         return pandas.DataFrame(columns, index=rows)
 
     def plot(self, ax: Optional[matplotlib.axes.Axes] = None, **options: Any) -> matplotlib.axes.Axes:
-        """Draws the precision-recall curve with matplotlib into the axes, or into new ones. options: of Axes.plot()."""
+        """Draws the precision-recall curve into matplotlib axes, or new ones. options: those of Axes.plot()."""
         if ax is None:
             from matplotlib import pyplot
             ax = pyplot.figure().add_subplot()
@@ -104,7 +104,7 @@ class Scores(_abc.Mapping):
 
 
 def _is_missing(label: Any) -> bool:
-    """Whether a label stands for none: None, NaN, pandas.NA, NaT, a masked entry, empty text."""
+    """Returns True for a missing label: None, NaN, pandas.NA, NaT, a masked entry, empty text."""
     if label is None or label is _numpy.ma.masked:
         return True
     if isinstance(label, (str, bytes)):
@@ -118,7 +118,7 @@ def _is_missing(label: Any) -> bool:
 
 
 def _label(label: Any, row: int) -> Any:
-    """A label as a number or as text."""
+    """Converts a label to a number or text."""
     if isinstance(label, (bool, _numpy.bool_, str)):
         return str(label).strip() if isinstance(label, str) else bool(label)
     if isinstance(label, bytes):
@@ -181,15 +181,15 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
              threads: int = 0, name: str = "method", distance: Optional[str] = None, targets: Any = None,
              relevance: Any = None, curve: str = "", confidence: Optional[float] = None, blocks: str = "classes",
              resamples: int = 10000, seed: int = 1) -> Scores:
-    """Evaluates distances against the classes of the models: row i and column i are the model of labels[i].
+    """Evaluates distances against the classes of the models: labels[i] is the class of row i and column i.
 
-    distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features, a
-    row a model. labels: text or whole numbers. protocol: "psb", "paper" or "trec" (default: psb, with relevance trec).
-    measures: default: the protocol's own. ties: "index", "optimistic", "pessimistic" or "expected". missing_labels:
-    "error", or "no_class": a model without a label is no query, and relevant to none. targets: labels of the columns,
-    where they are other models than the rows. relevance: n x n grades in place of labels, 0 for what is not relevant.
-    curve: "psb", "paper", "trec" or "raw" (default: the protocol's own). confidence: as 0.95, for `intervals`, from
-    resamples of whole classes (blocks="queries": of queries).
+    distances: n x n floats; similarities with similarity=True; or, with distance="l2" or a descriptor's name, features,
+    one row a model. labels: text or integers. protocol: "psb", "paper" or "trec" (default: psb, or trec with relevance).
+    measures: names of measures (default: those of the protocol). ties: "index", "optimistic", "pessimistic" or
+    "expected". missing_labels: "error", or "no_class": a model without a label is not a query, and relevant to none.
+    targets: labels of the columns, if they are other models than the rows. relevance: n x n grades in place of labels, 0
+    for not relevant. curve: "psb", "paper", "trec" or "raw" (default: that of the protocol). confidence: confidence level
+    of `intervals`, such as 0.95. blocks: unit of resampling, "classes" or "queries".
 
     >>> scores = sg.evaluate(distances, labels, protocol="psb")
     >>> scores["FT"]
@@ -204,7 +204,7 @@ def evaluate(distances: Any, labels: Any = None, protocol: Optional[str] = None,
                                          whole_number(resamples, "resamples", 1, 10000000),
                                          whole_number(seed, "seed", 0, 2**53 - 1), number_of_threads(threads))
         if not low_and_high[0]:
-            warn([f"there are fewer than two {blocks}, so there are no intervals"])
+            warn([f"no intervals: fewer than two {blocks}"])
         scores.intervals = {average: dict(zip(scores.measures, ends))
                             for average, ends in zip(("micro", "macro"), low_and_high) if ends}
     return scores
@@ -267,7 +267,7 @@ def _evaluate(distances: Any, labels: Any, protocol: str, measures: Any, ties: s
 
 
 class Comparison:
-    """Methods side by side. results: settings, averages and pairs, as `shapegauge compare --format json` has them."""
+    """Comparison of methods. results: settings, averages and pairs, as in `shapegauge compare --format json`."""
 
     def __init__(self, native: _native.ComparedMethods) -> None:
         self._native = native
@@ -277,20 +277,20 @@ class Comparison:
         return (self._native.summary("text") + "\n" + self._native.pairs("text")).rstrip("\n")
 
     def to_latex(self) -> str:
-        """The methods with intervals and marks, for a paper."""
+        """Returns the methods with intervals and marks as LaTeX."""
         return self._native.summary("latex")
 
     def to_markdown(self) -> str:
-        """The methods, then all pairs."""
+        """Returns the methods and all pairs as Markdown."""
         return self._native.summary("markdown") + "\n" + self._native.pairs("markdown")
 
     def to_csv(self) -> str:
-        """All pairs, for other programs."""
+        """Returns all pairs as CSV."""
         return self._native.pairs("csv")
 
 
 def _named_methods(methods: Any) -> dict[str, Any]:
-    """The methods by their names."""
+    """Returns the methods by name."""
     if isinstance(methods, (list, tuple)):
         methods = {f"method {number}": distances for number, distances in enumerate(methods, start=1)}
     if not isinstance(methods, _abc.Mapping):
@@ -300,7 +300,7 @@ def _named_methods(methods: Any) -> dict[str, Any]:
     if len(named) < len(methods):
         raise InputError("two methods have the same name")
     if len(named) < 2:
-        raise InputError(f"a comparison takes two methods or more, not {len(named)}")
+        raise InputError(f"a comparison needs at least two methods, not {len(named)}")
     return named
 
 
@@ -310,9 +310,9 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
             missing_labels: str = "error", distance: Optional[str] = None, threads: int = 0) -> Comparison:
     """Compares methods on the same queries. methods: name -> distances, or a list of distances.
 
-    blocks: what is resampled as a whole, "classes", or "queries" as if independent. distance: the methods are features.
-    The other arguments are those of evaluate(). Returns Comparison: intervals of the averages, and for each pair its difference, p-values and effect
-    size.
+    blocks: unit of resampling, "classes", or "queries" as if independent. distance: distance between features, if the
+    methods are features. The other arguments are those of evaluate(). Returns a Comparison: intervals of the averages,
+    and for each pair its difference, p-values and effect size.
 
     >>> sg.compare({"a": first, "b": second}, labels, measures=["FT", "DCG"])
     """
@@ -337,8 +337,8 @@ def compare(methods: Any, labels: Any, protocol: str = "psb", *, measures: Union
 
 
 def distances(features: Any, distance: str, *, threads: int = 0) -> _numpy.ndarray:
-    """The distances between features, a row a model: n x n. distance: "l1", "l2", ... or a descriptor's name, which stands
-    for that descriptor's own.
+    """Computes the n x n distances between features, one row a model. distance: "l1", "l2", ... or the name of a
+    descriptor, which selects its own distance.
 
     >>> sg.distances(features, "light_field")
     """
@@ -368,7 +368,7 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
 
 
 def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **settings: Any) -> _numpy.ndarray:
-    """Distances re-ranked by those of the whole set, without labels. The result is n x n.
+    """Re-ranks distances, unsupervised, using the whole set. The result is n x n.
 
     method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion". neighbours is a number, a list
     of numbers, over which the mean is taken, or "auto".

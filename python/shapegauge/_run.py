@@ -11,7 +11,7 @@ from ._arguments import PathLike, Progress, number_of_threads, path_of, plain, p
 
 
 class Run(NamedTuple):
-    """A finished experiment: the folder of its results, the summary as text, and the models it went on without."""
+    """Finished experiment: result folder, summary as text, and omitted models."""
 
     folder: str
     summary: str
@@ -26,10 +26,10 @@ def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[Path
         threads: int = 0, on_progress: Optional[Progress] = None) -> Run:
     """Runs an experiment from its configuration, as `shapegauge run`: retrieval, comparison or segmentation.
 
-    configuration: the path of its file, or a dict, whose relative paths begin at the working directory. output: the
-    folder for the results; by default results/<name of the file, or of the experiment>. settings: changes, as in
-    ["signatures.0.histogram.bins=40"]. cache: its folder; "": none. on_progress: called with stage, done and total.
-    Ctrl-C stops it; what is done is in the cache.
+    configuration: path of the file, or a dict, whose paths are relative to the working directory. output: folder for the
+    results (default: results/<name of the file, or of the experiment>). settings: overrides such as
+    ["signatures.0.histogram.bins=40"]. cache: folder of the cache; "" for none. on_progress: called with stage, done and
+    total. Ctrl-C stops the run; completed shapes stay in the cache.
 
     >>> sg.run("configs/quickstart.json")
     """

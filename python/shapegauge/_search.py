@@ -1,4 +1,4 @@
-"""Searches: the shapes of a collection that are most like one."""
+"""Search for similar shapes in a collection."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Found(NamedTuple):
-    """A shape that was found: its name in the collection, its file, and its distance from the query."""
+    """Result of a search: name in the collection, file, and distance from the query."""
 
     name: str
     file: str
@@ -29,10 +29,10 @@ class Found(NamedTuple):
 
 
 class Answer(_abc.Sequence):
-    """The answer to a query: a sequence of Found, nearest first.
+    """Answer to a query: a sequence of Found, nearest first.
 
-    query: its name. member: its name in the collection, where it is of it; else None. names, distances: of what was
-    found. failure: why there is no answer, or "".
+    query: name of the query. member: its name in the collection, if it is a member; otherwise None. names, distances:
+    those of the shapes found. failure: reason for a missing answer, or "".
     """
 
     def __init__(self, query: str, member: Optional[str], found: Sequence[Found], failure: str = "") -> None:
@@ -66,19 +66,19 @@ class Answer(_abc.Sequence):
         return "\n".join([f"<Answer to {self.query}>", *lines])
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas frame with a row for each shape found, by rank: name, file, distance."""
+        """Returns a pandas frame with a row for each shape found, by rank: name, file, distance."""
         import pandas
         ranks = pandas.RangeIndex(1, len(self) + 1, name="rank")
         return pandas.DataFrame(self._found, columns=list(Found._fields), index=ranks)
 
 
 class Index:
-    """The index of a collection of shape files, as `shapegauge search` has it (docs/manual/search.md).
+    """Index of a collection of shape files, as in `shapegauge search` (docs/manual/search.md).
 
-    collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: the file of the index; by
-    default beside the collection. method: the path of a configuration, or a dict; by default the recommended method.
-    signature: the name of one of its signatures. update: whether files that are new, changed or gone are noticed; the
-    first time all are described. cache: its folder; "": none. on_progress: called with stage, done and total.
+    collection: a folder, a list of files (.txt) or a data set (.cla, .csv, .json). index: file of the index (default:
+    beside the collection). method: path of a configuration, or a dict (default: the recommended method). signature: name
+    of one of its signatures. update: check for new, changed and removed files; the first time, all are described. cache:
+    folder of the cache; "" for none. on_progress: called with stage, done and total.
 
     >>> index = sg.Index("models")
     >>> index.search("chair.obj", k=3).names
@@ -100,27 +100,27 @@ class Index:
 
     @property
     def names(self) -> list[str]:
-        """The names of the shapes, in their order."""
+        """Names of the shapes, in order."""
         return [name for name, _ in self._models]
 
     @property
     def files(self) -> list[str]:
-        """The files of the shapes."""
+        """Files of the shapes."""
         return [file for _, file in self._models]
 
     @property
     def left_out(self) -> dict[str, str]:
-        """By the name of a shape that cannot be described, why."""
+        """Shapes that cannot be described: name -> reason."""
         return dict(self._native.failures())
 
     @property
     def signature(self) -> str:
-        """The name of the signature that shapes are compared by."""
+        """Name of the signature that is compared."""
         return self._native.signature
 
     @property
     def file(self) -> str:
-        """The file of the index."""
+        """File of the index."""
         return self._native.file
 
     def __len__(self) -> int:
@@ -131,11 +131,11 @@ class Index:
 
     def search(self, query: Any, k: int = 10, *, rerank: bool = False, page: Optional[PathLike] = None,
                on_progress: Optional[Progress] = None) -> Any:
-        """The k shapes that are most like the query: an Answer; of a list of queries a list of them.
+        """Returns an Answer with the k shapes most similar to the query, or a list of Answers for a list of queries.
 
-        query: the path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of
-        the collection is left out of its own answer. rerank: by diffusion over the collection. page: a file for an HTML
-        page with pictures. A single query that cannot be used raises InputError; of several, its Answer says why.
+        query: path of a file, an object with vertices and faces, or a tuple of arrays (vertices, faces). A file of the
+        collection is excluded from its own answer. rerank: re-rank by diffusion over the collection. page: file for an
+        HTML page with pictures. An unusable single query raises InputError; in a list, its Answer has the failure.
         """
         several = isinstance(query, list)
         given = [_query(one) for one in (query if several else [query])]
@@ -158,7 +158,7 @@ class Index:
 
 
 def _wanted_method(method: Any, signature: str) -> tuple[_native.WantedMethod, str]:
-    """The method, and the file whose name its index has."""
+    """Returns the method, and the file that its index is named after."""
     if method is None:
         if signature:
             raise InputError("signature requires a method")
@@ -173,7 +173,7 @@ def _wanted_method(method: Any, signature: str) -> tuple[_native.WantedMethod, s
 
 
 def _query(query: Any) -> Any:
-    """A path, or the arrays of a shape."""
+    """Returns a path, or the arrays of a shape."""
     if is_shape_object(query) or hasattr(query, "__array__"):
         return shape_arrays(query, None, None)
     if isinstance(query, tuple):

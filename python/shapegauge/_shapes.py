@@ -34,12 +34,12 @@ class _ValuesAndWeights(NamedTuple):
 
 
 class ScalarField(_ValuesAndWeights):
-    """The values of a field and their weights, which are areas: ``values, weights = sg.sdf(mesh)``.
+    """Values of a field with their weights (areas): ``values, weights = sg.sdf(mesh)``.
 
-    values, weights: float64, one a sample; NaN where there is no value. points: where the samples are, n x 3: centroids
-    of faces, vertices, points of a cloud, or places on the surface. offset: of an offset SDF the offset that it was
-    computed with, given or chosen by "auto", as a fraction of the diagonal of the bounding box; else None. normals: of
-    an offset SDF the outward unit normals, n x 3; else None.
+    values, weights: float64, one a sample; NaN for a missing value. points: positions of the samples, n x 3: centroids of
+    faces, vertices, points of a cloud, or points on the surface. offset: offset of an offset SDF, given or chosen by
+    "auto", as a fraction of the diagonal of the bounding box; otherwise None. normals: outward unit normals of an offset
+    SDF, n x 3; otherwise None.
     """
 
     points: Optional[_numpy.ndarray]
@@ -56,7 +56,7 @@ class ScalarField(_ValuesAndWeights):
 
 
 def read(path: PathLike) -> Shape:
-    """The shape in a file: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
+    """Reads a shape: OFF, OBJ, PLY, STL, or a point cloud (XYZ and others).
 
     >>> sg.read("hand.off")
     <Shape: 5000 vertices, 9996 faces>
@@ -66,7 +66,7 @@ def read(path: PathLike) -> Shape:
 
 @path_and_shape_function
 def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
-    """Writes a shape; the extension tells the format.
+    """Writes a shape in the format of the extension.
 
     >>> sg.write("hand.ply", *sg.read("hand.off"))
     """
@@ -147,9 +147,9 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
 @shape_function
 def normals(shape: ShapeArrays, offset: Union[float, str] = "auto", *, at: Sites = "vertices",
             threads: int = 0) -> _numpy.ndarray:
-    """Outward unit normals by the offset surface, n x 3, however noisy, cracked or turned the input is.
+    """Estimates outward unit normals, n x 3, robust to noise, cracks and orientation.
 
-    The `normals` of what sdf() returns are the same, with the offset that "auto" chose beside them.
+    sdf() returns the same normals together with the offset chosen by "auto".
 
     >>> sg.normals(points).shape
     (5000, 3)
@@ -160,7 +160,7 @@ def normals(shape: ShapeArrays, offset: Union[float, str] = "auto", *, at: Sites
 
 
 def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str, Any]) -> str:
-    """The settings and the function's own ones as JSON."""
+    """Returns the settings, with those of the function, as JSON."""
     for name in own:
         if name in settings:
             raise InputError(f"{function}() takes no setting {name}")
