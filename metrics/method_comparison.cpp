@@ -28,7 +28,7 @@ void check(const Eigen::MatrixXd& per_query, const Units& units, const Compariso
     throw ArgumentError("a comparison over " + name_of(options.blocks) + " needs at least two of them");
   }
   if (options.reference && *options.reference >= static_cast<std::size_t>(per_query.cols())) {
-    throw ArgumentError("the reference is none of the methods");
+    throw ArgumentError("the reference is not one of the methods");
   }
 }
 

@@ -181,14 +181,14 @@ EvaluationOptions options_of(const std::string& protocol, const std::string& tie
                              const std::string& curve) {
   EvaluationOptions options;
   const auto known_protocol = protocol_of(protocol);
-  if (!known_protocol) throw InputError("there is no protocol \"" + protocol + "\"; there are psb, paper and trec");
+  if (!known_protocol) throw InputError("unknown protocol \"" + protocol + "\"; known are psb, paper and trec");
   const auto known_ties = ties_of(ties);
   if (!known_ties) {
-    throw InputError("there are no ties \"" + ties + "\"; there are index, optimistic, pessimistic and expected");
+    throw InputError("unknown ties \"" + ties + "\"; known are index, optimistic, pessimistic and expected");
   }
   if (!curve.empty()) {
     options.curve = curve_kind_of(curve);
-    if (!options.curve) throw InputError("there is no curve \"" + curve + "\"; there are psb, paper, trec and raw");
+    if (!options.curve) throw InputError("unknown curve \"" + curve + "\"; known are psb, paper, trec and raw");
   }
   options.protocol = *known_protocol;
   options.ties = *known_ties;
@@ -264,7 +264,7 @@ EvaluatedMatrix evaluate_matrix(const Eigen::Ref<const DistanceMatrix>& distance
 py::tuple intervals(const Evaluation& evaluation, double confidence, const std::string& blocks, int resamples,
                     std::uint64_t seed, int threads) {
   const auto known_blocks = blocks_of(blocks);
-  if (!known_blocks) throw InputError("there are no blocks \"" + blocks + "\"; there are classes and queries");
+  if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
   const EvaluationIntervals found = compute(threads, [&] {
     return intervals_of(
         evaluation,
@@ -403,9 +403,9 @@ ComparedMethods compare_evaluations(const std::vector<std::string>& names,
                         .classes = first.query_classes,
                         .values = {}};
     const auto known = pair_test_of(test);
-    if (!known) throw InputError("there is no test \"" + test + "\"; there are randomization, t and bootstrap");
+    if (!known) throw InputError("unknown test \"" + test + "\"; known are randomization, t and bootstrap");
     const auto known_blocks = blocks_of(blocks);
-    if (!known_blocks) throw InputError("there are no blocks \"" + blocks + "\"; there are classes and queries");
+    if (!known_blocks) throw InputError("unknown blocks \"" + blocks + "\"; known are classes and queries");
     compared.options.test = *known;
     compared.options.blocks = *known_blocks;
     compared.options.confidence = confidence;

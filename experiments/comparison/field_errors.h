@@ -58,7 +58,7 @@ PlacedValues placed_values(const Samples& samples, const Eigen::VectorXd& values
 /// sample|, unweighted.
 struct ValueErrors {
   double median = 0;                  ///< lengths as fractions of the reference's diagonal, areas of its square
-  double percentile_90 = 0;           ///< as above
+  double percentile_90 = 0;           ///< in the same units
   double relative_median = 0;         ///< of the errors divided by the magnitude of the reference's value
   double relative_percentile_90 = 0;  ///< of the same relative errors
 };

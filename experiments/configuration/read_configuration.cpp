@@ -103,7 +103,7 @@ std::vector<std::string> unique_names(const Json& signatures) {
     if (earlier != names.end()) {
       throw ConfigurationError{
           fmt::format("{}.name", names.size()),
-          fmt::format("\"{}\" is the name of signatures.{} already", name, earlier - names.begin())};
+          fmt::format("the name \"{}\" is already that of signatures.{}", name, earlier - names.begin())};
     }
     names.push_back(name);
   }

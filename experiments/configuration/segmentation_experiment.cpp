@@ -33,8 +33,9 @@ std::vector<SegmentationMethod> methods_of(const Json& settings) {
     SegmentationMethod method = at(std::to_string(i), [&] { return segmentation_method(settings[i]); });
     const auto earlier = std::ranges::find(methods, method.name, &SegmentationMethod::name);
     if (earlier != methods.end()) {
-      throw ConfigurationError{fmt::format("{}.name", i), fmt::format("\"{}\" is the name of segmentation.{} already",
-                                                                      method.name, earlier - methods.begin())};
+      throw ConfigurationError{
+          fmt::format("{}.name", i),
+          fmt::format("the name \"{}\" is already that of segmentation.{}", method.name, earlier - methods.begin())};
     }
     methods.push_back(std::move(method));
   }

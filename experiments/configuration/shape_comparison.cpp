@@ -66,7 +66,7 @@ std::vector<ComparedShape> shapes_of(const Json& settings, const fs::path& folde
     ComparedShape shape = at(std::to_string(i), [&] { return shape_of(settings[i], folder); });
     const auto earlier = std::ranges::find(shapes, shape.name, &ComparedShape::name);
     if (earlier != shapes.end()) {
-      throw ConfigurationError{fmt::format("{}.name", i), fmt::format("\"{}\" is the name of shapes.{} already",
+      throw ConfigurationError{fmt::format("{}.name", i), fmt::format("the name \"{}\" is already that of shapes.{}",
                                                                       shape.name, earlier - shapes.begin())};
     }
     shapes.push_back(std::move(shape));

@@ -30,7 +30,7 @@ struct ListCoverage {
   std::size_t queries = 0;     ///< labelled or judged queries
   std::size_t answered = 0;    ///< queries with a list, among them
   Eigen::Index shortest = 0;   ///< models in a list, the query itself left out
-  Eigen::Index longest = 0;    ///< as above
+  Eigen::Index longest = 0;    ///< likewise
   std::size_t incomplete = 0;  ///< lists with fewer models than are relevant: even their best order scores below 1
 };
 

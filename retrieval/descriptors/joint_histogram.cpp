@@ -154,7 +154,7 @@ Eigen::VectorXf joint_histogram(std::span<const ScalarField> fields, std::span<c
     total += weight;
   }
   if (!(total > 0) || !std::isfinite(total)) {
-    throw ArgumentError("fields without any sample at which all have a value have no joint histogram");
+    throw ArgumentError("a joint histogram needs a sample at which all fields have a value");
   }
   counts /= total;
   Eigen::Index stride = counts.size();

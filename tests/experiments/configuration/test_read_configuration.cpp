@@ -162,7 +162,7 @@ TEST(Configuration, PartsAreComputedFirst) {
 
 TEST(Configuration, NamesMustDiffer) {
   EXPECT_THAT(experiment_error_with("/signatures/1/name", "a"),
-              Eq("x.json: signatures.1.name: \"a\" is the name of signatures.0 already"));
+              Eq("x.json: signatures.1.name: the name \"a\" is already that of signatures.0"));
 }
 
 TEST(Configuration, SettingsThatContradictEachOther) {

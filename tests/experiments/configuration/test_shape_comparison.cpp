@@ -62,7 +62,7 @@ TEST(ReadComparison, MistakesGiveThePlaceAndTheNearestWord) {
   EXPECT_THAT(comparison_error_with("/reference", "claen"),
               HasSubstr("reference: there is no shape \"claen\"; did you mean \"clean\"?"));
   EXPECT_THAT(comparison_error_with("/shapes/1/name", "clean"),
-              HasSubstr("shapes.1.name: \"clean\" is the name of shapes.0 already"));
+              HasSubstr("shapes.1.name: the name \"clean\" is already that of shapes.0"));
   EXPECT_THAT(comparison_error_with("/shapes/2/generate/class", "hose"),
               HasSubstr("shapes.2.generate.class: unknown word \"hose\"; did you mean \"horse\"?"));
   EXPECT_THAT(comparison_error_with("/shapes/2/file", "c.off"),
