@@ -1,4 +1,4 @@
-# Every library the project uses, found once. All of them are Debian 12 packages.
+# Finds every library of the project. All are Debian 12 packages.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CGAL 5.5 REQUIRED)
 find_package(Boost 1.74 REQUIRED)
@@ -20,7 +20,8 @@ find_package(PNG REQUIRED)
 if(SHAPEGAUGE_BUILD_TESTS)
   find_package(GTest REQUIRED)
 endif()
-# MPI's C interface only: its C++ bindings were removed from the standard, and Open MPI's headers of them give warnings.
+# C interface of MPI only: the C++ bindings were removed from the standard, and Open MPI's headers of them cause
+# warnings.
 set(MPI_CXX_SKIP_MPICXX ON)
 if(SHAPEGAUGE_MPI STREQUAL "AUTO")
   find_package(MPI QUIET COMPONENTS CXX)
@@ -30,13 +31,13 @@ if(SHAPEGAUGE_MPI STREQUAL "AUTO")
 elseif(SHAPEGAUGE_MPI)
   find_package(MPI REQUIRED COMPONENTS CXX)
 endif()
-# D3 draws the charts of reports: one file of JavaScript, which the program carries.
+# D3, for the charts of reports: one JavaScript file, embedded in the program.
 find_file(SHAPEGAUGE_D3_FILE d3.min.js PATHS /usr/share/nodejs/d3/dist /usr/share/javascript/d3
           DOC "d3.min.js of D3 5 or later (Debian: node-d3)" NO_CACHE REQUIRED)
-# three.js draws the shapes that one can turn: one file as well.
+# three.js, for interactive 3D views: one JavaScript file, embedded in the program.
 find_file(SHAPEGAUGE_THREE_FILE three.min.js PATHS /usr/share/javascript/three /usr/share/nodejs/three/build
           DOC "three.min.js of three.js, release 110 to 150 (Debian: libjs-three)" NO_CACHE REQUIRED)
-# esbuild bundles the scripts of HTML pages.
+# esbuild, which bundles the scripts of HTML pages.
 find_program(SHAPEGAUGE_ESBUILD esbuild DOC "esbuild 0.12 or later (Debian: esbuild)" REQUIRED)
 if(SHAPEGAUGE_BUILD_TESTS)
   find_program(SHAPEGAUGE_NODE NAMES node nodejs DOC "Node.js 18 or later, which runs the tests of scripts (Debian: nodejs)"

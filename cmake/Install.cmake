@@ -1,4 +1,4 @@
-# The CMake package: find_package(shapegauge) gives the libraries of docs/developer/architecture.md.
+# CMake package: find_package(shapegauge) provides the libraries of docs/developer/architecture.md.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/shapegauge)

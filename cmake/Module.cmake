@@ -32,7 +32,7 @@ function(shapegauge_add_library name folder)
   file(MAKE_DIRECTORY ${include_root})
   target_include_directories(shapegauge_${name} PUBLIC $<BUILD_INTERFACE:${include_root}>
                                                        $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  # A source that Highway compiles once for each instruction set includes itself, by its name there.
+  # Highway includes a source once for each instruction set, by its name.
   foreach(source IN LISTS arg_SOURCES)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} NORMALIZE)
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name_there)
@@ -64,8 +64,8 @@ function(shapegauge_add_library name folder)
             COMPONENT development)
   endif()
 endfunction()
-# What all of our own targets share: the language standard, the warnings, the sanitizers, and sources compiled in
-# batches where that is wanted. Names in anonymous namespaces must therefore differ within a target.
+# Settings of all targets of the project: language standard, warnings, sanitizers and, if enabled, unity batches. Names
+# in anonymous namespaces must therefore differ within a target.
 function(shapegauge_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF UNITY_BUILD ${SHAPEGAUGE_UNITY_BUILD}
@@ -74,14 +74,14 @@ function(shapegauge_configure_target target)
                                            -Wcast-align -Woverloaded-virtual -Wnull-dereference
                                            $<$<BOOL:${SHAPEGAUGE_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SHAPEGAUGE_UNITY_BUILD)
-    # What hides a name of another source of its batch hides nothing.
+    # Shadowing of names between the sources of a batch is harmless.
     target_compile_options(${target} PRIVATE -Wno-shadow)
   endif()
-  # GCC 12 warns, wrongly, of overlap inside std::string's own operator+ (GCC's bug 105651).
+  # GCC 12 wrongly warns of overlap inside std::string's own operator+ (GCC bug 105651).
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
     target_compile_options(${target} PRIVATE -Wno-restrict)
   endif()
-  # A page is one literal, longer than the standard asks every compiler to take.
+  # A page is one literal, longer than the minimum that the standard requires of compilers.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     target_compile_options(${target} PRIVATE -Wno-overlength-strings)
   endif()
@@ -91,7 +91,7 @@ function(shapegauge_configure_target target)
     target_link_options(${target} PUBLIC -fsanitize=${SHAPEGAUGE_SANITIZE})
   endif()
 endfunction()
-# What spends its time elsewhere (options, messages, tables, JSON) is compiled in two thirds of the time.
+# Less optimisation for code without hot loops (options, messages, tables, JSON) saves a third of the compile time.
 function(shapegauge_optimise_little)
   foreach(target IN LISTS ARGN)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)

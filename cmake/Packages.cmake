@@ -40,7 +40,7 @@ This package has the module with which a run of the program spreads over many
 processes and machines, under mpirun or Slurm.")
 endif()
 
-# Who wants measures needs Eigen and TBB; the other libraries want more: find_package(shapegauge) says what is missing.
+# Measures need Eigen and TBB only; other libraries need more, which find_package(shapegauge) reports.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshapegauge-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libtbb-dev (>= 2021)")
@@ -71,7 +71,7 @@ into parts, and evaluates any retrieval method the way the SHREC contests do.
 This package has the Python module, which works on NumPy arrays.")
 endif()
 
-# What Debian wants of every package: who holds which rights, and a changelog.
+# Files that Debian requires of every package: copyright and changelog.
 set(debian_dir ${CMAKE_CURRENT_BINARY_DIR}/debian)
 file(WRITE ${debian_dir}/changelog
      "shapegauge (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md in the package shapegauge.\n\n"

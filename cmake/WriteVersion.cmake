@@ -5,8 +5,8 @@
 set(SHAPEGAUGE_COMMIT unknown)
 find_program(GIT git)
 if(GIT AND EXISTS ${SOURCE_DIR}/.git)
-  # safe.directory: a build as root of a checkout that belongs to a user. No optional locks: a build must not get in the
-  # way of a commit.
+  # safe.directory: for a build as root of a checkout owned by a user. No optional locks: a build must not block a
+  # commit.
   set(git ${GIT} --no-optional-locks -c safe.directory=${SOURCE_DIR} -C ${SOURCE_DIR})
   execute_process(COMMAND ${git} describe --always --abbrev=40 --exclude=* --dirty
                   OUTPUT_VARIABLE description OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed ERROR_QUIET)

@@ -1,7 +1,7 @@
 # cmake -DROOT=... -P CheckLinks.cmake
 #
-# Checks the relative links of all Markdown pages, and the pages that sources cite: the file is there, and has the
-# heading that is named after the #.
+# Checks that the relative links of all Markdown pages, and the pages cited by sources, exist and have the heading named
+# after the #.
 cmake_minimum_required(VERSION 3.25)
 set(bad 0)
 
@@ -19,7 +19,7 @@ function(page_anchors page result)
   set(${result} "${anchors}" PARENT_SCOPE)
 endfunction()
 
-# split_anchor(LINK FILE ANCHOR): what stands before and after the #; both may be empty.
+# split_anchor(LINK FILE ANCHOR): the parts before and after the #; both may be empty.
 function(split_anchor link file anchor)
   string(FIND "${link}" "#" position)
   set(${anchor} "" PARENT_SCOPE)
@@ -33,7 +33,7 @@ function(split_anchor link file anchor)
   endif()
 endfunction()
 
-# check(FROM TARGET ANCHOR): counts a link from a file as bad where it leads nowhere.
+# check(FROM TARGET ANCHOR): counts a broken link of a file.
 function(check from target anchor)
   if(NOT EXISTS ${target})
     message("${from}: ${target} is not there")
