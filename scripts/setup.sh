@@ -1,16 +1,16 @@
 # shellcheck shell=bash
-# What the scripts and .ci/run share. Sourced by them, with the repository as working directory.
+# Functions shared by the scripts and .ci/run, which source this file with the repository as working directory.
 # All progress goes to standard error: standard output belongs to the results.
 
 say() { printf '== %s\n' "$*" >&2; }
 
-# fail MESSAGE...: one line a message, then out.
+# fail MESSAGE...: prints one line a message and exits.
 fail() {
   printf '%s\n' "$@" >&2
   exit 1
 }
 
-# install_build_packages: installs what building shapegauge and its tests takes.
+# install_build_packages: installs the packages needed to build shapegauge and its tests.
 install_build_packages() { install_listed_packages scripts/packages.txt; }
 
 # install_listed_packages FILE: installs the packages that a file lists, one a line.
@@ -20,7 +20,7 @@ install_listed_packages() {
   install_packages "${packages[@]}"
 }
 
-# missing_packages PACKAGE...: those of the Debian packages that are not installed, one a line.
+# missing_packages PACKAGE...: prints the Debian packages that are not installed, one a line.
 missing_packages() {
   local package
   for package in "$@"; do
@@ -28,7 +28,7 @@ missing_packages() {
   done
 }
 
-# install_packages PACKAGE...: installs those of the Debian packages that are missing, asking nothing.
+# install_packages PACKAGE...: installs missing Debian packages without asking.
 install_packages() {
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     say "not a Debian system: taking it that the counterparts of these packages are installed: $*"
@@ -49,7 +49,7 @@ install_packages() {
     --option DPkg::Lock::Timeout=300 --option Dpkg::Use-Pty=0 install "${missing[@]}" </dev/null >&2
 }
 
-# build_jobs: how many compilers may run at once, 2 GB for each (a source that includes CGAL takes up to 1.3 GB).
+# build_jobs: prints the number of parallel compilers, with 2 GB each (a source that includes CGAL takes up to 1.3 GB).
 build_jobs() {
   local cores memory limit
   cores=$(nproc)
@@ -63,7 +63,7 @@ build_jobs() {
   echo "$jobs"
 }
 
-# build PRESET FOLDER TARGET...: configures where that has not been done, and builds the targets.
+# build PRESET FOLDER TARGET...: configures if necessary, and builds the targets.
 build() {
   local preset=$1 folder=$2
   shift 2
