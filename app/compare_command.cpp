@@ -248,7 +248,7 @@ void add_comparison_options(CLI::App& command, CompareArguments& arguments) {
   command.add_option("--average", arguments.average, "Average to compare: over queries (micro) or classes (macro)")
       ->check(CLI::IsMember(average_names()))
       ->capture_default_str();
-  command.add_option("--reference", arguments.reference, "Method to compare with each other one (default: all pairs)");
+  command.add_option("--reference", arguments.reference, "Method compared with every other one (default: all pairs)");
   command.add_option("--names", arguments.names, "Names of the methods in order, such as ours,theirs")->delimiter(',');
   begin_option_group(command, output_options);
   command.add_option("--plot", arguments.plot, "File for a chart of the precision-recall curves: .svg, .pdf or .png");
