@@ -12,37 +12,37 @@
 
 namespace shapegauge::test_command_line {
 
-/// What a call of the program gave.
+/// Result of a call of the program.
 struct Outcome {
   int status = 0;
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };
 
-/// Runs the built executable with the arguments, as a shell reads them, and waits for it. Its cache is empty and its
-/// own, unless the arguments name another one.
+/// Runs the built executable with the arguments, as parsed by a shell, and waits for it. It has an empty cache of its
+/// own unless the arguments name one.
 Outcome run_executable(const std::string& arguments);
 
-/// Expects what unusable input or arguments give: status 2, one line on standard error that holds the words, and
+/// Expects an input error: status 2, one line on standard error that contains the words, and
 /// nothing on standard output.
 void expect_error_line(const Outcome& outcome, const std::string& words);
 
-/// The arguments of a call that are of no use, and words of its error.
+/// Invalid arguments, and words of the error expected.
 struct UnusableCall {
   std::string arguments;
   std::string words;
 };
 
-/// Runs each and expects such an error line.
+/// Runs each call and expects an input error.
 void expect_error_lines(const std::vector<UnusableCall>& calls);
 
-/// The contents of a folder's result files by name, but for timings: those of the manifest are taken out.
+/// Contents of a folder's result files by name, without timings; those of the manifest are removed.
 std::map<std::string, std::string> results_in(const std::filesystem::path& folder);
 
-/// The built executable under way; it is killed, if need be, and waited for at the end of the scope.
+/// Running instance of the built executable, killed if necessary at the end of the scope.
 class BackgroundRun {
  public:
-  /// Starts it with the arguments, silent but for standard error, which goes to a file; or, by its absolute path, the
+  /// Starts it with the arguments, with standard error written to a file; or, by its absolute path, the
   /// program that is to start it.
   BackgroundRun(std::vector<std::string> arguments, const std::filesystem::path& errors,
                 const std::string& program = SHAPEGAUGE_EXECUTABLE);
@@ -52,10 +52,10 @@ class BackgroundRun {
   BackgroundRun& operator=(BackgroundRun&&) = delete;
   ~BackgroundRun();
 
-  /// Waits until the condition holds; false where the run ends, or hangs for minutes, before it does.
+  /// Waits until the condition holds; false if the run ends first, or after some minutes.
   bool wait_until(const std::function<bool()>& condition);
   void send(int signal) const;
-  /// The processes that it has started itself.
+  /// Its child processes.
   [[nodiscard]] std::vector<pid_t> children() const;
   /// Waits for its end: the exit status, or minus the signal that ended it.
   int wait();
@@ -73,7 +73,7 @@ class SmallRun : public testing::Test {
  protected:
   void SetUp() override;
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
-  /// As a shell takes it.
+  /// Quoted for a shell.
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
 
  private:

@@ -71,7 +71,7 @@ TEST_F(CompareCommand, TellsWhatIsBetter) {
   EXPECT_EQ(pairs[0]["first"], "good");
   EXPECT_GT(pairs[0]["difference"], 0.3);
   EXPECT_LT(pairs[0]["p_holm"], 0.05);
-  EXPECT_GT(pairs[0]["p"], 2.0 / 1024 / 2);  // ten classes have no smaller one
+  EXPECT_GT(pairs[0]["p"], 2.0 / 1024 / 2);  // the smallest for ten classes
   EXPECT_GT(pairs[2]["p"], 0.05);
   EXPECT_EQ(pairs[0]["wins"].get<int>() + pairs[0]["ties"].get<int>() + pairs[0]["losses"].get<int>(), 60);
 }

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::MatchesRegex;
 using testing::StartsWith;
 
-/// The toy of the known answers: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
+/// The example of the known answers: A = values 0, 1, 4 and B = values 2, 3.5, 7, 9 on a line, in that order.
 class EvaluateCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +53,7 @@ class EvaluateCommand : public testing::Test {
 TEST_F(EvaluateCommand, StandardInputIsAsGoodAsAFile) {
   const nlohmann::json of_file = nlohmann::json::parse(evaluate_toy("--format json").output);
   for (const std::string format : {"npy", "matrix", "txt"}) {
-    const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy says itself what it is
+    const std::string told = format == "npy" ? "" : " --input-format " + format;  // .npy is recognized by its contents
     const Outcome piped = run_executable("evaluate - --labels '" + at("toy.cla") + "' --format json" + told + " < '" +
                                          at("toy." + format) + "'");
     ASSERT_EQ(piped.status, 0) << piped.errors;
@@ -131,7 +131,7 @@ TEST_F(EvaluateCommand, FeaturesAreTheirDistances) {
 }
 
 TEST_F(EvaluateCommand, IdsSayWhatTheRowsAre) {
-  // The same matrix with the rows' models exchanged: labels A and B fall on other rows.
+  // The same matrix with permuted models: other rows have labels A and B.
   write_text(at("ids.txt"), "T6\nT5\nT4\nT3\n2.off\n1\n0\n");
   const auto json = nlohmann::json::parse(evaluate_toy("--format json --ids '" + at("ids.txt") + "'").output);
   // Now B = 0, 1, 4, 2 and A = 3.5, 7, 9; nearest others: 1, 0, 3.5, 1, 4, 9, 7: right for 5 of 7 (0, 1, 2, 7, 9).
@@ -304,7 +304,7 @@ TEST_F(EvaluateCommand, ScoresOfListsSayWhatTheyRestOn) {
   EXPECT_FALSE(nlohmann::json::parse(evaluate_toy("--format json").output).contains("lists"));
 }
 
-/// Whether a text has so many warnings.
+/// Whether a text has the given number of warnings.
 int warnings_in(const std::string& text) {
   int count = 0;
   for (std::size_t i = text.find("warning: "); i != std::string::npos; i = text.find("warning: ", i + 1)) ++count;
@@ -330,7 +330,7 @@ TEST_F(EvaluateCommand, OneOddityIsOneWarning) {
   const Outcome outcome = evaluate_toy("", "zero.npy");
   EXPECT_EQ(warnings_in(outcome.errors), 1) << outcome.errors;
   EXPECT_THAT(outcome.errors, HasSubstr("7 rows have all distances equal"));
-  DistanceMatrix mixed = DistanceMatrix::Zero(7, 7);  // some ties besides
+  DistanceMatrix mixed = DistanceMatrix::Zero(7, 7);  // some ties, too
   mixed.row(0) << 0, 1, 1, 1, 2, 3, 4;
   write_npy(at("mixed.npy"), mixed);
   const std::string errors = evaluate_toy("", "mixed.npy").errors;
@@ -356,13 +356,13 @@ TEST_F(EvaluateCommand, LinesOfIdsAndClassesAreATable) {
       run_executable("evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "' --format csv");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, evaluate_toy("--format csv").output);
-  write_text(at("words.txt"), "red A\nblue A\nbig A\nold B\nnew B\nfar B\nhot B\n");  // as well seven classes
+  write_text(at("words.txt"), "red A\nblue A\nbig A\nold B\nnew B\nfar B\nhot B\n");  // also seven classes
   expect_error_lines(
       {{"evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "'", "each model has a class of its own"}});
 }
 
 TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) {
-  // The order of the classes is not that of the rows.
+  // Classes in another order than rows.
   write_text(at("toy.cla"), "PSB 1\n3 7\nC 0 2\n5\n6\nB 0 2\n3\n4\nA 0 3\n0\n1\n2\n");
   std::filesystem::copy_file(at("toy.npy"), at("copy.npy"));
   const auto alone = nlohmann::json::parse(evaluate_toy("--confidence 0.95 --format json").output);

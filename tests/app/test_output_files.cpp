@@ -23,7 +23,7 @@ using test_command_line::Outcome;
 using test_command_line::run_executable;
 using testing::HasSubstr;
 
-/// A way to write a file. Words that begin with @ are in the folder.
+/// A command that writes a file. Words that begin with @ are paths in the folder.
 struct WriterOfFiles {
   std::string call;     ///< without the output, which comes last
   std::string input;    ///< one of the files that are read
@@ -31,7 +31,7 @@ struct WriterOfFiles {
   bool shapes = false;  ///< --replace lets the output take the place of its input
 };
 
-/// Every output of every command that writes files of a name that users give.
+/// All outputs of all commands whose file name is given by users.
 std::vector<WriterOfFiles> writers() {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   return {{.call = evaluate + "--pr", .input = "d.csv", .output = "x.csv"},
@@ -118,7 +118,7 @@ TEST_F(OutputFiles, AreNoInputsUnderWhateverName) {
 TEST_F(OutputFiles, AreNoOtherOutputs) {
   const std::string evaluate = "evaluate @d.csv --labels @classes.csv ";
   expect_error_line(run(evaluate + "--per-query @x.csv --per-class @mine/../x.csv"), "would both be written to");
-  fs::create_symlink(at("x.csv"), at("link.csv"));  // to a file that is not there yet
+  fs::create_symlink(at("x.csv"), at("link.csv"));  // to a file that does not exist yet
   expect_error_line(run(evaluate + "--pr @x.csv --pr-per-class @link.csv --replace"), "would both be written to");
   fs::create_symlink(at("z.json"), at("z.csv"));
   expect_error_line(run("sdf @box.off --method cone_sdf -o @z.csv --timings @z.json"), "would both be written to");

@@ -127,7 +127,7 @@ TEST_F(Program, LimitsAreTheSameOnTheCommandLineAndInAConfiguration) {
 }
 
 TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
-  test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties are a warning
+  test::write_text(at("d.csv"), "0,1,1\n1,0,1\n1,1,0\n");  // ties cause a warning
   test::write_text(at("l.txt"), "a\na\nb\n");
   const auto status_with = [&](const std::string& arguments, const std::string& streams) {
     const std::string command = fmt::format("SHAPEGAUGE_CACHE= {} {} {}", SHAPEGAUGE_EXECUTABLE, arguments, streams);
@@ -160,7 +160,7 @@ TEST_F(Program, MessagesThatNobodyCanReadLoseNoResults) {
 }
 
 TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
-  // With all streams closed, the first files that a program opens get their numbers, and messages go into them.
+  // If all streams are closed, the first files opened get their numbers, and would receive the messages.
   const std::string run = "run " + quoted("small.json") + " --set signatures.0.histogram.bins=1 --output ";
   ASSERT_EQ(run_executable(run + quoted("out")).status, 0);
   for (const char* streams : {">&- 2>&-", "<&- >&- 2>&-", "> /dev/full 2>&-"}) {
@@ -172,7 +172,7 @@ TEST_F(Program, AClosedStreamIsNoPlaceForResults) {
 }
 
 TEST_F(Program, APipeThatNobodyReadsIsNoReasonToStop) {
-  // The warnings of ties come after the reader is gone.
+  // Warnings about ties are written after the reader has closed the pipe.
   const std::string command = fmt::format(
       "bash -c \"SHAPEGAUGE_CACHE= {} run {} --set signatures.0.histogram.bins=1 --output {} 2>&1 > "
       "/dev/null | true; exit \\${{PIPESTATUS[0]}}\"",

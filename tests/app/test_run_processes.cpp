@@ -32,7 +32,7 @@ using testing::Not;
 
 constexpr const char* mpirun = "/usr/bin/mpirun";
 
-/// Why runs of several processes cannot be tried here; empty where they can.
+/// Reason for skipping runs of several processes; empty if they are possible.
 std::string missing() {
   if (!fs::exists(mpirun)) return std::string("there is no ") + mpirun;
   const fs::path module = fs::path(SHAPEGAUGE_EXECUTABLE).parent_path() / "shapegauge_mpi.so";
@@ -44,10 +44,10 @@ class RunProcesses : public SmallRun {
  protected:
   void SetUp() override {
     SmallRun::SetUp();
-    // Root may not start MPI programs otherwise, as in containers.
+    // Required to start MPI programs as root, as in containers.
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
     ::setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    // Open MPI gives back only some of its memory, which the address sanitizer would report.
+    // Open MPI leaks some memory, which the address sanitizer would report.
     ::setenv("ASAN_OPTIONS", "detect_leaks=0", 1);
     json configuration = test::small_configuration("data");
     configuration["signatures"].push_back(
@@ -70,7 +70,7 @@ class RunProcesses : public SmallRun {
             "--cache",
             at("cache").string()};
   }
-  /// mpirun's own words are among the errors.
+  /// Errors include those of mpirun.
   [[nodiscard]] Outcome run_ranks(int ranks, const std::string& output, const std::string& more = "") const {
     std::string command = mpirun;
     for (const std::string& argument : arguments(ranks, output)) command += " '" + argument + "'";
@@ -84,7 +84,7 @@ class RunProcesses : public SmallRun {
     EXPECT_EQ(run_executable("run " + quoted("small.json") + " --no-cache --output " + quoted("alone")).status, 0);
     return results_in(at("alone"));
   }
-  /// Makes the run last long enough to be stopped on its way.
+  /// Makes the run long enough to be interrupted.
   void take_long() const {
     json configuration = json::parse(text_of(at("small.json")));
     for (json& signature : configuration["signatures"]) {
@@ -162,7 +162,7 @@ TEST_F(RunProcesses, WhicheverProcessDiesWheneverTheSameCommandGoesOn) {
     const std::size_t more = random() % 3;
     run.wait_until([&] { return run.children().size() == 3 && fields_kept() >= before + more; });
     const std::vector<pid_t> ranks = run.children();
-    if (ranks.size() != 3) break;  // it has come to its end
+    if (ranks.size() != 3) break;  // it has ended
     ::kill(ranks[random() % ranks.size()], SIGKILL);
     EXPECT_NE(run.wait(), 0);
     EXPECT_FALSE(fs::exists(at("out/manifest.json")));
@@ -182,7 +182,7 @@ TEST_F(RunProcesses, AProcessThatIsTerminatedSaysHowToGoOn) {
   take_long();
   BackgroundRun run(arguments(2, "out"), at("errors"), mpirun);
   ASSERT_TRUE(run.wait_until([&] { return run.children().size() == 2 && fields_kept() >= 1; }));
-  ::kill(run.children().front(), SIGTERM);  // mpirun itself, terminated, would pass nothing on
+  ::kill(run.children().front(), SIGTERM);  // mpirun itself would not forward the signal
   EXPECT_NE(run.wait(), 0);
   EXPECT_THAT(text_of(at("errors")),
               HasSubstr("interrupted; no results were written. Completed shapes are in the cache"));

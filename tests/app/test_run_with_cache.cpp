@@ -29,7 +29,7 @@ using testing::MatchesRegex;
 /// Runs over the small data set, on one thread.
 class RunWithCache : public SmallRun {
  protected:
-  /// The more rays, the longer it takes.
+  /// More rays take longer.
   void write_configuration(int rays) const {
     json configuration = test::small_configuration("data");
     for (json& signature : configuration["signatures"]) {
@@ -191,7 +191,7 @@ TEST_F(RunWithCache, ADamagedEntryIsOneWarning) {
   EXPECT_EQ(results_in(at("out")), fresh);
 }
 
-/// A file system of so many bytes; mounted() says whether there is one, which takes root's rights.
+/// File system of limited size; mounted() is false without root's rights.
 class SmallDisk {
  public:
   SmallDisk(fs::path folder, const std::string& size) : folder_(std::move(folder)) {

@@ -65,7 +65,7 @@ TEST_F(SdfCommand, TheOffsetSdfOfASphereIsItsDiameter) {
 }
 
 TEST_F(SdfCommand, TheAutomaticOffsetDoesNotClaimToCloseWhatItLeavesOpen) {
-  // A ball with a small hole, and the same with a wide mouth as well.
+  // A ball with a small hole, and one that has also a wide hole.
   const auto without = [&](auto is_left_out) {
     std::vector<Eigen::Index> kept;
     for (Eigen::Index f = 0; f < shape.triangles.rows(); ++f) {

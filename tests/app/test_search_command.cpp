@@ -18,7 +18,7 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::Not;
 
-/// A folder of small shapes, models/, and a method that is quick: fast.json.
+/// A folder of small shapes, models/, and a fast method, fast.json.
 class SearchCommand : public testing::Test {
  protected:
   void SetUp() override {
@@ -30,7 +30,7 @@ class SearchCommand : public testing::Test {
   }
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
   [[nodiscard]] std::string quoted(const std::string& name) const { return "'" + at(name).string() + "'"; }
-  /// With the quick method, and the cache of the fixture.
+  /// With the fast method and the fixture's cache.
   [[nodiscard]] Outcome search(const std::string& arguments) const {
     return run_executable("search " + arguments + " --method " + quoted("fast.json") + " --cache " + quoted("cache"));
   }

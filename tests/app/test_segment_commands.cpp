@@ -24,13 +24,13 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// Two balls that do not touch: whoever cuts them, they are two parts.
+/// Two disjoint balls: two parts in every segmentation.
 Shape two_balls() {
   const Shape ball = test::sphere(1, 2);
   return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
 }
 
-/// A line with the first number for each face of one ball, with the second one for each of the other.
+/// One line per face: the first number for faces of one ball, the second for those of the other.
 std::string segments(int first, int second) {
   std::string text;
   for (int i = 0; i < 640; ++i) text += fmt::format("{}\n", i < 320 ? first : second);

@@ -21,7 +21,7 @@ using test_command_line::run_executable;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// A sphere, a box, and a file that is no shape.
+/// A sphere, a box, and a file without a shape.
 class ShapeFiles : public testing::Test {
  protected:
   void SetUp() override {
@@ -30,7 +30,7 @@ class ShapeFiles : public testing::Test {
     write_text(at("broken.off"), "OFF\n3 1 0\n0 0 0\n");
   }
   [[nodiscard]] fs::path at(const std::string& name) const { return folder_.path() / name; }
-  /// The names replaced by paths in the folder: words that begin with @.
+  /// Replaces words that begin with @ by paths in the folder.
   [[nodiscard]] Outcome run(std::string arguments) const {
     for (std::size_t i = arguments.find('@'); i != std::string::npos; i = arguments.find('@')) {
       arguments.replace(i, 1, folder_.path().string() + "/");

@@ -30,7 +30,7 @@ class ViewCommand : public testing::Test {
   [[nodiscard]] Outcome view(const std::string& arguments) const {
     return run_executable("view " + arguments + " --replace -o '" + at("page.html") + "'");
   }
-  /// What the page shows.
+  /// Data shown on the page.
   [[nodiscard]] ordered_json page() const {
     const std::string html = text_of(at("page.html"));
     const std::string opening = R"(id="view-data">)";
@@ -117,7 +117,7 @@ TEST_F(ViewCommand, AMeshOfMoreFacesIsMeasuredWholeAndShownSimplified) {
   EXPECT_LE(shape["triangles"]["count"], 500);
   EXPECT_GE(shape["triangles"]["count"], 250);
   EXPECT_THAT(shape["note"].get<std::string>(), HasSubstr("5120 faces of which "));
-  // Means of the sphere's values; the simplified mesh has others of its own.
+  // Means of the sphere's values; those of the simplified mesh differ.
   const Eigen::VectorXd values = cone_sdf(fine, sample_shape(fine, SampleSite::faces), {}).values;
   EXPECT_GE(shape["fields"][0]["low"], values.minCoeff());
   EXPECT_LE(shape["fields"][0]["high"], values.maxCoeff());

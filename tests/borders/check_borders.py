@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the libraries to the borders of docs/developer/architecture.md.
+"""Checks the dependencies of libraries against docs/developer/architecture.md.
 
     check_borders.py ARCHITECTURE.md LIBRARIES COMPILER
 
@@ -17,13 +17,13 @@ import sys
 
 
 def known_libraries(page):
-    """By library, those that the table of the page says it knows."""
+    """Returns the permitted dependencies of each library, from the table on the page."""
     row = re.compile(r"^\|[^|]*\| `shapegauge::(\w+)` \|[^|]*\|([^|]*)\|$", re.MULTILINE)
     return {name: re.findall(r"\w+", known) for name, known in row.findall(page)}
 
 
 def closure(name, known):
-    """The libraries that one reaches, itself included."""
+    """Returns the libraries reachable from one, including itself."""
     reached = {name}
     waiting = [name]
     while waiting:
@@ -35,7 +35,7 @@ def closure(name, known):
 
 
 def compiles(compiler, header, folders):
-    """Whether the preprocessor finds the header itself; what that one includes does not count."""
+    """Returns whether the preprocessor finds the header, regardless of the headers that it includes."""
     command = [compiler, "-x", "c++", "-std=c++20", "-E", "-"]
     command += [f"-I{folder}" for folder in folders]
     program = f"#if !__has_include(<{header}>)\n#error absent\n#endif\n"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the commands that a page shows, and compares their output with what the page shows.
+"""Runs the commands on a page and compares their output with that on the page.
 
     check_console.py PAGE FOLDER [--update]
 
@@ -20,7 +20,7 @@ BLOCK = re.compile(r"```(console|json)\n(.*?)```", re.DOTALL)
 
 
 def run(command, folder):
-    """The standard output of a command; ends the program where it fails."""
+    """Returns the standard output of a command; exits if it fails."""
     result = subprocess.run(command, shell=True, cwd=folder, capture_output=True, text=True)
     if result.returncode != 0:
         sys.exit(f"{command}: exit status {result.returncode}\n{result.stderr}")
@@ -28,13 +28,13 @@ def run(command, folder):
 
 
 def numbers(text):
-    """The numbers among the words of a text."""
+    """Returns the numbers in a text."""
     words = (word.strip("[],+") for word in text.split())
     return [float(word) for word in words if re.fullmatch(r"-?[0-9.]*[0-9](e[-+]?[0-9]+)?", word)]
 
 
 def same(shown, printed):
-    """Whether two outputs have as many lines, and nearly the same numbers."""
+    """Returns whether two outputs have equally many lines and nearly equal numbers."""
     pairs = list(zip(numbers(shown), numbers(printed)))
     complete = len(numbers(shown)) == len(numbers(printed)) and shown.count("\n") == printed.count("\n")
     return complete and all(abs(one - other) <= 0.01 * max(abs(one), abs(other)) for one, other in pairs)

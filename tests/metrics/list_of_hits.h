@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// The list in which rank i + 1 is a hit where hits[i] is true, with further relevant models that are not in it.
+/// Ranked list with a hit at rank i + 1 if hits[i] is true, and further relevant models outside the list.
 inline RankedList list_of_hits(const std::vector<bool>& hits, bool starts_with_query = false,
                                std::size_t not_in_list = 0) {
   std::vector<RankRun> runs;

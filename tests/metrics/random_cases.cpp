@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-// Most models go to the first classes: the smaller of two draws.
+// The smaller of two draws favours the first classes.
 std::vector<int> random_labels(std::size_t models, std::mt19937& random) {
   std::uniform_int_distribution<int> draw(0, static_cast<int>(models / 2));
   std::vector<int> labels(models);

@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// A distance matrix, the classes of its models, and a protocol.
+/// Distance matrix, classes of its models, and protocol.
 struct EvaluationCase {
   naive::Matrix distances;
   std::vector<int> labels;
@@ -19,7 +19,7 @@ struct EvaluationCase {
 /// random.
 rc::Gen<EvaluationCase> cases_with_ties(std::size_t most_models = 60);
 
-/// The same, of 60 models at most, with all distances different.
+/// Random cases of at most 60 models with distinct distances.
 rc::Gen<EvaluationCase> cases_without_ties();
 
 }  // namespace shapegauge

@@ -6,14 +6,14 @@
 
 namespace shapegauge {
 
-/// What two equally good methods give on a data set drawn at random: to each class its own difficulty for each method,
-/// to each query some more.
+/// Scores of two equally good methods on a random data set, with a random difficulty of each class per method
+/// and noise per query.
 struct SimulatedMethods {
   Eigen::MatrixXd per_query;  ///< queries x 2
   std::vector<int> classes;
 };
 
-/// Classes of `queries_per_class` queries each; a true average of 0.6 for both methods.
+/// Classes of `queries_per_class` queries each; the expected score is 0.6 for both methods.
 inline SimulatedMethods simulated_methods(int classes, int queries_per_class, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<double> of_class(0.6, 0.1);

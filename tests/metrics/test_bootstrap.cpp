@@ -63,7 +63,7 @@ TEST(Bootstrap, DoesNotDependOnTheNumbersOfTheClasses) {
   }
 }
 
-/// The percentile interval of the averages 1 to 99, of which p percent are below p.
+/// Percentile interval of the averages 1 to 99.
 ConfidenceInterval interval_of_percents(Eigen::Index units, double confidence) {
   Eigen::MatrixXd resampled(99, 1);
   for (Eigen::Index i = 0; i < 99; ++i) resampled(i, 0) = static_cast<double>(37 * (i + 1) % 99 + 1);  // in any order
@@ -128,7 +128,7 @@ TEST(Bootstrap, RefusesWhatHasNoInterval) {
   EXPECT_THROW(bootstrap_intervals(example(), 0.95, {.resamples = 0}), ArgumentError);
 }
 
-// The share of data sets whose interval holds the true average, 0.6.
+// Fraction of data sets whose interval contains the true average, 0.6.
 double coverage(Blocks blocks, int data_sets) {
   int covered = 0;
   for (int i = 0; i < data_sets; ++i) {
@@ -145,7 +145,7 @@ TEST(Bootstrap, IntervalsOverClassesHoldTheTruthAsOftenAsTheySay) {
   EXPECT_NEAR(coverage(Blocks::classes, 600), 0.95, 3 * 0.0089);
 }
 
-// The reason why classes are the default: queries of a class go up and down together. A class of 10 queries that share
+// Reason for resampling classes by default: queries of a class are correlated. A class of 10 queries that share
 // half of the variance counts for 10 / (1 + 9 / 2) = 1.8 independent ones: intervals are 2.35 times too narrow, which
 // leaves 60 %.
 TEST(Bootstrap, IntervalsOverQueriesAreTooNarrow) { EXPECT_NEAR(coverage(Blocks::queries, 300), 0.60, 3 * 0.028); }

@@ -22,7 +22,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Both sides sum the same numbers, of at most 60 models, in orders that may differ.
+// Both sides sum the same numbers, of at most 60 models, in possibly different orders.
 constexpr double rounding = 1e-13;
 
 EvaluationOptions under(Protocol protocol, int minimum_class_size = 2) {
@@ -61,7 +61,7 @@ int class_size(const std::vector<int>& labels, int label) {
 TEST(Evaluation, GradesAreThoseOfTheRow) {
   // All queries have the same order of models. To every other one what is highly relevant comes first, to the rest
   // last.
-  constexpr Eigen::Index queries = 301;  // more than are read at once
+  constexpr Eigen::Index queries = 301;  // more than one block
   RetrievalTask task;
   task.target_classes = {0, 0, 0};
   for (Eigen::Index i = 0; i < queries; ++i) {
@@ -187,7 +187,7 @@ RC_GTEST_PROP(Evaluation, CurvesAgreeWithTheLiteralFormulas, ()) {
 
 RC_GTEST_PROP(Evaluation, EverythingLiesBetweenZeroAndOne, ()) {
   const Evaluation result = scores_of(*cases_with_ties());
-  // Written so that a NaN fails too.
+  // The negated comparison also fails for NaN.
   RC_ASSERT((result.per_query.array() >= 0 && result.per_query.array() <= 1).all());
   RC_ASSERT((result.per_class.array() >= 0 && result.per_class.array() <= 1 + rounding).all());
   for (const auto* const curve : {&result.micro_curve, &result.macro_curve}) {
@@ -319,7 +319,7 @@ TEST(Evaluation, TheMacroCurveIsTheMeanOfTheClassesCurves) {
 }
 
 TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
-  // More queries than are read at a time, each with relevant, irrelevant and unjudged models of its own.
+  // More queries than one block, each with its own relevant, irrelevant and unjudged models.
   constexpr Eigen::Index queries = 300;
   RandomNumbers random(5);
   RetrievalTask task;
@@ -343,7 +343,7 @@ TEST(Evaluation, BprefOfManyJudgedQueriesIsTheSameByRows) {
       [&](Eigen::Index first, Eigen::Index count) -> DistanceMatrix { return distances.middleRows(first, count); },
       task, options);
   EXPECT_EQ(by_rows.per_query, evaluate(distances, task, options).per_query);
-  for (Eigen::Index row = 0; row < queries; ++row) {  // by the definition
+  for (Eigen::Index row = 0; row < queries; ++row) {  // direct evaluation
     const auto i = static_cast<std::size_t>(row);
     const auto bound = static_cast<double>(std::min(task.judged[i].size(), task.judged_irrelevant[i].size()));
     double sum = 0;

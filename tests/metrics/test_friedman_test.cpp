@@ -59,7 +59,7 @@ TEST(RankComparison, HasTheStatisticOfThePaperButForTies) {
 }
 
 TEST(RankComparison, HasThePValuesOfAnIndependentComputation) {
-  // The densities integrated numerically, by NumPy.
+  // Reference values: densities integrated numerically with NumPy.
   const RankComparison comparison = compare_by_ranks(areas_of_demsar());
   EXPECT_NEAR(comparison.friedman.p, 0.01672158033132444, 1e-9);
   EXPECT_NEAR(comparison.friedman.f, 4.185130111524169, 1e-9);
@@ -85,7 +85,7 @@ TEST(RankComparison, OfDataSetsThatRankAlikeIsCertain) {
   Eigen::MatrixXd values(6, 3);
   for (Eigen::Index set = 0; set < 6; ++set) values.row(set) << 0.9, 0.5, 0.1;
   const FriedmanTest test = compare_by_ranks(values).friedman;
-  EXPECT_DOUBLE_EQ(test.chi_squared, 12);  // N (k - 1), the largest that there is
+  EXPECT_DOUBLE_EQ(test.chi_squared, 12);  // N (k - 1), the maximum
   EXPECT_EQ(test.f, std::numeric_limits<double>::infinity());
   EXPECT_EQ(test.f_p, 0);
 }

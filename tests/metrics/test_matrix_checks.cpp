@@ -16,14 +16,14 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::Pair;
 
-// Distances of points on a line: nothing is odd about them.
+// Distances of points on a line: nothing to warn about.
 Matrix sound(Eigen::Index count) {
   return Matrix::NullaryExpr(count, count, [](Eigen::Index i, Eigen::Index j) {
     return std::abs(static_cast<double>(i * i) - static_cast<double>(j * j));
   });
 }
 
-// The findings in a matrix that comes so many rows at a time.
+// Findings for a matrix passed in blocks of rows.
 MatrixFindings check_matrix(const Matrix& distances, bool square, Eigen::Index together = 1000) {
   MatrixChecks checks(square);
   for (Eigen::Index first = 0; first < distances.rows(); first += together) {

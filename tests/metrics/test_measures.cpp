@@ -75,7 +75,7 @@ TEST(DiscountedCumulativeGain, CountsTheFirstTwoRanksTheSame) {
   EXPECT_LT(value("DCG", list_of_hits({false, false, true})), 1);
 }
 
-// The textbook example of Manning, Raghavan and Schuetze's kind: hits at ranks 1, 3, 6.
+// Example in the style of Manning, Raghavan and Schuetze: hits at ranks 1, 3, 6.
 TEST(AveragePrecision, IsTheMeanPrecisionAtTheHits) {
   EXPECT_DOUBLE_EQ(value("mAP", list_of_hits({true, false, true, false, false, true})),
                    (1.0 / 1 + 2.0 / 3 + 3.0 / 6) / 3);
@@ -205,7 +205,7 @@ TEST(MeasureRegistry, OtherNamesAreErrors) {
   EXPECT_THAT(measure_error_of(""), HasSubstr("no measure"));
 }
 
-// What a consumer of the library does to have a measure of their own.
+// Registers a measure as a user of the library would.
 TEST(MeasureRegistry, TakesAMeasureFromOutsideTheLibrary) {
   measure_definitions().add({.name = "Miss@k",
                              .title = "misses at k",
@@ -244,8 +244,8 @@ TEST(MeasureRegistry, ProtocolsThatShareATableShareTheirMeasures) {
               testing::ElementsAre("NN", "FT", "ST", "E", "DCG", "mAP", "P@10", "R@10", "MRR", "nDCG", "R-prec"));
 }
 
-// Every list of up to ten ranks with a hit, with and without a relevant model that is not in it: a measure that is
-// added must keep what the registry promises.
+// Every list of up to ten ranks with a hit, with and without a relevant model outside the list: a measure that is
+// added must satisfy the contract of the registry.
 TEST(MeasureRegistry, ValuesAreFractionsForEveryShortList) {
   const std::vector<Measure> measures = one_of_each();
   for (std::size_t length = 1; length <= 10; ++length) {
@@ -271,7 +271,7 @@ TEST(NormalisedDiscountedGain, TakesGradesAsGains) {
                                  false, 1);
   list.grades = {3, 2, 1};
   EXPECT_DOUBLE_EQ(value("nDCG", list), (1 + 3.0 / 2) / (3 + 2 / std::log2(3) + 1.0 / 2));
-  EXPECT_DOUBLE_EQ(value("mAP", list), (1 + 2.0 / 3) / 3);  // looks at no grades
+  EXPECT_DOUBLE_EQ(value("mAP", list), (1 + 2.0 / 3) / 3);  // ignores grades
 }
 
 TEST(BinaryPreference, CountsJudgedMissesBeforeHits) {

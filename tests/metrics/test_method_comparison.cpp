@@ -53,7 +53,7 @@ TEST(MethodComparison, EachPairHasItsOwnTukeyTest) {
     const auto same = std::ranges::find(alone.pairs, pair.second, &PairDifference::second);
     EXPECT_EQ(pair.p_tukey, same->p_tukey);
   }
-  // The further apart two methods are, the less it takes to tell them from each other.
+  // The larger the difference of two methods, the smaller the p-value.
   std::vector<PairDifference> by_distance = result.pairs;
   std::ranges::sort(by_distance, std::ranges::greater(),
                     [](const PairDifference& pair) { return std::abs(pair.difference); });
@@ -104,7 +104,7 @@ TEST(MethodComparison, RefusesWhatCannotBeCompared) {
   EXPECT_THROW(compare_methods(infinite, data.classes), ArgumentError);
 }
 
-// The randomisation of n units has 2^n outcomes, and the two of one sign each cannot be told from each other.
+// The randomisation of n units has 2^n outcomes, and the two with all signs equal are indistinguishable.
 TEST(MethodComparison, NoPValueIsBelowTheSmallestThatIsPossible) {
   EXPECT_EQ(smallest_p_value({}, 3), 0.25);
   EXPECT_EQ(smallest_p_value({.resampling = {.resamples = 9}}, 30), 0.1);

@@ -12,7 +12,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Twenty classes of two queries; each method has a value of its own, the same for all queries but for a little.
+/// Twenty classes of two queries; each method has one value, with small differences between queries.
 Eigen::MatrixXd steady_methods(const std::vector<double>& values) {
   Eigen::MatrixXd table(40, static_cast<Eigen::Index>(values.size()));
   for (Eigen::Index query = 0; query < 40; ++query) {
@@ -29,7 +29,7 @@ std::vector<int> pairs_of_queries() {
   return classes;
 }
 
-/// Six methods that differ more and more, over 30 classes.
+/// Six methods with increasing differences, over 30 classes.
 SimulatedMethods spread_methods() {
   SimulatedMethods methods = simulated_methods(30, 5, 1);
   methods.per_query.conservativeResize(Eigen::NoChange, 6);
@@ -49,7 +49,7 @@ TEST(MethodStandings, RankByAverageAndGroupWhatDoesNotDiffer) {
   EXPECT_EQ(standings[3].letters, "b");
   EXPECT_EQ(standings[0].letters, "c");
   EXPECT_EQ(standings[2].letters, "c");
-  // The two that do not differ may be third or fourth, the others are where they are.
+  // The two equal methods may be third or fourth; the order of the others is fixed.
   EXPECT_EQ(standings[0].best_rank, 3U);
   EXPECT_EQ(standings[0].worst_rank, 4U);
   EXPECT_EQ(standings[1].best_rank, 1U);

@@ -64,8 +64,8 @@ TEST(PrecisionAtLevels, PaperIsOneBeforeAnyHit) {
 }
 
 TEST(PrecisionAtLevels, PaperTakesALevelThatIsExactlyReached) {
-  // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must count at level 0.3 all the
-  // same.
+  // Ten relevant models: 0.1 * 3 is not the number nearest to 3 / 10, and the third hit must still count at level
+  // 0.3.
   std::vector<bool> hits_at(100, false);
   for (std::size_t hit = 0; hit < 10; ++hit) hits_at[hit * hit] = true;
   const Eigen::VectorXd precision = precision_at_levels(list_of_hits(hits_at, true), CurveKind::paper);

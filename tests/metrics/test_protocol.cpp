@@ -44,8 +44,8 @@ Eigen::RowVectorXd as_row(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::RowVectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-// What every order of the tied gives for a query: each order of all models breaks its ties in one way, and every way
-// comes equally often.
+// Results of a query for every order of tied models: each order of all models breaks ties in one way, and all ways
+// are equally frequent.
 std::vector<Eigen::RowVectorXd> all_orders(const EvaluationCase& data, Eigen::Index query) {
   std::vector<int> order(data.labels.size());
   std::iota(order.begin(), order.end(), 0);
@@ -142,7 +142,7 @@ RC_GTEST_PROP(Ties, FirstTierBoundsAreThoseOfTheOrders, ()) {
   }
 }
 
-// All distances equal: the order says nothing, and a list of N - 1 ranks with R hits anywhere has the mean
+// All distances equal: every order is equally likely, and a list of N - 1 ranks with R hits anywhere has the mean
 // R / (N - 1) at rank 1.
 TEST(Ties, AllDistancesEqual) {
   EvaluationCase data{naive::Matrix::Ones(600, 600), {}, Protocol::psb};

@@ -196,7 +196,7 @@ TEST(RankedList, CountsOnlyJudgedMisses) {
   const RankedList list = ranked_list(every_row({4, 1, 9, 2, 3}), task, 2, Protocol::trec, Ties::index);
   EXPECT_THAT(list.runs, ElementsAre(RankRun{3, 0, 1}, RankRun{1, 1}));
   EXPECT_EQ(list.judged_misses, 1U);
-  // One that is judged but not found counts as well, though nothing is behind it.
+  // A judged model that is not found counts as well.
   task.lists_may_end_early = true;
   const RankedList cut_off = ranked_list(every_row({4, 1, 9, 2, std::nan("")}), task, 2, Protocol::trec, Ties::index);
   EXPECT_THAT(cut_off.runs, ElementsAre(RankRun{2, 0, 0}, RankRun{1, 1}));

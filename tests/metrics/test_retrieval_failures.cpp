@@ -28,7 +28,7 @@ Matrix on_a_line(const std::vector<double>& places) {
   return (column.replicate(1, count) - column.transpose().replicate(count, 1)).cwiseAbs();
 }
 
-/// The model nearest to each.
+/// Nearest model of each.
 Nearest nearest_of(const Matrix& distances) {
   Nearest nearest;
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
@@ -39,8 +39,8 @@ Nearest nearest_of(const Matrix& distances) {
 }
 
 TEST(ConfusionMatrix, CountsTheClassesOfNearestNeighbours) {
-  // The toy of the known answers. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5 -> 4,
-  // 7 -> 9, 9 -> 7.
+  // The example of the known answers. Nearest: 0 -> 1, 1 -> 0 (a tie with 2, decided by index), 4 -> 3.5, 2 -> 1, 3.5
+  // -> 4, 7 -> 9, 9 -> 7.
   const std::vector<int> labels = {0, 0, 0, 1, 1, 1, 1};
   const std::vector<Eigen::Index> queries = {0, 1, 2, 3, 4, 5, 6};
   const Eigen::MatrixXi expected{{2, 1}, {2, 2}};

@@ -20,7 +20,7 @@ using Weights = std::vector<double>;
 /// Different orders of summation over 60 elements: a few hundred roundings of numbers up to 1.
 constexpr double of_sums = 1e-12;
 
-/// The definitions taken literally: over all pairs of elements, and sets of elements. Nothing is shared with the
+/// Direct evaluation of the definitions over pairs and sets of elements. Shares no code with the
 /// library.
 struct Naive {
   const Labels& labels;
@@ -53,7 +53,7 @@ struct Naive {
 
   double whole(const Labels& a, std::int32_t x) const { return common(a, x, a, x); }
 
-  /// Sum over the segments of `a` of what lies outside of its largest overlap with one of `b`.
+  /// Sum over the segments of `a` of the elements outside the largest overlap with a segment of `b`.
   double outside(const Labels& a, const Labels& b) const {
     double sum = 0;
     for (const std::int32_t x : std::set(a.begin(), a.end())) {
@@ -174,7 +174,7 @@ TEST(SegmentationErrors, EachHasANameOfItsOwn) {
 }
 
 /// A strip of squares: vertices 2i and 2i + 1 are the ends of the i-th rung, triangle i lies between rungs i and i + 1
-/// (a square, which the metrics need not know).
+/// (treated as a triangle).
 std::vector<MeshEdge> ladder(std::int32_t squares) {
   std::vector<MeshEdge> edges;
   for (std::int32_t i = 0; i <= squares; ++i) {

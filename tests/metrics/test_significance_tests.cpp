@@ -20,7 +20,7 @@ double p_of(const Eigen::VectorXd& differences, const ResamplingOptions& options
   return randomisation_p_value(differences, Eigen::VectorXd::Constant(differences.size(), 1 / count), options);
 }
 
-// The p-value over all 2^n signs.
+// Exact p-value over all 2^n signs.
 double exact_p(const Eigen::VectorXd& differences) {
   const auto n = static_cast<unsigned>(differences.size());
   int as_extreme = 0;

@@ -1,4 +1,4 @@
-"""Runs pytest on this folder; exit status 77 where a package is missing."""
+"""Runs pytest on this folder; exit status 77 if a package is missing."""
 
 import os
 import sys

@@ -1,4 +1,4 @@
-"""What the tests of the package share."""
+"""Helpers shared by the tests of the package."""
 
 import os
 import subprocess
@@ -11,13 +11,13 @@ CONFIGS = os.environ["SHAPEGAUGE_CONFIGS"]
 
 
 def program(*arguments):
-    """Runs the command line; its standard error as lines."""
+    """Runs the command line; returns the lines of standard error."""
     run = subprocess.run([PROGRAM, *map(str, arguments)], check=True, capture_output=True, text=True)
     return run.stderr.splitlines()
 
 
 def bumpy_torus(rings=40, sides=24):
-    """A closed mesh whose thickness differs from place to place."""
+    """A closed mesh of varying thickness."""
     u, v = np.meshgrid(np.arange(rings) * 2 * np.pi / rings, np.arange(sides) * 2 * np.pi / sides, indexing="ij")
     r = 0.3 + 0.1 * np.sin(3 * u)
     vertices = np.stack([(1 + r * np.cos(v)) * np.cos(u), (1 + r * np.cos(v)) * np.sin(u), r * np.sin(v)], -1)
@@ -31,11 +31,11 @@ def bumpy_torus(rings=40, sides=24):
 
 
 def mesh_object(vertices, faces):
-    """An object with arrays, as trimesh has them."""
+    """An object with arrays, like those of trimesh."""
     return types.SimpleNamespace(vertices=vertices, faces=faces)
 
 
 def toy():
-    """A = 0, 1, 4 and B = 2, 3.5, 7, 9 on a line: scores that are known by hand."""
+    """A = 0, 1, 4 and B = 2, 3.5, 7, 9 on a line, with scores computed by hand."""
     places = np.array([0, 1, 4, 2, 3.5, 7, 9])
     return np.abs(np.subtract.outer(places, places)), list("aaabbbb")

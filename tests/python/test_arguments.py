@@ -1,4 +1,4 @@
-"""How the functions are called, and what they refuse."""
+"""Arguments of functions: accepted forms and errors."""
 
 import inspect
 import types
@@ -14,7 +14,7 @@ MESH = mesh_object(VERTICES, FACES)
 
 
 def objects():
-    """The same mesh as several libraries have it."""
+    """The same mesh in the data structures of several libraries."""
     padded = np.c_[np.full(len(FACES), 3), FACES].ravel()
     return [
         MESH,
@@ -64,7 +64,7 @@ def test_numbers_may_be_numpys():
 
 DISTANCES, LABELS = toy()
 CALLS = [
-    # What is left over, or goes with something else.
+    # Unknown or incompatible arguments.
     (lambda: sg.sdf(MESH, "cone", "garbage"), "offset"),
     (lambda: sg.sdf(MESH, "cone", 0.05, 3), "positional"),
     (lambda: sg.sdf(VERTICES, FACES, "offset", 0.05, "fine"), "positional"),
@@ -171,7 +171,7 @@ def test_unusable_arguments_are_one_clear_error(call, words):
     with pytest.raises((sg.InputError, TypeError), match=words) as caught:
         call()
     assert "\n" not in str(caught.value) and "json.exception" not in str(caught.value)
-    if caught.type is TypeError:  # the call itself is wrong, as Python says it
+    if caught.type is TypeError:  # invalid call, reported by Python
         assert words in ("positional", "nonsense", "vertices")
 
 

@@ -1,4 +1,4 @@
-"""What docs/manual/python.md shows is what one gets."""
+"""Output shown in docs/manual/python.md equals that of the code."""
 
 import contextlib
 import io

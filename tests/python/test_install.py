@@ -1,4 +1,4 @@
-"""The package as pip installs it from the source folder, without a network."""
+"""Installation by pip from the source folder, without network."""
 
 import pathlib
 import shutil
@@ -25,7 +25,7 @@ print(sg.__version__, sg.evaluate(distances, list("aaabbb"))["NN"])
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
-    """A wheel of the source folder; the native half is that of the build under test."""
+    """Wheel of the source folder, with the native module of the build under test."""
     pytest.importorskip("setuptools")
     pytest.importorskip("wheel")
     if not shutil.which("cmake"):

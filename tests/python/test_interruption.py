@@ -1,4 +1,4 @@
-"""Ctrl-C stops what is computed: the exception arrives, and nothing goes on.
+"""Ctrl-C stops computations: the exception is raised and no thread continues.
 
 Each call would take long. It is interrupted after a second; the bound is for slow machines.
 """
@@ -30,7 +30,7 @@ def distances(count):
     return sum(np.abs(np.subtract.outer(column, column)) for column in places.T).astype(float)
 """
 
-# Prints whether the native function raised, and the CPU seconds that half a second afterwards takes.
+# Prints whether the native function raised, and the CPU seconds used in the following half second.
 WATCHED = """
 import sys, time
 raised = []
@@ -66,7 +66,7 @@ CALLS = {
 
 
 def interrupted(code, folder, is_under_way):
-    """Runs the code, sends it a signal once it computes, and returns the exit status and standard error."""
+    """Runs the code, sends a signal once it computes, and returns the exit status and standard error."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([os.path.dirname(__file__), *sys.path])}
     process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                cwd=folder, env=environment)
@@ -91,8 +91,8 @@ def test_ctrl_c_stops_a_computation(name, tmp_path):
     status, output, errors = interrupted(code, tmp_path, is_under_way)
     assert errors.rstrip().endswith("KeyboardInterrupt") and status in (130, -signal.SIGINT)
     stopped, busy = output.split()
-    assert stopped == "True"  # the computation itself raised: it was not waited for
-    assert float(busy) < 0.25  # no thread computes on
+    assert stopped == "True"  # raised by the computation, not after it
+    assert float(busy) < 0.25  # no thread continues
 
 
 def test_ctrl_c_stops_an_experiment_and_leaves_no_results(tmp_path):
@@ -121,7 +121,7 @@ def test_after_an_interruption_everything_works_as_before():
     earlier = signal.signal(signal.SIGALRM, alarm)
     signal.setitimer(signal.ITIMER_REAL, 0.5)
     try:
-        # Any handler that raises stops it, not only that of Ctrl-C.
+        # Any raising signal handler stops it, not only that of Ctrl-C.
         with pytest.raises(TimeoutError):
             sg.compare([distances, distances.T], labels, resamples=10_000_000, blocks="queries")
     finally:

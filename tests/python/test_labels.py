@@ -1,4 +1,4 @@
-"""Labels of models: what they may be, and where they are missing."""
+"""Labels of models: accepted types and missing values."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ DISTANCES, LABELS = toy()
 
 
 class NotAvailable:
-    """As pandas.NA: comparisons give itself, which is neither true nor false."""
+    """Like pandas.NA: comparisons return the object itself, whose truth value is undefined."""
 
     def __eq__(self, other):
         return self
@@ -51,7 +51,7 @@ def test_models_of_no_class_are_no_queries_and_relevant_to_none():
     scores = sg.evaluate(DISTANCES, ["a", "a", None, "b", "b", "", "b"], missing_labels="no_class")
     assert scores.queries.tolist() == [0, 1, 3, 4, 6]
     assert set(scores.per_class) == {"a", "b"}
-    # They stay in the answers of others, as models of classes of their own do.
+    # They stay in the results of other queries, like models in classes of one.
     alone = sg.evaluate(DISTANCES, ["a", "a", "x", "b", "b", "y", "b"])
     assert scores.micro == alone.micro and scores.per_class == alone.per_class
     # The nearest to the third of b, at 3.5, is the model at 4, which has no class.

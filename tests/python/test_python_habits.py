@@ -1,4 +1,4 @@
-"""What Python users expect of results: pickles, frames, plots, intervals; and objects of other packages."""
+"""Results as pickles, data frames, plots and intervals; arguments from other packages."""
 
 import copy
 import json
@@ -106,7 +106,7 @@ def test_relevance_takes_the_place_of_labels():
     by_relevance = sg.evaluate(distances, relevance=same)
     assert by_relevance.protocol == "trec"
     assert by_relevance.micro == by_labels.micro
-    same[0] = False  # nothing is relevant to it: no query
+    same[0] = False  # without relevant models it is not a query
     assert list(sg.evaluate(distances, relevance=same).queries) == [1, 2, 3, 4, 5, 6]
     for wrong, words in [(same[:3], "3 x 7"), (same * 0.5, "whole numbers")]:
         with pytest.raises(sg.InputError, match=words):

@@ -14,7 +14,7 @@ METHOD = {"name": "quick", "signatures": [{"name": "d2", "descriptor": {"type": 
 
 @pytest.fixture
 def models(tmp_path):
-    """Boxes and tori of several proportions, and one file that is broken."""
+    """Boxes and tori of several proportions, and one invalid file."""
     folder = tmp_path / "models"
     folder.mkdir()
     vertices, faces = bumpy_torus()

@@ -1,4 +1,4 @@
-"""The Python package against the command line, and against what is known by hand."""
+"""Compares the Python package with the command line and with known results."""
 
 import json
 import os
@@ -48,7 +48,7 @@ def test_values_do_not_depend_on_threads_or_layout(torus):
     one, _ = sg.sdf(vertices, faces, threads=1)
     two, _ = sg.sdf(np.asfortranarray(vertices), faces.astype(np.int64), threads=2)
     np.testing.assert_array_equal(one, two)
-    assert one.base is not None  # the array of the computation itself, no copy
+    assert one.base is not None  # the array of the computation, not a copy
 
 
 def test_objects_with_arrays_are_shapes(torus):
@@ -63,7 +63,7 @@ def test_objects_with_arrays_are_shapes(torus):
 
 
 class Rows:
-    """As a vector of Open3D: a sequence of rows, which NumPy makes an array of."""
+    """Like a vector of Open3D: a sequence of rows convertible by NumPy."""
 
     def __init__(self, rows=()):
         self.rows = [tuple(row) for row in rows]
@@ -76,7 +76,7 @@ class Rows:
 
 
 def open3d_objects(vertices, faces, normals):
-    """A mesh and a cloud of Open3D; stand-ins with the same attributes where it is not installed."""
+    """A mesh and a cloud of Open3D; mock objects with the same attributes if it is not installed."""
     try:
         import open3d
     except ImportError:

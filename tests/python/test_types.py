@@ -1,4 +1,4 @@
-"""Annotations of the package, checked by mypy where that is installed."""
+"""Annotations of the package, checked by mypy if installed."""
 
 import pathlib
 import re

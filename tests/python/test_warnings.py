@@ -1,4 +1,4 @@
-"""What the command line warns of, the package warns of."""
+"""Warnings of the package equal those of the command line."""
 
 import json
 import re
@@ -16,28 +16,28 @@ OPEN = FACES[(VERTICES[FACES].mean(axis=1)[:, 0] < 0.6)]
 
 
 def untied():
-    """Distances without a tie, and labels."""
+    """Distances without ties, and labels."""
     places = np.array([0, 1.1, 4.3, 2.05, 3.7, 7.2, 9.9])
     return np.abs(np.subtract.outer(places, places)), list("aaabbbb")
 
 
 def warned(call):
-    """What the call gives, and its warnings."""
+    """Returns the result of the call and its warnings."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         result = call()
-    assert all(warning.filename == __file__ for warning in caught)  # they point to the caller
+    assert all(warning.filename == __file__ for warning in caught)  # they refer to the caller's line
     return result, [str(warning.message) for warning in caught]
 
 
 def commands_warnings(lines):
-    """The warnings of the command line, as the package words them."""
+    """Returns the warnings of the command line in the wording of the package."""
     marker = "shapegauge: warning: "
     return [line[len(marker):] for line in lines if line.startswith(marker)]
 
 
 def in_python(sentence):
-    """The options of a sentence as arguments."""
+    """Replaces the options in a sentence by arguments."""
     return re.sub(r"--(\w+) ([\d.]+)", r"\1=\2", re.sub(r" or auto\b", " or 'auto'", sentence))
 
 

@@ -13,10 +13,10 @@
 #include "shapegauge/retrieval/diffusion.h"
 #include "shapegauge/retrieval/distance_matrix.h"
 
-/// Sets of models, and what tests of fusion and re-ranking measure on them.
+/// Sets of models and measurements for tests of fusion and re-ranking.
 namespace shapegauge::test {
 
-/// Points in a plane: classes along curves, so that their ends are far apart and classes near.
+/// Points in a plane: classes along curves, with distant ends and close neighbouring classes.
 inline Eigen::MatrixXd arcs(Eigen::Index per_class, Eigen::Index classes, std::uint64_t seed) {
   RandomNumbers random(seed);
   Eigen::MatrixXd points(per_class * classes, 2);
@@ -28,7 +28,7 @@ inline Eigen::MatrixXd arcs(Eigen::Index per_class, Eigen::Index classes, std::u
   return points;
 }
 
-/// Points about centres, in more dimensions than a neighbourhood shows.
+/// High-dimensional points about centres.
 inline Eigen::MatrixXd clusters(Eigen::Index per_class, Eigen::Index classes, std::uint64_t seed) {
   RandomNumbers random(seed);
   const Eigen::Index dimensions = 20;
@@ -47,7 +47,7 @@ inline DistanceMatrix distances_of(const Eigen::MatrixXd& points) {
   return matrix;
 }
 
-/// Share of the nearest that are of the same class, over all ranks that could be.
+/// First tier: fraction of the nearest models that are of the query's class.
 inline double first_tier(const DistanceMatrix& distances, Eigen::Index per_class) {
   double hits = 0;
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {
@@ -69,7 +69,7 @@ inline double largest_difference(const DistanceMatrix& a, const DistanceMatrix& 
 
 inline constexpr double no_neighbour = std::numeric_limits<double>::infinity();
 
-/// The k nearest others at a finite distance, or as many as there are.
+/// The k nearest others at finite distances, or fewer if there are not enough.
 inline std::vector<Eigen::Index> nearest_of(const DistanceMatrix& distances, Eigen::Index model, std::size_t k) {
   std::vector<Eigen::Index> order;
   for (Eigen::Index j = 0; j < distances.cols(); ++j) {
@@ -123,7 +123,7 @@ inline DistanceMatrix diffused_by_rows(const DistanceMatrix& matrix, const Diffu
   return result;
 }
 
-/// The numbers from 0 to before `size` in random order.
+/// Random permutation of 0 to `size` - 1.
 inline std::vector<Eigen::Index> random_order(Eigen::Index size, std::uint64_t seed) {
   std::vector<Eigen::Index> order(static_cast<std::size_t>(size));
   std::iota(order.begin(), order.end(), Eigen::Index{0});

@@ -12,7 +12,7 @@
 namespace shapegauge {
 namespace {
 
-/// Points of a few groups in a plane; one is twice in it.
+/// Points of a few groups in a plane, with one duplicate.
 Eigen::MatrixX2d grouped_points(Eigen::Index count, std::uint64_t seed) {
   RandomNumbers random(seed);
   Eigen::MatrixX2d points(count, 2);
@@ -58,7 +58,7 @@ class CollectionSumOf : public testing::TestWithParam<std::tuple<SumWeights, Dis
 
 TEST_P(CollectionSumOf, HasTheRowsOfTheWholeSumBitByBit) {
   const auto& [kind, scale] = GetParam();
-  const Terms terms(grouped_points(300, 1));  // more rows than pass by at once
+  const Terms terms(grouped_points(300, 1));  // more rows than one block
   const DistanceMatrix whole =
       sum_of_distances(terms.matrices, sum_weights(terms.matrices, terms.weights, kind), scale);
   const CollectionSum sum = terms.sum(kind, scale);
@@ -90,7 +90,7 @@ TEST(CollectionSum, AModelFromElsewhereIsScaledByItsOwnNearest) {
   for (Eigen::Index j = 0; j < 30; ++j) {
     EXPECT_NEAR(row[j], distances[j] / (std::sqrt(5.5) * sum.local_scales.front().roots[j]), 1e-12);
   }
-  // Ten times as far from all of them: only the root of its scale remains.
+  // Ten times as far from all: locally scaled distances grow by sqrt 10.
   const std::vector farther = {Eigen::VectorXd(100 * distances)};
   EXPECT_TRUE(sum_row(sum, farther).isApprox(10 * row, 1e-12));
 }
@@ -104,7 +104,7 @@ TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
   EXPECT_GT(scales.least, 0);
 }
 
-/// The sum over those of the points, from an earlier one where there is one, and how many rows were asked for.
+/// Sum for the points, optionally updated from an earlier one, and the number of rows requested.
 CollectionSum sum_over(const Eigen::MatrixX2d& points, const EarlierSum* earlier, Eigen::Index& asked) {
   const Terms terms(points);
   std::vector<RowSource> rows;
@@ -131,7 +131,7 @@ void expect_same_sum(const CollectionSum& found, const CollectionSum& expected) 
 
 TEST(CollectionSum, AnUpdateIsTheSameAndAsksForFewRows) {
   Eigen::MatrixX2d all = grouped_points(90, 6);
-  all.middleRows(40, 15).rowwise() = all.row(40).eval();  // more doubles than are averaged
+  all.middleRows(40, 15).rowwise() = all.row(40).eval();  // more duplicates than the neighbours averaged
   for (const auto& [before, after] : std::vector<std::pair<std::vector<int>, std::vector<int>>>{
            {{3, 50, 89}, {}}, {{}, {7}}, {{2, 41}, {0, 88}}, {{60, 61}, {62, 63, 64}}}) {
     // `before`: absent then; `after`: absent now.

@@ -25,7 +25,7 @@ using test::nearest_of;
 using test::no_neighbour;
 using test::with_gaps;
 
-/// (I - damping D^-1/2 A D^-1/2)^-1 by its definition, literally.
+/// (I - damping D^-1/2 A D^-1/2)^-1 by direct evaluation of its definition.
 Eigen::MatrixXd affinity_reference(const DistanceMatrix& distances, std::size_t k, double damping) {
   const Eigen::Index n = distances.rows();
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(n, n);
@@ -50,7 +50,7 @@ Eigen::MatrixXd affinity_reference(const DistanceMatrix& distances, std::size_t 
   return system.inverse();
 }
 
-/// What the similarities become with the share of the original distances, literally; not made symmetric.
+/// Distances from similarities and the weighted original distances, by definition; not symmetrized.
 DistanceMatrix with_original(const Eigen::MatrixXd& similarities, const DistanceMatrix& distances, std::size_t k,
                              double tie) {
   const Eigen::Index n = distances.rows();
@@ -81,7 +81,7 @@ DistanceMatrix diffusion_reference(const DistanceMatrix& distances, std::size_t 
   return with_original((1 - damping) * affinity_reference(distances, k, damping), distances, k, tie);
 }
 
-/// The mean over several k of the normalised affinities, literally; not made symmetric.
+/// Mean over several k of the normalized affinities, by definition; not symmetrized.
 DistanceMatrix averaged_reference(const DistanceMatrix& distances, const std::vector<std::size_t>& counts,
                                   double damping, double tie) {
   Eigen::MatrixXd similarities = Eigen::MatrixXd::Zero(distances.rows(), distances.cols());
@@ -125,7 +125,7 @@ TEST(Diffusion, OfInfiniteDistancesIsWhatTheDefinitionSays) {
   expect_near(diffused_by_rows(distances, options), expected, 2e-6);
   const auto infinite = (expected.array() == no_neighbour).count();
   EXPECT_GT(infinite, 2 * 59);                                       // the model 7, and between the halves
-  EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks join some
+  EXPECT_LT(infinite, (distances.array() == no_neighbour).count());  // walks connect some
 }
 
 TEST(Diffusion, RowsFromTheSparseSystemAreThoseOfTheDenseOne) {
@@ -143,7 +143,7 @@ TEST(Diffusion, FollowsCurvesThatDistancesCut) {
 }
 
 TEST(Diffusion, TiesKeepTheOriginalOrder) {
-  // Two groups so far apart that nothing goes from one to the other.
+  // Two groups too far apart for any affinity between them.
   Eigen::MatrixXd points = arcs(20, 2, 4);
   points.bottomRows(20).array() += 1000;
   const DistanceMatrix distances = distances_of(points);
@@ -190,7 +190,7 @@ TEST(DiffusedDiagonal, IsThatOfTheInverse) {
   }
 }
 
-/// The answer to a query that diffused_nearest() should give: the first of its sorted row.
+/// Expected result of diffused_nearest(): the first of the query's sorted row.
 std::vector<RankedModel> nearest_in_row(const DistanceMatrix& distances, Eigen::Index query, std::size_t count) {
   std::vector<RankedModel> models;
   for (Eigen::Index j = 0; j < distances.cols(); ++j) {
@@ -233,7 +233,7 @@ TEST(DiffusedNearest, AreTheFirstOfTheRowOfAllModels) {
 TEST(WithQuery, AreTheNearestOfAllModelsTogether) {
   for (const Eigen::Index models : {1, 3, 6, 40}) {
     Eigen::MatrixXd points = clusters(models + 1, 1, 8);
-    if (models > 3) points.row(2) = points.row(models);  // at distance 0 from what comes last
+    if (models > 3) points.row(2) = points.row(models);  // at distance 0 from the last
     const DistanceMatrix all = distances_of(points);
     const DistanceMatrix before = all.topLeftCorner(models, models);
     for (const int k : {1, 5, 20}) {

@@ -125,7 +125,7 @@ RC_GTEST_PROP(DistanceMatrix, AgreesWithEigenOnEveryPair, ()) {
   const auto precise = signatures.cast<double>().eval();
   for (Eigen::Index i = 0; i < rows; ++i) {
     for (Eigen::Index j = 0; j < rows; ++j) {
-      // Another order of summation may round each of the additions another way.
+      // Another order of summation may round each addition differently.
       RC_ASSERT(std::abs(matrix(i, j) - (precise.row(i) - precise.row(j)).lpNorm<1>()) <= 1e-14 * (1 + matrix(i, j)));
     }
   }

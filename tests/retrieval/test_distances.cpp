@@ -75,7 +75,7 @@ TEST(DistanceRegistry, NamesAreDifferent) {
   EXPECT_EQ(names.size(), distances().entries().size());
 }
 
-// What a distance matrix relies on.
+// Assumptions of distance matrices.
 TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatures) {
   std::mt19937 random(4);
   for (int i = 0; i < 50; ++i) {
@@ -89,7 +89,7 @@ TEST(DistanceRegistry, EveryDistanceIsSymmetricNotNegativeAndZeroForEqualSignatu
   }
 }
 
-// What a consumer of the library does to have a distance of their own.
+// Registers a distance as a user of the library would.
 TEST(DistanceRegistry, TakesADistanceFromOutsideTheLibrary) {
   distances().add({.name = "chebyshev", .function = [](std::span<const float> a, std::span<const float> b) {
                      double largest = 0;

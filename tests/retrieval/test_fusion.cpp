@@ -140,7 +140,7 @@ TEST(SumOfDistances, HugeDistancesAreLikeOthers) {
   EXPECT_TRUE(sum_of_distances(twice, equal, DistanceScale::none).allFinite());
 }
 
-/// The sum of locally scaled distances by its definition, literally.
+/// Sum of locally scaled distances by direct evaluation of its definition.
 DistanceMatrix local_reference(const std::vector<DistanceMatrix>& matrices, const std::vector<double>& weights) {
   const Eigen::Index n = matrices.front().rows();
   DistanceMatrix sum = DistanceMatrix::Zero(n, n);
@@ -229,7 +229,7 @@ TEST(LocalScale, FewModelsEqualOnesAndFarOnesAreNoTrouble) {
   }
 }
 
-/// Three classes of ten; the matrix sees them the better, the less noise it has.
+/// Distances of three classes of ten models, with noise.
 DistanceMatrix noisy_classes(double noise, std::uint64_t seed) {
   RandomNumbers random(seed);
   Eigen::MatrixXd points(30, 6);
@@ -241,7 +241,7 @@ DistanceMatrix noisy_classes(double noise, std::uint64_t seed) {
   return test::distances_of(points);
 }
 
-/// A model and its k nearest.
+/// A model and its k nearest neighbours.
 std::set<Eigen::Index> nearest_set(const DistanceMatrix& distances, Eigen::Index model, int k) {
   std::vector<Eigen::Index> order = test::random_order(distances.rows(), 1);
   std::ranges::sort(order, {}, [&](Eigen::Index other) { return other == model ? -1 : distances(model, other); });
@@ -334,7 +334,7 @@ TEST(FusionOfRanks, WhatNobodyRanksStaysInfinite) {
     for (const Eigen::Index i : {0, 1, 2}) EXPECT_EQ(fused(3, i), unreachable);
     EXPECT_EQ(fused(0, 1), 0);
     EXPECT_EQ(fused(3, 3), 0);
-    // Ranked by one of two: half of the score that both would give.
+    // Ranked by one of two methods: half of the score of both.
     const double with_both = 1 - fusion_of_ranks(both, equal, score)(2, 3);
     EXPECT_NEAR(2 * with_both, 1 - fusion_of_ranks(std::vector{b}, std::vector<double>{1}, score)(2, 3), 1e-12);
   }

@@ -136,7 +136,7 @@ TEST(EnclosingInterval, HoldsAllIntervalsTightly) {
   EXPECT_THROW(enclosing_interval({}), ArgumentError);
 }
 
-// The convolution written out the long way: the mirrored histogram is laid out in full, then every offset is summed.
+// Direct convolution: the mirrored histogram in full, summed over all offsets.
 Eigen::VectorXd smoothed_naively(const Eigen::VectorXd& histogram, double standard_deviation) {
   const auto reach = static_cast<int>(4 * standard_deviation + 0.5);
   std::vector<double> once(histogram.begin(), histogram.end());
@@ -180,7 +180,7 @@ TEST(GaussianSmoothing, NoneAtZero) {
   EXPECT_EQ(smooth_gaussian(histogram, 0), histogram);
 }
 
-// At a border the mirror image gives back what would have left: worked out by hand for one unit of mass in bin 0.
+// At a border mass is reflected: computed by hand for unit mass in bin 0.
 TEST(GaussianSmoothing, MassAtABorderIsMirrored) {
   const Eigen::VectorXd histogram = Eigen::VectorXd::Unit(9, 0);
   const Eigen::VectorXd result = smooth_gaussian(histogram, 1);

@@ -23,7 +23,7 @@ using test::with_gaps;
 
 using ModelSet = std::set<Eigen::Index>;
 
-/// The model and its neighbours among the k nearest that have it among theirs.
+/// The model and its k-reciprocal neighbours.
 ModelSet reciprocal_set(const DistanceMatrix& distances, Eigen::Index model, std::size_t k) {
   ModelSet found = {model};
   for (const Eigen::Index other : nearest_of(distances, model, k)) {
@@ -33,7 +33,8 @@ ModelSet reciprocal_set(const DistanceMatrix& distances, Eigen::Index model, std
   return found;
 }
 
-/// k-reciprocal re-ranking by its definition (Zhong et al. 2017, equations 2 to 12), literally, with dense vectors.
+/// k-reciprocal re-ranking by its definition (Zhong et al. 2017, equations 2 to 12), evaluated directly with dense
+/// vectors.
 DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size_t k1, std::size_t k2, double lambda) {
   const Eigen::Index n = distances.rows();
   Eigen::MatrixXd v = Eigen::MatrixXd::Zero(n, n);
@@ -73,7 +74,7 @@ DistanceMatrix k_reciprocal_reference(const DistanceMatrix& distances, std::size
 }
 
 TEST(KReciprocal, NeighboursOfEachOtherAreNearerThanOthers) {
-  // 0 to 3 are near each other; 4 is nearer to 3 than 0 is, but has nearer neighbours of its own.
+  // 0 to 3 are near each other; 4 is nearer to 3 than 0 is, but its own neighbours are nearer.
   const std::vector<double> places = {0, 1, 2, 3, 5.5, 5.6, 5.7, 5.8};
   Eigen::MatrixXd points(8, 1);
   for (std::size_t i = 0; i < places.size(); ++i) points(static_cast<Eigen::Index>(i), 0) = places[i];

@@ -32,7 +32,7 @@ TEST(L1, IsTwoForDisjointHistograms) {
 }
 
 TEST(L1, SumsInDoublePrecision) {
-  // 2^24 + 1 is no float; a sum in single precision would lose the last entry.
+  // 2^24 + 1 is not a float; a single-precision sum would lose the last entry.
   const std::vector<float> a = {16777216.0F, 1};
   const std::vector<float> b = {0, 0};
   EXPECT_EQ(l1_distance(a, b), 16777217.0);
@@ -40,7 +40,7 @@ TEST(L1, SumsInDoublePrecision) {
 
 TEST(L1, OfNothingIsZero) { EXPECT_EQ(l1_distance({}, {}), 0); }
 
-// The definition of the header, entry by entry.
+// Definition in the header, entry by entry.
 double eight_sums(std::span<const float> a, std::span<const float> b) {
   std::array<double, 8> sums{};
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -19,7 +19,7 @@ using test::nearest_of;
 using test::no_neighbour;
 using test::with_gaps;
 
-/// Query expansion by its definition, literally.
+/// Query expansion by direct evaluation of its definition.
 DistanceMatrix expansion_reference(const DistanceMatrix& distances, std::size_t k) {
   DistanceMatrix result = distances;
   for (Eigen::Index i = 0; i < distances.rows(); ++i) {

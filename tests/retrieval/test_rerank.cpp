@@ -85,7 +85,7 @@ TEST_P(Reranking, FewModelsAndEqualOnesAreNoTrouble) {
   EXPECT_TRUE(GetParam().rerank(DistanceMatrix::Zero(30, 30)).allFinite());
 }
 
-/// The distances with a model in front that is at an infinite distance from all.
+/// The distances, preceded by a model at infinite distance from all others.
 DistanceMatrix with_isolated_model(const DistanceMatrix& distances) {
   DistanceMatrix result = DistanceMatrix::Constant(distances.rows() + 1, distances.cols() + 1, no_neighbour);
   result(0, 0) = 0;

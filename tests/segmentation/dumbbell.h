@@ -10,7 +10,7 @@
 namespace shapegauge::test {
 
 /// A dumbbell along z: two balls of radius 1 about z = -2.5 and z = 2.5, joined by a bar of radius 0.25. A sphere whose
-/// points are moved to where their height wants them.
+/// points are moved by height.
 inline Shape dumbbell(int subdivisions) {
   Shape shape = sphere(1, subdivisions);
   for (Eigen::Index v = 0; v < shape.vertices.rows(); ++v) {

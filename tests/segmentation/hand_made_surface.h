@@ -10,7 +10,7 @@
 
 namespace shapegauge::test {
 
-/// An edge of a surface made by hand: the nodes that it joins, and its length.
+/// An edge of a hand-made surface: its two nodes and its length.
 struct HandMadeLink {
   std::int32_t a;
   std::int32_t b;
@@ -41,7 +41,7 @@ inline SurfaceGraph hand_made_graph(const std::vector<double>& areas, const std:
   return graph;
 }
 
-/// Links from each node to the next, all of this distance.
+/// Links from each node to the next, with equal distances.
 inline std::vector<HandMadeLink> chain(const std::vector<double>& lengths, double distance = 1) {
   std::vector<HandMadeLink> links;
   for (const double length : lengths) {
@@ -51,7 +51,7 @@ inline std::vector<HandMadeLink> chain(const std::vector<double>& lengths, doubl
   return links;
 }
 
-/// A flat surface of that graph and of one thickness, without a barrier for rays.
+/// Flat surface of the graph with constant thickness, without obstacles for rays.
 inline ThickSurface hand_made_surface(SurfaceGraph graph, double unit) {
   ThickSurface surface;
   surface.smooth_normals = graph.samples.normals;
@@ -61,7 +61,7 @@ inline ThickSurface hand_made_surface(SurfaceGraph graph, double unit) {
   return surface;
 }
 
-/// Regions in a row, each of one node, neighbours of the next.
+/// Regions of one node each, in a row.
 inline Regions regions_in_a_row(std::int32_t count) {
   Regions regions(count);
   for (std::int32_t i = 0; i < count; ++i) {

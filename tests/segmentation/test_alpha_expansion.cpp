@@ -36,7 +36,7 @@ Problem arbitrary_problem(std::int32_t nodes, Eigen::Index labels) {
   return problem;
 }
 
-/// The least cost of all labellings, one after the other.
+/// Least cost of all labellings, by enumeration.
 double least_cost(const Problem& problem) {
   Labels labels(static_cast<std::size_t>(problem.costs.rows()), 0);
   double least = std::numeric_limits<double>::infinity();
@@ -48,7 +48,7 @@ double least_cost(const Problem& problem) {
   }
 }
 
-/// The least cost of two labels as a minimum cut of Boost's push-relabel algorithm, in eighths.
+/// Least cost of two labels as a minimum cut, by Boost's push-relabel algorithm, in eighths.
 double least_cost_by_boost(const Problem& problem) {
   using Traits = boost::adjacency_list_traits<boost::vecS, boost::vecS, boost::directedS>;
   using Graph = boost::adjacency_list<
@@ -111,7 +111,7 @@ RC_GTEST_PROP(AlphaExpansion, IsCloseToTheBestOfAllLabellings, ()) {
 
 TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
   Eigen::MatrixXd costs(4, 2);
-  costs << 0, 5, 2, 0, 0, 2, 5, 0;  // the two in the middle would rather be the other way round
+  costs << 0, 5, 2, 0, 0, 2, 5, 0;  // the data terms of the two in the middle favour the opposite labels
   std::vector<LabelEdge> edges = {{0, 1, 3}, {1, 2, 0.5}, {2, 3, 3}};
   EXPECT_EQ(alpha_expansion(costs, edges, {0, 0, 0, 0}), (Labels{0, 0, 1, 1}));
   for (LabelEdge& edge : edges) edge.cost = 0.1;
@@ -119,7 +119,7 @@ TEST(AlphaExpansion, StrongEdgesKeepNeighboursTogether) {
 }
 
 TEST(AlphaExpansion, AnEdgePullsEitherEnd) {
-  // One node would rather have the first label, by 2, the other must have the second: the edge is worth 3.
+  // The data term of one node favours the first label by 2, the other must have the second; the edge costs 3.
   Eigen::MatrixXd costs(2, 2);
   costs << 0, 2, 10, 0;
   EXPECT_EQ(alpha_expansion(costs, {{0, 1, 3}}, {0, 1}), (Labels{1, 1}));

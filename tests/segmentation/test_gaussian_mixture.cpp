@@ -12,7 +12,7 @@
 namespace shapegauge {
 namespace {
 
-/// So many points about each centre, of standard deviation 1 (the sum of twelve uniform numbers).
+/// `each` points about each centre, with standard deviation 1 (sums of twelve uniform numbers).
 Eigen::MatrixXd clouds(const std::vector<Eigen::RowVector2d>& centres, int each) {
   RandomNumbers random(5);
   Eigen::MatrixXd points(std::ssize(centres) * each, 2);
@@ -54,7 +54,7 @@ TEST(GaussianMixture, DensityOfOneComponentIsThatOfTheNormalDistribution) {
 
 TEST(GaussianMixture, OfOneComponentHasTheMeanAndTheVarianceOfThePoints) {
   Eigen::MatrixXd points(4, 2);
-  points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate tells nothing
+  points << 1, 5, 2, 5, 4, 5, 5, 5;  // the second coordinate is constant
   const GaussianMixture mixture = fit_gaussian_mixture(points, {.components = 1, .regularisation = 0.2});
   EXPECT_DOUBLE_EQ(mixture.weights[0], 1);
   EXPECT_DOUBLE_EQ(mixture.means(0, 0), 3);

@@ -18,7 +18,7 @@
 namespace shapegauge {
 namespace {
 
-/// The part that has most of the nodes with a height from `low` to `high`, which must be this share of them.
+/// Part of most nodes with a height from `low` to `high`; checks its share of them.
 std::int32_t part_between(const SurfaceGraph& graph, const std::vector<std::int32_t>& parts, double low, double high,
                           double share) {
   std::map<std::int32_t, int> counts;
@@ -34,7 +34,7 @@ std::int32_t part_between(const SurfaceGraph& graph, const std::vector<std::int3
   return most->first;
 }
 
-/// The dumbbell's balls and bar are parts of their own where the pipeline sees this field.
+/// Checks that the dumbbell's balls and bar become three parts with this field.
 void expect_bar_and_balls(const SurfaceGraph& graph, const Eigen::VectorXd& field, double share) {
   const std::vector<ScalarField> fields = {{field, graph.samples.weights}};
   const std::vector<std::int32_t> parts = paper_segmentation(graph, fields, {.mixture = {.components = 2}});
@@ -124,7 +124,7 @@ SurfaceGraph row_with_edge(std::int32_t nodes, std::int32_t edge, double concavi
 }
 
 TEST(PaperSegmentation, CutsAlongAnEdgeRatherThanWhereItIsFlat) {
-  // The node in the middle is of neither part: the edge decides, a convex one too.
+  // The middle node belongs to neither part; the edge decides, even if convex.
   const Eigen::VectorXd values = (Eigen::VectorXd(9) << 0, 0, 0, 0, 0.5, 1, 1, 1, 1).finished();
   const std::vector<ScalarField> fields = {{values, Eigen::VectorXd::Ones(9)}};
   const PaperSegmentationOptions options{.patches = {.count = 9}, .mixture = {.components = 2}, .smoothness = 4};

@@ -18,7 +18,7 @@ TEST(PartModel, IsALogisticFunctionOfItsHiddenUnits) {
   model.output_bias = -0.4;
   RegionFeatures features = RegionFeatures::Constant(1);
   features[3] = 4;    // 1.5 deviations
-  features[7] = 100;  // counts as 4
+  features[7] = 100;  // clamped to 4
   const double expected = 2 * std::tanh(0.5 * 1.5 + 0.1) + 3 * std::tanh(-4 + 0.2) - 0.4;
   EXPECT_NEAR(model.probability(features), 1 / (1 + std::exp(-expected)), 1e-15);
   features[7] = -100;

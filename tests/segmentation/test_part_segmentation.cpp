@@ -22,7 +22,7 @@ using Labels = std::vector<std::int32_t>;
 
 std::size_t count_of(const Labels& labels) { return std::set(labels.begin(), labels.end()).size(); }
 
-/// Share of pairs of triangles that are together in one and apart in the other, of every seventh triangle.
+/// Rand disagreement of two segmentations over every seventh triangle.
 double disagreement(const Labels& a, const Labels& b) {
   double apart = 0;
   double pairs = 0;
@@ -35,7 +35,7 @@ double disagreement(const Labels& a, const Labels& b) {
   return apart / pairs;
 }
 
-/// Other patches cut the bar elsewhere. Three parts that have nothing to do with each other disagree by 0.4 or more.
+/// Other patches cut the bar elsewhere. Unrelated segmentations into three parts disagree by 0.4 or more.
 constexpr double unlike = 0.05;
 
 TEST(PartSegmentation, ADumbbellHasBallsApart) {
@@ -59,7 +59,7 @@ TEST(PartSegmentation, DoubledTrianglesHaveThePartsOfTheirFirst) {
   const Labels expected = part_segmentation(shape, options);
   std::size_t tried = 0;
   for (const test::DoubledShape& doubled : test::doublings(shape)) {
-    if (++tried > 6) break;  // each takes as long as any other segmentation
+    if (++tried > 6) break;  // each takes as long as a segmentation
     Labels of_all;
     for (const std::int32_t triangle : doubled.triangles)
       of_all.push_back(expected[static_cast<std::size_t>(triangle)]);
@@ -109,7 +109,7 @@ TEST(PartSegmentation, ComponentsAreDifferentParts) {
 }
 
 TEST(PartSegmentation, ThousandsOfComponentsTakeNoRoomByTheirSquare) {
-  // Every triangle a little smaller than its place, so that none touches another, and with an apex inside: closed.
+  // Every triangle is shrunk and closed by an apex inside, so that no two touch.
   Shape scales = test::soup(test::sphere(1, 4));
   const Eigen::Index fronts = scales.triangles.rows();
   Points apexes(fronts, 3);
@@ -145,9 +145,9 @@ std::int32_t part_at(double height, const Labels& parts, const Points& centroids
 }
 
 TEST(PartSegmentation, CutsACoarseDumbbellWhereItsBarBegins) {
-  // Borders are where patches meet, so that they are found to within the width of a patch.
+  // Borders follow patches, so they are exact to the width of a patch.
   const double bar = 2.5 - std::sqrt(1 - 0.25 * 0.25);
-  for (const int subdivisions : {3, 4}) {  // 1,280 and 5,120 triangles: both are cut by a stand-in
+  for (const int subdivisions : {3, 4}) {  // 1,280 and 5,120 triangles: both are segmented by a proxy
     const Shape shape = test::dumbbell(subdivisions);
     const double patch = std::sqrt(surface_area(shape) / PartSegmentationOptions{}.patches);
     const Points centroids = sample_shape(shape, SampleSite::faces).points;

@@ -38,7 +38,7 @@ TEST(PatchFeatures, OfAnIncreasingFunctionAreTheSame) {
   const std::vector<std::int32_t> patch = {0, 0, 0, 1, 1, 1};
   const std::vector<double> weights = {1, 2, 1, 3, 1, 1};
   const std::vector<ScalarField> fields = {field({1, 2, 3, 2, 4, 5}, weights)};
-  const std::vector<ScalarField> others = {field({1, 2, 3, 2, 4, 1e9}, weights)};  // one value far away
+  const std::vector<ScalarField> others = {field({1, 2, 3, 2, 4, 1e9}, weights)};  // one outlier
   const Eigen::MatrixXd features = patch_features(patch, fields, 16);
   EXPECT_EQ(features, patch_features(patch, others, 16));
   EXPECT_FALSE(features.row(0).isApprox(features.row(1)));

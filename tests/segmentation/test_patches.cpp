@@ -29,7 +29,7 @@ TEST(Patches, AreAsManyAsWantedConnectedAndOfAboutTheSameSize) {
 }
 
 TEST(Patches, TakeTheirBordersWhereWaysAreDear) {
-  // Of a long box the ends are far from each other, but the sides are dear to cross.
+  // The ends of a long box are far apart, but its edges are expensive to cross.
   const SurfaceGraph graph = surface_graph(test::box({1, 1, 1}, 8));
   std::vector<double> costs;
   for (const SurfaceLink& link : graph.links) costs.push_back(link.concavity < -1 ? 100 : link.distance);

@@ -53,7 +53,7 @@ TEST(RegionMerging, CannotMergeWhatDoesNotTouch) {
 }
 
 TEST(RegionMerging, AsksAnewForThePairsOfAMergedRegion) {
-  // 1 and 2 go together first; of what they are together, 0 is no longer worth it.
+  // 1 and 2 merge first; merging the result with 0 no longer pays.
   const RegionAffinity affinity = [](const Regions& regions, std::int32_t a, std::int32_t b) {
     if (regions.of(a).nodes + regions.of(b).nodes > 2) return 0.1;
     return a == 1 && b == 2 ? 0.9 : 0.8;

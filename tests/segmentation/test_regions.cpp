@@ -41,7 +41,7 @@ TEST(Regions, MergingAddsUp) {
   EXPECT_EQ(regions.perimeter(0), 8);
 }
 
-/// Sums that are all different, and `factor` times those of factor 1.
+/// Distinct sums, proportional to `factor`.
 RegionSum different_sums(double factor) {
   RegionSum sum;
   sum.nodes = factor;
@@ -88,7 +88,7 @@ RegionSum formed_region(double area, double size, const Eigen::Vector3d& place) 
   return sum;
 }
 
-/// Two regions, of which the first is larger, with sums that are all different, and a third that touches both.
+/// Two regions with distinct sums, the first of them larger, and a third adjacent to both.
 Regions hand_made_regions() {
   Regions regions(3);
   RegionSum large = formed_region(0.5, 1, {0, 0, 0});
@@ -233,7 +233,7 @@ TEST(SurfaceRegions, OfAConvexShapeSeeEachOtherInsideAndNotOutside) {
   EXPECT_EQ(regions.of(0, 1, PairSum::seen_outside), 0);
   EXPECT_EQ(regions.of(0, 1, PairSum::concave), 0);
   EXPECT_NEAR(regions.of(0, 1, PairSum::border), 4 / std::sqrt(18.0), 1e-6);
-  // What is opposite to a side is on the same half; only the ends, 2 of 18, face each other,
+  // Triangles opposite to each other are on the same half; only the ends, 2 of 18, face each other,
   // and the two orders share them.
   EXPECT_NEAR(regions.of(0, 1, PairSum::opposite), 1.0 / 18, 1e-6);
 }
@@ -247,7 +247,7 @@ std::vector<std::int32_t> labelled(const ThickSurface& surface, Label label) {
 }
 
 TEST(SurfaceRegions, SeeEachOtherOutsideAcrossAConcavity) {
-  // Two cubes of side 1, half of that apart: the sides that face each other, and all else.
+  // Two cubes of side 1 with a gap of 0.5: the facing sides against the rest.
   const Shape right = test::transformed(test::box({1, 1, 1}, 3), 1, Eigen::Matrix3d::Identity(), {1.5, 0, 0});
   const ThickSurface surface = thick_surface(test::joined({test::box({1, 1, 1}, 3), right}));
   const double middle = surface.graph.samples.points.col(0).mean();

@@ -25,7 +25,7 @@ class SegFile : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove(path_); }
 
-  /// A mesh of so many triangles.
+  /// A mesh with the given number of triangles.
   static Shape mesh_of(Eigen::Index triangles) {
     Shape mesh;
     mesh.vertices = Points::Zero(3, 3);

@@ -15,7 +15,7 @@ namespace {
 
 using Labels = std::vector<std::int32_t>;
 
-/// By the sign of the height: two caps of label 4 and a belt of label 2.
+/// By height: two caps of label 4 and a belt of label 2.
 Labels caps_and_belt(const SurfaceGraph& graph) {
   Labels labels;
   for (std::int32_t i = 0; i < graph.size(); ++i) labels.push_back(std::abs(graph.samples.points(i, 2)) > 0.5 ? 4 : 2);
@@ -47,7 +47,7 @@ TEST(SegmentLabels, TheLargestPartHasTheFirstColour) {
 }
 
 TEST(SegmentLabels, ColoursAreUsedAgainWhereTheyDoNotTouch) {
-  // Fourteen parts by falling area. Two have to take a colour again: 12 touches 0, whose turn it would be, 13 does not
+  // Fourteen parts by falling area. Two reuse a colour: 12 touches 0, whose colour is next; 13 does not
   // touch 1.
   std::vector<double> areas;
   Labels labels;

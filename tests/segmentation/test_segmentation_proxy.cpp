@@ -34,7 +34,7 @@ TEST(SegmentationProxy, OfACoarseMeshIsTheSameSurfaceInMoreTriangles) {
     EXPECT_TRUE(is_watertight_and_oriented(result.shape));
     EXPECT_NEAR(surface_area(result.shape), surface_area(shape), 1e-12 * surface_area(shape));
     EXPECT_NEAR(signed_volume(result.shape), signed_volume(shape), 1e-12 * signed_volume(shape));
-    // Each triangle is known by a small one with the same centroid.
+    // Each triangle is identified by a small one with the same centroid.
     const Points given = sample_shape(shape, SampleSite::faces).points;
     const Points fine = sample_shape(result.shape, SampleSite::faces).points;
     for (std::size_t t = 0; t < result.node_of.size(); ++t) {
@@ -70,7 +70,7 @@ TEST(SegmentationProxy, OfACrackedMeshIsACloudOnIt) {
 }
 
 TEST(SegmentationProxy, OfAMeshWithAFewMissingTrianglesIsItself) {
-  // Each triangle that is missing opens three of 1.5 edges a triangle: 4 and 6 % of them.
+  // Each missing triangle opens three of 1.5 edges a triangle: 4 and 6 % of them.
   for (const double missing : {0.02, 0.03}) {
     RandomNumbers random(1);
     EXPECT_EQ(is_cloud(segmentation_proxy(remove_faces(test::sphere(1, 5), missing, random)).shape), missing == 0.03)

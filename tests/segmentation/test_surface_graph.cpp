@@ -15,7 +15,7 @@
 namespace shapegauge {
 namespace {
 
-/// Two squares, each of two triangles, that meet in the y axis at an angle: the second rises by `slope` to the right.
+/// Two squares of two triangles each that meet at the y axis; the right one rises with slope `slope`.
 Shape valley(double slope) {
   Shape shape;
   shape.vertices.resize(6, 3);
@@ -76,7 +76,7 @@ TEST(SurfaceGraph, OfAClosedMeshHasThreeNeighboursEach) {
   }
 }
 
-/// How many links lead from each triangle that has no open edges, of so many from the first on.
+/// Numbers of links of the first triangles that have no open edges.
 std::vector<std::size_t> link_counts(const SurfaceGraph& graph, std::int32_t count) {
   std::vector<std::size_t> counts;
   for (std::int32_t i = 0; i < count; ++i) counts.push_back(graph.links_of(i).size());
@@ -84,7 +84,7 @@ std::vector<std::size_t> link_counts(const SurfaceGraph& graph, std::int32_t cou
 }
 
 TEST(SurfaceGraph, TrianglesAtAnEdgeOfManyAreLinkedInARow) {
-  // Three tetrahedra with an edge in common, which thus six triangles have.
+  // Three tetrahedra with a common edge, shared by six triangles.
   Shape three;
   three.vertices.resize(8, 3);
   three.vertices.topRows(2) << 0, 0, 0, 0, 0, 1;
@@ -116,7 +116,7 @@ TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
     ASSERT_EQ(graph.links_of(i).size(), at_gap ? 4U : 3U);  // two neighbours, and the two others at the gap
     if (!at_gap) continue;
     for (const SurfaceLink& link : graph.links_of(i)) {
-      EXPECT_LT(link.concavity, 0);  // a sphere is convex across the gap too
+      EXPECT_LT(link.concavity, 0);  // convex across the gap, too
       const double straight = (graph.samples.points.row(link.to) - graph.samples.points.row(i)).norm();
       EXPECT_GE(link.distance, straight);
       EXPECT_LE(link.distance, 2 * straight);
@@ -125,7 +125,7 @@ TEST(SurfaceGraph, TrianglesOnBothSidesOfAGapAreLinkedAtItsVertices) {
 }
 
 TEST(SurfaceGraph, TriangleThatIsLooseBetweenGapsIsLinkedToThoseAroundIt) {
-  // A strip of which every second triangle is missing: the others meet at vertices only.
+  // A strip without every second triangle: the others meet only at vertices.
   Shape strip;
   strip.vertices.resize(5, 3);
   strip.vertices << 0, 0, 0, 1, 1, 0, 2, 0, 0, 3, 1, 0, 4, 0, 0;

@@ -20,7 +20,7 @@ struct Doubling {
   bool between = false;       ///< whether copies follow their triangle at once, not all after the last one
 };
 
-/// Adds a copy of triangle f, which begins at another corner.
+/// Adds a copy of triangle f that begins at another corner.
 void add_copy(DoubledShape& doubled, const Shape& mesh, Eigen::Index f, const Doubling& doubling) {
   Eigen::RowVector3i corners(mesh.triangles(f, 1), mesh.triangles(f, 2), mesh.triangles(f, 0));
   if (doubling.turned) std::swap(corners[0], corners[1]);
@@ -56,7 +56,7 @@ DoubledShape doubled(const Shape& mesh, const Doubling& doubling) {
   return result;
 }
 
-/// A bumpy ball, open at the bottom, with two holes of some triangles each.
+/// A bumpy ball, open at the bottom, with two small holes.
 Shape open_ball() {
   Shape ball = sphere(1, 3);
   for (auto vertex : ball.vertices.rowwise()) {
@@ -74,7 +74,7 @@ Shape open_ball() {
   return open;
 }
 
-/// A box with a wall across its middle, on edges that have three triangles each.
+/// A box with a wall across its middle, attached at edges with three triangles each.
 Shape box_with_wall() {
   Shape shape = box({1, 1.3, 0.8}, 4);
   Shape wall = box({1, 1.3, 0.8}, 4);

@@ -9,7 +9,7 @@
 
 namespace shapegauge::test {
 
-/// A mesh whose triangles are doubled, and of what.
+/// A mesh with duplicate triangles, and their origin.
 struct DoubledShape {
   std::string name;
   Shape shape;
@@ -17,20 +17,20 @@ struct DoubledShape {
   std::vector<std::int32_t> vertices;   ///< by vertex: the one of the mesh given whose place it has
 };
 
-/// The mesh with doubled triangles in several ways: twice, three times, turned over, each with vertices of its own,
-/// some only, after the others or between them. The first of each set of doubles is always the mesh's own triangle.
+/// The mesh with triangles duplicated in several ways: twice, three times, flipped, with separate vertices,
+/// some only, after the others or between them. The first of each set of duplicates is always the original triangle.
 std::vector<DoubledShape> doublings(const Shape& mesh);
 
-/// A name and a mesh.
+/// A named mesh.
 struct NamedShape {
   std::string name;
   Shape shape;
 };
 
-/// Names the mesh in the messages of tests.
+/// Prints the mesh's name in test messages.
 void PrintTo(const NamedShape& named, std::ostream* stream);
 
-/// Meshes without doubles: a closed one, an open one, one with an inner wall, and triangles that share no vertices.
+/// Meshes without duplicates: closed, open, with an inner wall, and with triangles that share no vertices.
 std::vector<NamedShape> shapes_without_doubles();
 
 }  // namespace shapegauge::test

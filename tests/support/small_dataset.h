@@ -8,8 +8,8 @@
 
 namespace shapegauge::test {
 
-/// A capsule, a sphere or a box, by class ("capsule", "sphere", "box"), of size and proportions that vary with the
-/// number a little; what one class does not look like is another class.
+/// A capsule, sphere or box, by class ("capsule", "sphere", "box"), whose size and proportions vary slightly with the
+/// number.
 Shape small_shape(const std::string& name, int number);
 
 /// Writes 9 models T0.off to T8.off, three of each class of small_shape, and test.cla.
@@ -18,7 +18,7 @@ void write_small_dataset(const std::filesystem::path& folder);
 /// The .cla file of that data set.
 std::string small_classification();
 
-/// A configuration over that data set: the cone SDF with a fixed, a per-shape and a data set's range, and the first two
+/// A configuration for that data set: the cone SDF with a fixed, a per-shape and a data set's range, and the first two
 /// concatenated; both protocols.
 nlohmann::json small_configuration(const std::filesystem::path& folder);
 

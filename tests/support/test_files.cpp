@@ -26,7 +26,7 @@ TemporaryFolder::~TemporaryFolder() {
 
 fs::path TemporaryFolder::file(const std::string& name, std::string_view bytes) const {
   fs::path path = path_ / name;
-  fs::remove(path);  // some file systems flush a file that is overwritten, which takes milliseconds
+  fs::remove(path);  // some file systems flush overwritten files, which takes milliseconds
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
   stream.close();

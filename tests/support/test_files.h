@@ -7,10 +7,10 @@
 
 #include "shapegauge/core/base/error.h"
 
-/// Files and folders for tests, and the errors that reading them gives.
+/// Files and folders for tests, and errors of reading them.
 namespace shapegauge::test {
 
-/// A new folder that is removed, with what is in it, at the end of the scope.
+/// Temporary folder, removed with its contents at the end of the scope.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -21,25 +21,25 @@ class TemporaryFolder {
   ~TemporaryFolder();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Path of a new file with these bytes.
+  /// Creates a file with the bytes; returns its path.
   [[nodiscard]] std::filesystem::path file(const std::string& name, std::string_view bytes) const;
-  /// Number of files and folders in it.
+  /// Number of files and folders in the folder.
   [[nodiscard]] std::size_t size() const;
 
  private:
   std::filesystem::path path_;
 };
 
-/// The bytes of a file; a test failure where it cannot be read.
+/// Returns the bytes of a file; fails the test if it cannot be read.
 std::string bytes_of(const std::filesystem::path& path);
 
-/// The bytes of a file; empty where it cannot be read.
+/// Returns the bytes of a file; empty if it cannot be read.
 std::string text_of(const std::filesystem::path& path);
 
-/// Writes a file, its folder too where that is absent.
+/// Writes a file; creates its folder if absent.
 void write_text(const std::filesystem::path& path, const std::string& text);
 
-/// While it lives, the process has the rights of an ordinary user: permissions do not bind root.
+/// Drops root's rights during its lifetime, because root ignores file permissions.
 class OrdinaryUser {
  public:
   OrdinaryUser();
@@ -53,7 +53,7 @@ class OrdinaryUser {
   uid_t before_;
 };
 
-/// The message of the InputError that the call throws; "no error" where it throws none. Other exceptions pass through.
+/// Message of the InputError thrown by the call, or "no error". Other exceptions propagate.
 template <typename Call>
 std::string input_error_of(const Call& call) {
   try {

@@ -38,7 +38,7 @@ void subdivide(std::vector<Eigen::Vector3d>& vertices, std::vector<Eigen::Vector
   triangles = std::move(finer);
 }
 
-/// Closed surface of revolution about z of a profile (radius, height) that begins and ends on the axis, from the lowest
+/// Closed surface of revolution about z. The profile (radius, height) begins and ends on the axis, from the lowest
 /// point to the highest.
 Shape revolved(const std::vector<Eigen::Vector2d>& profile, int around) {
   std::vector<Eigen::Vector3d> vertices = {{0, 0, profile.front().y()}};

@@ -7,7 +7,7 @@
 
 #include "shapegauge/core/shape/shape.h"
 
-/// Shapes whose measures are known, and the changes under which measures are invariant.
+/// Shapes of known geometry, and transformations under which measures are invariant.
 namespace shapegauge::test {
 
 /// Icosahedron whose triangles are split into four `subdivisions` times, vertices on the sphere about the origin.
@@ -22,19 +22,19 @@ Shape capsule(double radius, double length, int around, int rings);
 /// Torus about z: tube of radius `tube` around a circle of radius `ring`.
 Shape torus(double ring, double tube, int around, int along);
 
-/// The union of the parts as one soup.
+/// Union of the parts as a triangle soup.
 Shape joined(const std::vector<Shape>& parts);
 
 /// Scaled, then rotated, then moved.
 Shape transformed(const Shape& shape, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& move);
 
-/// The same triangles, each with three vertices of its own: vertex 3 f + k is corner k of triangle f.
+/// Triangle soup of the shape: vertex 3 f + k is corner k of triangle f.
 Shape soup(const Shape& shape);
 
-/// Every triangle turned over.
+/// Flips the orientation of every triangle.
 Shape flipped(const Shape& shape);
 
-/// A shape in another order: new vertex i is old vertex `vertices[i]`, new triangle f is old triangle `triangles[f]`,
+/// Reorders a shape: new vertex i is old vertex `vertices[i]`, new triangle f is old triangle `triangles[f]`,
 /// and each triangle begins at another of its corners.
 struct Permuted {
   Shape shape;
@@ -43,13 +43,13 @@ struct Permuted {
 };
 Permuted permuted(const Shape& shape, unsigned seed);
 
-/// A rotation that depends on the seed alone.
+/// Random rotation, determined by the seed.
 Eigen::Matrix3d rotation(unsigned seed);
 
-/// A cloud of random points on the surface of a mesh, every place equally likely.
+/// Point cloud sampled uniformly at random from a mesh.
 Shape random_points(const Shape& mesh, Eigen::Index count, std::uint64_t seed);
 
-/// The volume that an outward-oriented closed mesh encloses (divergence theorem).
+/// Volume of an outward-oriented closed mesh, by the divergence theorem.
 double signed_volume(const Shape& mesh);
 
 }  // namespace shapegauge::test

@@ -12,7 +12,7 @@ namespace shapegauge::test {
 
 namespace {
 
-/// What the ranks share.
+/// State shared by the ranks.
 struct Table {
   explicit Table(int size) : all_here(size), letters(static_cast<std::size_t>(size)) {}
 
@@ -38,7 +38,7 @@ class TableJobs : public Jobs {
   std::size_t count_;
 };
 
-/// A file that rank 0 has opened.
+/// A file opened by rank 0.
 class TableFile : public SharedFile {
  public:
   TableFile(std::shared_ptr<SharedFile> file, std::barrier<>& all_here, bool closes)

@@ -6,8 +6,8 @@
 
 namespace shapegauge::test {
 
-/// Does the work on so many ranks, each a thread of this process, and waits for all of them. What one of them throws is
-/// thrown at the end; the others must end by themselves.
+/// Runs the work on the given number of ranks, each a thread of this process. Exceptions of ranks are
+/// rethrown after all have ended.
 void on_thread_ranks(int size, const std::function<void(Communicator&)>& work);
 
 }  // namespace shapegauge::test

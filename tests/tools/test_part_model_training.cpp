@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-/// Of random features; together where the first two have the same sign, which no linear model can tell.
+/// Pairs with random features, in the same part if the first two have equal signs: not linearly separable.
 std::vector<PartExample> examples(int count, std::uint64_t seed) {
   RandomNumbers random(seed);
   std::vector<PartExample> result(static_cast<std::size_t>(count));
@@ -58,7 +58,7 @@ TEST(PartExamples, SayHowManyPairsPeoplePutTogether) {
 }
 
 TEST(PartExamples, FollowMerges) {
-  // Four regions of one node in a row; people put 0 and 1, and 2 and 3 together.
+  // Four regions of one node in a row; the human segmentation joins 0 with 1 and 2 with 3.
   Regions regions(4);
   for (std::int32_t i = 0; i < 4; ++i) {
     RegionSum sum;

@@ -38,7 +38,7 @@ TEST(Cancellation, EndsALoopWithinALoopFromAnotherThread) {
   });
   EXPECT_THROW(cancellation.run([&] {
     parallel_for(0, 4, [&](int) {
-      // More than anybody waits for: only the cancellation ends it.
+      // Too long to finish: only cancellation ends it.
       parallel_for(std::int64_t{0}, std::int64_t{1} << 60, [&](std::int64_t) { begun = true; });
       after_inner_loop = true;
     });

@@ -28,7 +28,7 @@ std::vector<Site> sites() {
           {"cloud", cloud, sample_shape(cloud, SampleSite::vertices)}};
 }
 
-/// 1 above the equator, 0 below, and noise.
+/// 1 above the equator and 0 below it, plus noise.
 ScalarField noisy_step(const Samples& samples, double noise) {
   RandomNumbers random(1);
   ScalarField field{Eigen::VectorXd(samples.points.rows()), samples.weights};
@@ -47,7 +47,7 @@ TEST(Bilateral, AStepSurvivesAndNoiseGoes) {
     const double before = (field.values - step).norm();
     const double after = (smooth.values - step).norm();
     EXPECT_LT(after, 0.4 * before) << site.name;
-    // Beside the step too.
+    // Also beside the step.
     EXPECT_LT((smooth.values - step).cwiseAbs().maxCoeff(), 0.2) << site.name;
   }
 }

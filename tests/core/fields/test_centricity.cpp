@@ -45,7 +45,7 @@ INSTANTIATE_TEST_SUITE_P(All, CentricityMethods,
 
 TEST_P(CentricityMethods, OfASphereIsAQuarterOfItsCircumferenceEverywhere) {
   const Eigen::VectorXd values = at_vertices(sphere(2, 3), {.geodesics = {.method = GetParam()}});
-  // Paths of the graph are up to 6 % too long; the sources stand for cells of some 25 degrees across.
+  // Paths of the graph are up to 6 % too long; cells of sources are about 25 degrees wide.
   EXPECT_NEAR(values.mean(), std::numbers::pi, 0.05 * std::numbers::pi);
   EXPECT_NEAR(values.minCoeff(), std::numbers::pi, 0.1 * std::numbers::pi);
   EXPECT_NEAR(values.maxCoeff(), std::numbers::pi, 0.1 * std::numbers::pi);
@@ -55,7 +55,7 @@ TEST_P(CentricityMethods, EccentricityOfASphereIsHalfItsCircumference) {
   const Eigen::VectorXd values =
       at_vertices(sphere(2, 3), {.measure = Centricity::eccentricity, .geodesics = {.method = GetParam()}});
   EXPECT_NEAR(values.maxCoeff(), 2 * std::numbers::pi, 0.1 * std::numbers::pi);
-  // The place opposite is missed by half a cell at most.
+  // The source nearest to the antipode is at most half a cell from it.
   EXPECT_GT(values.minCoeff(), 2 * std::numbers::pi * 0.85);
 }
 
@@ -93,7 +93,7 @@ TEST(Centricity, IsProportionalToScaleAndFollowsTheOrder) {
   const auto [other, vertices, triangles] = test::permuted(shape, 3);
   const Eigen::VectorXd expected = at_vertices(shape);
   const Eigen::VectorXd found = at_vertices(test::transformed(other, 5, test::rotation(1), {1, 0, 2}));
-  // Ties between farthest points may be decided in another way.
+  // Ties between farthest points may be broken differently.
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     EXPECT_NEAR(found[static_cast<Eigen::Index>(v)], 5 * expected[vertices[v]], 0.05 * 5 * expected[vertices[v]]);
   }

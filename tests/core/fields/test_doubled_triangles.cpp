@@ -13,16 +13,16 @@
 #include "tests/support/doubled_shapes.h"
 #include "tests/support/test_shapes.h"
 
-// A shape with doubled triangles has the fields of the shape without them, and doubles have the values of their first.
+// Duplicate triangles do not change fields, and each has the value of the first of its set.
 
 namespace shapegauge {
 
 namespace {
 
-/// Sums over all samples may round otherwise with those that weigh nothing among them.
+/// Rounding of sums may differ when samples of weight 0 are included.
 constexpr double rounding = 1e-12;
 
-/// The largest difference between values; none between two that are missing.
+/// Largest difference between values; 0 where both are missing.
 double largest_difference(const Eigen::VectorXd& found, const Eigen::VectorXd& expected) {
   if (found.size() != expected.size()) return std::numeric_limits<double>::infinity();
   double largest = 0;

@@ -21,13 +21,13 @@ GeodesicOptions by(GeodesicMethod method) { return {.method = method}; }
 
 Shape cloud_of(const Shape& shape) { return {shape.vertices, {}}; }
 
-/// Great circle distances from a vertex of a sphere about the origin.
+/// Great-circle distances from a vertex of a sphere about the origin.
 Eigen::VectorXd great_circles(const Shape& unit_sphere, Eigen::Index source) {
   const Eigen::VectorXd cosines = unit_sphere.vertices * unit_sphere.vertices.row(source).transpose();
   return cosines.unaryExpr([](double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)); });
 }
 
-/// A flat square of n x n cells with side 1, each cut along the same diagonal: the worst case of paths along edges.
+/// A flat square of n x n cells with side 1, each split along the same diagonal: the worst case for paths along edges.
 Shape square(int n) {
   Shape shape;
   shape.vertices.resize((n + 1) * (n + 1), 3);
@@ -57,7 +57,7 @@ TEST(Geodesics, GraphPathsOnASphereAreAtMostAFewPercentTooLong) {
 
 TEST(Geodesics, SegmentsAcrossEdgesShortenTheWorstCase) {
   const int n = 20;
-  // From the corner where no diagonal begins to the one opposite, paths along edges are sqrt 2 times too long.
+  // Between the two corners without a diagonal, paths along edges are too long by a factor of sqrt 2.
   const Eigen::VectorXd found = geodesic_distances(square(n))(n);
   EXPECT_NEAR(found[n * (n + 1)], std::sqrt(2.0), 1e-9);
 }

@@ -79,8 +79,8 @@ TEST(HeatKernel, ScaleInvariantSignatureDoesNotNeedTheArea) {
   EXPECT_LT((known - wrong).cwiseAbs().maxCoeff(), 0.08 * known.maxCoeff());
 }
 
-/// The definition, spelled out: the derivative of the logarithm by the logarithm of time, and the magnitudes of its
-/// discrete Fourier transform, which stand for integrals.
+/// Direct evaluation of the definition: the derivative of the logarithm by the logarithm of time, and the magnitudes of
+/// its discrete Fourier transform, as approximations of integrals.
 Eigen::VectorXd scale_invariant_by_definition(const Spectrum& spectrum, Eigen::Index vertex, double area,
                                               const ScaleInvariantOptions& options) {
   const int steps = options.times - 1;
@@ -133,8 +133,8 @@ TEST(HeatKernel, MeanOfTheWaveKernelByAreaIsOne) {
   EXPECT_LT((mean.array() - 1).abs().maxCoeff(), 1e-6);
 }
 
-/// The definition, spelled out: the squares of the eigenfunctions, weighed by a Gaussian of the logarithms of their
-/// eigenvalues.
+/// Direct evaluation of the definition: the squares of the eigenfunctions, weighted by a Gaussian of the logarithms of
+/// their eigenvalues.
 double wave_kernel_by_definition(const Spectrum& spectrum, Eigen::Index vertex, double area, double at, double width) {
   double sum = 0;
   double weights = 0;
@@ -156,7 +156,7 @@ TEST(HeatKernel, WaveKernelSignatureIsWhatTheDefinitionSays) {
   const double range = std::log(spectrum.eigenvalues[19]) - lowest;
   for (const Eigen::Index vertex : {0, 17, 60}) {
     for (int k = 0; k < 5; ++k) {
-      // Two widths of 4 % of the range keep off either end.
+      // Two widths of 4 % of the range from either end.
       const double at = lowest + range * (0.08 + 0.84 * k / 4);
       EXPECT_NEAR(found(vertex, k), wave_kernel_by_definition(spectrum, vertex, area, at, 0.04 * range), 1e-9) << k;
     }

@@ -19,7 +19,7 @@ Eigen::VectorXd at_faces(const Shape& shape, double separation_angle_degrees = 6
                         {.separation_angle_degrees = separation_angle_degrees});
 }
 
-/// The definition taken literally: candidate points, evenly spread over the triangle.
+/// Brute force: candidate points on a regular grid over the triangle.
 double sampled_radius(const Triangle& triangle, const Eigen::Vector3d& normal) {
   constexpr int steps = 120;
   double least = std::numeric_limits<double>::infinity();
@@ -95,7 +95,7 @@ TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
     }
     EXPECT_NEAR(diameters[i], expected, 1e-9) << i;
   }
-  // Sides at right angles are no contacts beyond a right angle.
+  // Sides at right angles do not count as contacts beyond a right angle.
   const Eigen::VectorXd walls = at_faces(shape, 120);
   for (Eigen::Index i = 0; i < walls.size(); ++i) {
     if (std::abs(samples.points(i, 2)) > 0.49) {
@@ -106,7 +106,7 @@ TEST(InscribedBall, OfABoxIsItsThicknessOrTwiceTheDistanceToAnEdge) {
 
 TEST(InscribedBall, OfACapsuleIsItsDiameter) {
   const Eigen::VectorXd diameters = at_faces(test::capsule(1, 4, 64, 16));
-  EXPECT_NEAR(diameters.minCoeff(), 2, 0.09);  // a centroid is off the middle of its strip
+  EXPECT_NEAR(diameters.minCoeff(), 2, 0.09);  // a centroid is not in the middle of its strip
   EXPECT_LE(diameters.maxCoeff(), 2 + 1e-9);
 }
 
@@ -124,7 +124,7 @@ TEST(InscribedBall, OfAHollowBoxIsTheWall) {
   }
 }
 
-/// Whether no triangle reaches into the ball of each sample, and one touches it.
+/// Whether every sample's ball is empty and touches a triangle.
 TEST(InscribedBall, IsEmptyAndCannotGrow) {
   const Shape shape = test::torus(2, 0.7, 40, 24);
   const Samples samples = sample_shape(shape, SampleSite::faces);

@@ -52,7 +52,7 @@ TEST(Laplacian, EigenvaluesOfTheUnitSphereAreThoseOfSphericalHarmonics) {
   Eigen::Index k = 0;
   for (int l = 0; l < 5; ++l) {
     for (int m = -l; m <= l; ++m, ++k) {
-      // Linear elements are off by about lambda h^2 / 12, relative; the edges are 0.07 long.
+      // Linear elements have a relative error of about lambda h^2 / 12; edges have length 0.07.
       EXPECT_NEAR(spectrum.eigenvalues[k], l * (l + 1), 0.02 * l * (l + 1) + 1e-8) << l << " " << m;
     }
   }
@@ -145,7 +145,7 @@ TEST(Laplacian, RefusesThousandsOfComponents) {
     for (Eigen::Index k = v; k < v + 3; ++k) apart.vertices.row(k) = 0.1 * middle + 0.9 * apart.vertices.row(k);
   }
   EXPECT_THROW(laplacian_spectrum(apart, 5), InputError);
-  EXPECT_EQ(laplacian_spectrum(scales, 5).eigenvalues.size(), 5);  // vertices at one place are one
+  EXPECT_EQ(laplacian_spectrum(scales, 5).eigenvalues.size(), 5);  // coincident vertices are welded
 }
 
 TEST(Laplacian, RefusesCloudsAndWhatHasNoArea) {

@@ -94,7 +94,7 @@ std::string as_binary_ply(const Shape& shape, std::endian order, bool doubles) {
     put(std::int16_t{-1});
     put(std::int16_t{5});
   }
-  put(std::numeric_limits<double>::quiet_NaN());  // of no interest to a reader of shapes
+  put(std::numeric_limits<double>::quiet_NaN());  // ignored by readers of shapes
   for (const auto& t : shape.triangles.rowwise()) {
     put(std::uint8_t{3});
     for (const std::int32_t v : t) put(v);
@@ -132,8 +132,8 @@ std::vector<Encoded> encoded_in_every_format(const Shape& shape) {
   const std::string obj = as_obj(shape);
   return {{"ascii.off", as_ascii_off(shape), 1},  // the line end
           {"binary.off", as_binary_off(shape)},
-          {"shape.obj", obj, obj.size()},         // OBJ says nothing of its length
-          {"ascii.ply", as_ascii_ply(shape), 3},  // of the last number, 0.5, one digit is a number too
+          {"shape.obj", obj, obj.size()},         // OBJ does not record its length
+          {"ascii.ply", as_ascii_ply(shape), 3},  // a prefix of the last number, 0.5, is a number too
           {"little_float.ply", as_binary_ply(shape, std::endian::little, false)},
           {"little_double.ply", as_binary_ply(shape, std::endian::little, true)},
           {"big_float.ply", as_binary_ply(shape, std::endian::big, false)},
@@ -184,9 +184,9 @@ std::vector<Encoded> cloud_in_every_format(const Shape& cloud) {
   }
   const std::string count = fmt::format("{}\n", n);
   const std::string pwn = count + points + normals;
-  return {{"lines.xyz", lines, lines.size()},  // XYZ says nothing of its length
+  return {{"lines.xyz", lines, lines.size()},  // XYZ does not record its length
           {"lines.pts", count + lines, 1},     // the line end
-          {"halves.pwn", pwn, pwn.size()},     // whole without the normals, too
+          {"halves.pwn", pwn, pwn.size()},     // complete without the normals, too
           {"ascii.off", fmt::format("NOFF\n{} 0 0\n{}", n, lines), 1},
           {"binary.off", binary_off},
           {"cloud.obj", obj, obj.size()},

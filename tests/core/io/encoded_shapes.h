@@ -8,18 +8,18 @@
 
 #include "shapegauge/core/shape/shape.h"
 
-/// Shapes as the bytes of files, written plainly and without the library's writers.
+/// Contents of shape files, encoded independently of the library's writers.
 namespace shapegauge::test {
 
-/// Four vertices at the origin and on the axes, four triangles.
+/// Tetrahedron with vertices at the origin and on the axes.
 Shape tetrahedron();
 
 std::string as_ascii_off(const Shape& shape);
-/// With so many floats after each vertex, and a colour of one component after each face.
+/// Binary OFF with `extras` floats after each vertex and a one-component colour after each face.
 std::string as_binary_off(const Shape& shape, std::string_view header = "OFF BINARY\n", int extras = 0);
 std::string as_obj(const Shape& shape);
 std::string as_ascii_ply(const Shape& shape);
-/// Coordinates as float, or as double; other properties and an element between those that count.
+/// Binary PLY with float or double coordinates, and with additional properties and an additional element.
 std::string as_binary_ply(const Shape& shape, std::endian order, bool doubles);
 std::string as_ascii_stl(const Shape& shape);
 std::string as_binary_stl(const Shape& shape, std::string_view header = "binary");
@@ -33,13 +33,13 @@ struct Encoded {
 /// The shape in every format and variant.
 std::vector<Encoded> encoded_in_every_format(const Shape& shape);
 
-/// Four points with unit normals of which one is zero.
+/// Four points with unit normals, one of them zero.
 Shape small_cloud();
 
-/// The point cloud with its normals in every format and variant that has them.
+/// The point cloud in every format and variant with normals.
 std::vector<Encoded> cloud_in_every_format(const Shape& cloud);
 
-/// Coordinates, indices and normals are equal, in order.
+/// Whether coordinates, indices and normals are equal, in the same order.
 void expect_same(const Shape& actual, const Shape& expected);
 
 }  // namespace shapegauge::test

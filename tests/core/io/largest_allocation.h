@@ -4,7 +4,7 @@
 
 namespace shapegauge::test {
 
-/// The most bytes that were asked of operator new at once since the last reset. The test program has its own.
+/// Largest single request to operator new, in bytes, since the last reset. The test program replaces the operator.
 std::size_t largest_allocation();
 void reset_largest_allocation();
 

@@ -7,7 +7,7 @@
 
 namespace shapegauge::test {
 
-/// Any double that is finite: also denormal ones, and -0.
+/// Any finite double, including denormals and -0.
 rc::Gen<double> any_finite();
 
 /// Vertices anywhere and faces of 3 to 6 corners at random: duplicates, degenerate and non-manifold faces and unused
@@ -18,7 +18,7 @@ struct Polygons {
 };
 rc::Gen<Polygons> any_polygons(bool triangles_only);
 
-/// Its shape, with polygons as fans about their first corners, or what replaces these.
+/// Expected shape, with polygons triangulated as by the readers.
 Shape shape_of(const Polygons& polygons);
 
 }  // namespace shapegauge::test

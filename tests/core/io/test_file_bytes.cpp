@@ -92,7 +92,7 @@ TEST(AtomicFile, FolderWithoutPermissionIsAnError) {
   EXPECT_EQ(folder.size(), 0U);
 }
 
-/// While it lives, no file can grow beyond so many bytes, which stands for a disk that fills up.
+/// Limits the size of files during its lifetime, to simulate a full disk.
 class FileSizeLimit {
  public:
   explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {

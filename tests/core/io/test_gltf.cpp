@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The bytes of numbers, least significant first.
+/// Little-endian bytes of numbers.
 template <typename Number>
 std::string bytes_of(const std::vector<Number>& numbers) {
   std::string bytes(numbers.size() * sizeof(Number), '\0');
@@ -22,13 +22,13 @@ std::string bytes_of(const std::vector<Number>& numbers) {
   return bytes;
 }
 
-/// Corners of a tetrahedron, and its faces, in one buffer of 72 bytes.
+/// Vertices and faces of a tetrahedron in one buffer of 72 bytes.
 std::string tetrahedron_bytes() {
   return bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
          bytes_of<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
 }
 
-/// A document with the tetrahedron as its only mesh; `more`: further members of the document.
+/// A document with the tetrahedron as its only mesh; `more`: additional members of the document.
 std::string document(const std::string& nodes, const std::string& buffer = R"("uri": "tetrahedron.bin", )",
                      const std::string& more = "") {
   return fmt::format(R"({{"asset": {{"version": "2.0"}}, {}"scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{}],
@@ -84,7 +84,7 @@ TEST_F(Gltf, ReadsAMeshWhoseBufferIsBesideIt) {
 }
 
 TEST_F(Gltf, NodesPlaceTheirMeshes) {
-  // Turned by a quarter about z after doubling x; then moved by the parent.
+  // Scaled by 2 along x, rotated by 90 degrees about z, then translated by the parent.
   const Shape shape = read(document(R"({"children": [1, 2], "translation": [10, 0, 0]},
       {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [2, 1, 1]},
       {"mesh": 0, "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1]})"));

@@ -11,7 +11,7 @@
 #include "tests/support/test_files.h"
 #include "tests/support/test_shapes.h"
 
-/// CGAL reads the same from the same file.
+/// CGAL reads the same shape from the file.
 namespace shapegauge {
 namespace {
 
@@ -43,7 +43,7 @@ TEST(IndependentReader, ReadsTheSameInEveryFormat) {
   const test::TemporaryFolder folder;
   const Shape shape = test::torus(3, 1, 20, 30);
   for (const auto& [name, bytes, optional] : test::encoded_in_every_format(shape)) {
-    if (name != "binary.off") expect_as_cgal_reads(folder.file(name, bytes));  // which CGAL 5.5 does not read
+    if (name != "binary.off") expect_as_cgal_reads(folder.file(name, bytes));  // not supported by CGAL 5.5
   }
 }
 

@@ -26,7 +26,7 @@ using testing::IsEmpty;
 
 using Corners = std::vector<Eigen::Vector3d>;
 
-/// A U: 10 by 5 with a slot of 4 by 4.5 taken out of it.
+/// A U: a rectangle of 10 by 5 with a slot of 4 by 4.5.
 Corners u_profile() {
   return {{0, 0, 0}, {10, 0, 0}, {10, 5, 0}, {7, 5, 0}, {7, 0.5, 0}, {3, 0.5, 0}, {3, 5, 0}, {0, 5, 0}};
 }
@@ -41,14 +41,14 @@ Corners regular(int corners) {
   return polygon;
 }
 
-/// Spikes about the origin: every other corner is near it.
+/// Star about the origin; every second corner is near the centre.
 Corners star(int corners, double inner) {
   Corners polygon = regular(corners);
   for (std::size_t i = 1; i < polygon.size(); i += 2) polygon[i] *= inner;
   return polygon;
 }
 
-/// An OBJ file of one face.
+/// OBJ file with one face.
 std::string obj_of(const Corners& corners) {
   std::string text;
   for (const Eigen::Vector3d& corner : corners) text += fmt::format("v {} {} {}\n", corner[0], corner[1], corner[2]);
@@ -71,7 +71,7 @@ std::vector<std::array<std::int32_t, 3>> fan(std::int32_t corners) {
   return triangles;
 }
 
-/// Sum of the triangles' signed areas seen along z.
+/// Sum of the triangles' signed areas in the xy plane.
 double signed_area(const Shape& shape) {
   double sum = 0;
   for (const auto& [a, b, c] : triangles_of(shape)) {
@@ -82,7 +82,7 @@ double signed_area(const Shape& shape) {
   return sum;
 }
 
-/// Every triangle is oriented as the polygon and they cover its area, so that none overlap.
+/// Checks that triangles are oriented as the polygon and that their areas add up to its area, which excludes overlaps.
 void expect_covered(const Corners& corners, double area) {
   const Shape shape = read(corners);
   EXPECT_NEAR(surface_area(shape), area, 1e-9 * area);
@@ -156,9 +156,9 @@ TEST(PolygonFaces, OfAnEdgeToAHoleAndBackLeaveTheHoleOut) {
 }
 
 TEST(PolygonFaces, ThatTouchThemselvesAreCovered) {
-  // Two diamonds that meet in a corner, after a corner on a side of the first.
+  // Two diamonds with a common corner; another corner lies on a side of the first.
   expect_covered({{0, 0, 0}, {2, -2, 0}, {4, 0, 0}, {6, -2, 0}, {8, 0, 0}, {6, 2, 0}, {4, 0, 0}, {2, 2, 0}}, 16);
-  // A corner that touches the side opposite.
+  // A corner on the opposite side.
   expect_covered({{0, 0, 0}, {4, 0, 0}, {4, 2, 0}, {2, 0, 0}, {0, 2, 0}}, 4);
 }
 

@@ -23,7 +23,7 @@ using test::any_polygons;
 using test::Polygons;
 using test::shape_of;
 
-/// Every bit is the same: also the sign of 0.
+/// Bitwise equality, including the sign of 0.
 void require_identical(const Shape& actual, const Shape& expected) {
   RC_ASSERT(actual.vertices.rows() == expected.vertices.rows());
   RC_ASSERT(std::memcmp(actual.vertices.data(), expected.vertices.data(),
@@ -55,7 +55,7 @@ RC_GTEST_PROP(RoundTrip, ObjGivesTheSameDoublesAndIndices, ()) {
   require_identical(read_shape(folder.path() / "t.obj"), shape);
 }
 
-/// STL keeps the corners of the triangles in their order, in single precision.
+/// STL preserves the order of triangle corners, and coordinates in single precision.
 RC_GTEST_PROP(RoundTrip, StlGivesTheSameCornersInSinglePrecision, ()) {
   static const test::TemporaryFolder folder;
   Shape shape = shape_of(*any_polygons(true));
@@ -88,7 +88,7 @@ RC_GTEST_PROP(RoundTrip, CloudsGiveTheSameDoubles, ()) {
   }
 }
 
-/// Writes OFF as differently as programs and people do, at random.
+/// Writes OFF with random variations of spacing, comments and keywords.
 class RandomOffWriter {
  public:
   explicit RandomOffWriter(unsigned seed) : random_(seed) {}

@@ -20,13 +20,13 @@ using test::tetrahedron;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-/// Both functions throw the same error.
+/// Checks that both functions throw the same error.
 void expect_error(const std::filesystem::path& path, const std::string& message) {
   EXPECT_THAT([&] { read_shape(path); }, ThrowsMessage<InputError>(StrEq(message)));
   EXPECT_THAT([&] { check_shape_header(path); }, ThrowsMessage<InputError>(StrEq(message)));
 }
 
-/// The corners of the triangles, one a row. The vertices' order differs where a format has no indices, theirs does not.
+/// Triangle corners, one per row. Unlike vertex order, their order is the same for formats without indices.
 Points corners_of(const Shape& shape) {
   return shape.vertices(shape.triangles.reshaped<Eigen::RowMajor>(), Eigen::all);
 }
@@ -202,7 +202,7 @@ TEST(ShapeFormats, NamesOfShapeFilesLoseTheirExtension) {
   }
 }
 
-/// What a user of the library writes to add a format.
+/// Minimal format as a user of the library would add it.
 TEST(RegisterShapeFormat, AddsOneOfAUsersOwn) {
   static constexpr std::array<std::string_view, 1> extensions{".point"};
   const ShapeFormat format{.name = "point",

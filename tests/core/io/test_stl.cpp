@@ -18,7 +18,7 @@ using test::expect_same;
 using ::testing::StrEq;
 using ::testing::ThrowsMessage;
 
-/// The tetrahedron with its vertices in the order in which its triangles meet them.
+/// The tetrahedron with vertices in order of first use by its triangles.
 Shape renumbered_tetrahedron() {
   Shape shape;
   shape.vertices.resize(4, 3);

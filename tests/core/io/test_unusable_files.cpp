@@ -13,7 +13,7 @@
 #include "tests/core/io/largest_allocation.h"
 #include "tests/support/test_files.h"
 
-/// Every file, whatever is in it, is read or gives an InputError, and takes memory in proportion to its size.
+/// Any file content is either read or raises InputError, with memory proportional to the file's size.
 namespace shapegauge {
 namespace {
 
@@ -23,7 +23,7 @@ using test::tetrahedron;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
-/// True where it is read, false where it gives an InputError; anything else ends the test.
+/// True if the file is read, false on InputError; other exceptions fail the test.
 bool is_read(const std::filesystem::path& path) {
   bool has_header = true;
   try {
@@ -49,7 +49,7 @@ bool is_read(const std::filesystem::path& path) {
   }
 }
 
-/// A mesh and a cloud in every format.
+/// A mesh and a point cloud in every format.
 std::vector<Encoded> every_format() {
   std::vector<Encoded> all = encoded_in_every_format(tetrahedron());
   std::ranges::copy(test::cloud_in_every_format(test::small_cloud()), std::back_inserter(all));

@@ -49,7 +49,7 @@ TEST(ReadXyz, ColoursAndOtherColumnsAreNoNormals) {
   for (const char* text : {"0 0 .5 255 0 0\n1 0 -2 0 0 255\n0 1e3 0 255 255 0\n",      // 8-bit colours
                            "0 0 .5 .2 .2 .2\n1 0 -2 1 1 1\n0 1e3 0 .5 .5 .5\n",        // grey levels
                            "3\n0 0 .5 -12 1 0 0\n1 0 -2 99 1 0 0\n0 1e3 0 7 0 0 1\n",  // intensity and colour
-                           "0 0 .5 0 0 0\n1 0 -2 0 0 0\n0 1e3 0 0 0 0\n",              // nothing but zeros
+                           "0 0 .5 0 0 0\n1 0 -2 0 0 0\n0 1e3 0 0 0 0\n",              // all zero
                            "0 0 .5 9\n1 0 -2 nan\n0 1e3 0 7\n", "0 0 .5 0 1\n1 0 -2 0 1\n0 1e3 0 1 0\n",
                            "0 0 .5 a b c\n1 0 -2 d e f\n0 1e3 0 g h i\n"}) {
     EXPECT_EQ(expect_three_points(text).normals.rows(), 0) << text;
@@ -119,7 +119,7 @@ TEST(ReadXyz, NumberOfPointsMustBeRight) {
 
 TEST(ReadXyz, NothingUsableIsAnError) {
   expect_xyz_error("# nothing\n\n", "c.xyz: contains only white space and comments");
-  EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // what read_shape() refuses
+  EXPECT_EQ(read_xyz("0\n", "c.xyz").vertices.rows(), 0);  // refused by read_shape()
 }
 
 TEST(ReadXyz, HeaderAloneCanBeChecked) {

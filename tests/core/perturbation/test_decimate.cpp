@@ -28,7 +28,8 @@ TEST(Decimate, ASphereStaysClosedRoundAndOutward) {
   EXPECT_LE(coarse.triangles.rows(), 1000);
   EXPECT_GE(coarse.triangles.rows(), 998);
   EXPECT_TRUE(is_watertight(coarse));
-  // A polyhedron of n alike triangles in the unit sphere loses about 4 pi / (n sqrt(3)) of its volume and more.
+  // A polyhedron of n similar triangles inscribed in the unit sphere loses at least about 4 pi / (n sqrt(3)) of its
+  // volume.
   EXPECT_NEAR(signed_volume(coarse) / signed_volume(sphere), 1, 0.015);
   const Samples faces = sample_shape(coarse, SampleSite::faces);
   for (Eigen::Index f = 0; f < coarse.triangles.rows(); ++f) {
@@ -80,7 +81,7 @@ TEST(Decimate, KeepsTheOrientationOfEveryFace) {
 }
 
 TEST(Decimate, StaysClosedWhereSurfacesMeet) {
-  // Two boxes with a common edge: four faces meet there.
+  // Two boxes with a common edge, shared by four faces.
   const Shape box = test::box({1, 1, 1}, 6);
   const Shape pair = test::joined({box, test::transformed(box, 1, Eigen::Matrix3d::Identity(), {1, 1, 0})});
   const Shape coarse = decimate(pair, 200);

@@ -38,7 +38,7 @@ TEST(SampleSurface, PointsLieOnTheSurfaceUniformlyByArea) {
 }
 
 TEST(SampleSurface, EveryPartOfTheAreaHasItsPoint) {
-  // 1280 triangles of nearly the same area and two points for each: independent points would miss one in seven.
+  // 1280 triangles of nearly equal area, two points each: independent sampling would miss one in seven.
   const Shape sphere = test::sphere(1, 3);
   const Shape cloud = sampled(sphere, {.points = 2560, .with_normals = true}, 1);
   Eigen::Index different = 0;

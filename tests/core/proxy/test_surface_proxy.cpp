@@ -21,7 +21,7 @@ namespace {
 using std::numbers::pi;
 using test::sphere;
 
-/// Eigenvalues times the area, without the zero.
+/// Non-zero eigenvalues times the area.
 Eigen::VectorXd eigenvalues_of(const Shape& shape, Eigen::Index count) {
   ProxySource source(shape);
   return source.spectrum(static_cast<int>(count) + 1).eigenvalues.segment(1, count) * source.proxy().areas.sum();
@@ -141,7 +141,7 @@ TEST(SurfaceProxy, TwoSheetsAreTwoComponentsThatAreLinked) {
 }
 
 TEST(SurfaceProxy, PartsThatTouchAreNotJoined) {
-  // A flat ring that is open at one place by a thousandth of its radius.
+  // A flat ring with a gap of a thousandth of its radius.
   Shape ring = test::rectangle(1, 1, 300, 12);
   for (auto vertex : ring.vertices.rowwise()) {
     const double angle = (2 * pi - 0.001) * vertex[0];
@@ -215,7 +215,7 @@ TEST(SurfaceProxy, DependsNeitherOnOrderNorOnOrientation) {
   EXPECT_TRUE(are_equal(surface_proxy(test::permuted(shape, 1).shape), expected));
   EXPECT_TRUE(are_equal(surface_proxy(test::flipped(shape)), expected));
   EXPECT_TRUE(are_equal(surface_proxy(test::half_flipped(shape, 2)), expected));
-  EXPECT_TRUE(are_equal(surface_proxy(test::joined({shape, shape})), expected));  // doubles count once
+  EXPECT_TRUE(are_equal(surface_proxy(test::joined({shape, shape})), expected));  // duplicates count once
   const Shape cloud = test::random_points(shape, 5000, 1);
   EXPECT_TRUE(are_equal(surface_proxy(test::permuted(cloud, 3).shape), surface_proxy(cloud)));
 }
@@ -230,7 +230,8 @@ TEST(SurfaceProxy, IsTheSameOnAnyNumberOfThreads) {
 TEST(SurfaceProxy, MovesAndScalesWithTheShape) {
   const Shape shape = test::capsule(0.5, 2, 20, 20);
   const SurfaceProxy small = surface_proxy(shape);
-  const double scale = std::exp2(20);  // exact: of points equally far from all others a rounding would choose
+  const double scale =
+      std::exp2(20);  // a power of two is exact; rounding would otherwise decide between equidistant points
   const SurfaceProxy large = surface_proxy(test::transformed(shape, scale, Eigen::Matrix3d::Identity(), {0, 0, 0}));
   EXPECT_TRUE(large.points.isApprox(scale * small.points, 1e-9));
   EXPECT_TRUE(large.areas.isApprox(scale * scale * small.areas, 1e-9));

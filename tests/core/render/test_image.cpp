@@ -21,8 +21,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(ColourMap, PublishedColoursOfViridis) {
-  // Entries 0, 85, 127, 170 and 255 of the published table of 256, rounded to 8 bits; between the entries that the map
-  // keeps, a straight line is at most one step away.
+  // Entries 0, 85, 127, 170 and 255 of the published table of 256, rounded to 8 bits; between stored entries
+  // linear interpolation is at most one step off.
   const std::vector<std::pair<int, Colour>> published = {{0, {68, 1, 84}},      {28, {72, 40, 120}},
                                                          {85, {49, 104, 142}},  {127, {33, 144, 141}},
                                                          {170, {53, 183, 121}}, {255, {253, 231, 37}}};

@@ -50,7 +50,7 @@ TEST(RenderShape, SphereCoversADiskThatFillsTheHeight) {
   const RenderOptions options = small_transparent();
   const Image image = render(test::sphere(1, 5), options);
   const double radius = 0.5 * options.height * (1 - 2 * options.margin);
-  // Rays sample the outline every 1/rays_per_side pixels: along all of it they are off by at most half of that.
+  // Rays sample the outline every 1/rays_per_side pixels; the error along it is at most half of that.
   const double bound = 2 * std::numbers::pi * radius * 0.5 / options.rays_per_side;
   EXPECT_NEAR(covered(image), std::numbers::pi * radius * radius, bound);
 }
@@ -71,10 +71,10 @@ TEST(RenderShape, NothingSlipsBetweenTriangles) {
   options.margin = 0;
   options.width = options.height = 45;
   options.rays_per_side = 1;
-  // Each ray meets a corner of the 90 x 90 squares of a side.
+  // Each ray passes through a corner of the 90 x 90 squares of a side.
   const Shape box = test::box({1, 1, 1}, 90);
   EXPECT_DOUBLE_EQ(covered(render(box, options)), 45 * 45);
-  // Turned, it is convex still.
+  // Still convex after rotation.
   options.towards_viewer = {0.3, 0.2, 1};
   options.up = {0.1, 1, 0};
   const Image turned = render(box, options);
@@ -185,7 +185,7 @@ TEST(RenderShape, ACloudLooksLikeItsSurface) {
   const Shape cloud = test::random_points(sphere, 5000, 1);
   const Image image = render_shape(cloud, all(red, 5000), SampleSite::vertices, options);
   const Image of_mesh = render(sphere, options);
-  // Hexagons of a radius of 3 % of the sphere's stand out from its rim, and leave few holes.
+  // Hexagons with 3 % of the sphere's radius protrude beyond the rim and leave few holes.
   EXPECT_NEAR(covered(image) / covered(of_mesh), 1, 0.02);
   double difference = 0;
   double pixels = 0;
@@ -230,7 +230,7 @@ TEST(RenderShape, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(with([](RenderOptions& o) { o.towards_viewer.setConstant(std::nan("")); }), InputError);
 }
 
-/// A shape without symmetries: a body, a head at one end, something on its back and at its side.
+/// Asymmetric shape: a body with a head at one end and attachments on its back and side.
 Shape lopsided() {
   const auto placed = [](const Shape& part, const Eigen::Vector3d& move) {
     return test::transformed(part, 1, Eigen::Matrix3d::Identity(), move);

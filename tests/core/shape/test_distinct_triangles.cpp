@@ -12,7 +12,7 @@ namespace {
 
 using Indices = std::vector<std::int32_t>;
 
-/// Vertices 4 and 5 are where 0 and 1 are.
+/// Vertices 4 and 5 coincide with 0 and 1.
 Points places() { return Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-0.0, 0, 0}, {1, 0, 0}, {9, 9, 9}}; }
 
 TEST(DistinctTriangles, AreTheFirstOfThoseWithTheSameCorners) {

@@ -103,7 +103,7 @@ TEST(PointNormals, OfASphereAreRadial) {
 TEST(PointNormals, OfPointsAtOnePlaceAreZero) {
   EXPECT_TRUE(unsigned_point_normals(Points::Constant(20, 3, 5)).isZero(0));
   EXPECT_TRUE(unsigned_point_normals(Points::Zero(1, 3)).isZero(0));
-  // Thirteen at one place amid others: none of the twelve nearest is elsewhere.
+  // Thirteen coincident points: all twelve nearest neighbours are at distance 0.
   Points points = random_points_of_sphere();
   points.topRows(13).rowwise() = points.row(0).eval();
   const Points normals = unsigned_point_normals(points);
@@ -118,7 +118,7 @@ double bias(const Shape& mesh, Eigen::Index points) {
   return point_weights(random_points(mesh, points, 1).vertices).sum() / surface_area(mesh) - 1;
 }
 
-/// Points far apart, so that each has a weight of its own.
+/// Points far apart, with independent weights.
 Points scattered(unsigned seed, Eigen::Index count) {
   return random_points(test::torus(2, 0.5, 30, 60), count, seed).vertices;
 }
@@ -132,7 +132,7 @@ TEST(PointWeights, SumToTheAreaOfTheSurface) {
 }
 
 TEST(PointWeights, FollowTheDensity) {
-  // As many points on the small sphere as on the large one.
+  // Equally many points on both spheres.
   Shape small = random_points(test::sphere(1, 4), 4000, 1);
   small.vertices.col(0).array() += 20;
   const Shape large = random_points(test::sphere(10, 4), 4000, 2);
@@ -153,7 +153,7 @@ TEST(PointWeights, OfAGridAreAboutATenthTooLarge) {
 
 RC_GTEST_PROP(PointWeights, ArePermutedWithThePoints, (unsigned seed)) {
   Points points = scattered(seed, 60);
-  points.bottomRows(5) = points.topRows(5);  // at the same places
+  points.bottomRows(5) = points.topRows(5);  // coincident
   const Shape cloud{points, {}, {}};
   const test::Permuted permuted = test::permuted(cloud, seed);
   const Eigen::VectorXd before = point_weights(points);
@@ -192,7 +192,7 @@ TEST(PointWeights, AnOutlierWeighsNoMoreThanAFewPoints) {
     Points points(2002, 3);
     points << cluster, distance, 0, 0, -distance, distance, 0;
     const Eigen::VectorXd weights = point_weights(points);
-    // Nothing but 4 times the median of its neighbours' weights, of which none is above 4 times the mean.
+    // The cap is 4 times the median of the neighbours' weights, none of which exceeds 4 times the mean.
     EXPECT_LT(weights.tail(2).maxCoeff(), 16 * alone.mean()) << distance;
     EXPECT_GT(weights.tail(2).minCoeff(), 0);
     if (distance < 1e6) {

@@ -132,7 +132,7 @@ TEST(SampleVertices, FacesAroundANonManifoldEdgeAllCount) {
 }
 
 TEST(SampleVertices, TheNormalIsThatOfMostWhereTrianglesAreTurnedAtRandom) {
-  // Six equal triangles around a vertex, two of them turned: what is left of their normals' sum is a third.
+  // Six equal triangles around a vertex, two of them flipped: the sum of normals is a third.
   Shape fan;
   fan.vertices = Points::Zero(7, 3);
   fan.triangles.resize(6, 3);
@@ -148,7 +148,7 @@ TEST(SampleVertices, TheNormalIsThatOfMostWhereTrianglesAreTurnedAtRandom) {
 }
 
 TEST(SampleVertices, HaveNoNormalWhereNoTriangleUsesThemOrNormalsCancel) {
-  // Two triangles in a plane, turned to opposite sides, that meet in vertex 0.
+  // Two coplanar triangles of opposite orientation with vertex 0 in common.
   const Shape bow{Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {9, 9, 9}},
                   Triangles{{0, 1, 2}, {0, 4, 3}}};
   const Samples samples = sample_shape(test::transformed(bow, 1, test::rotation(3), {1, 2, 3}), SampleSite::vertices);
@@ -193,7 +193,7 @@ TEST(SamplesOfTheSurface, AreUniformByAreaAndOnTheirTriangles) {
   EXPECT_EQ(samples.site, SampleSite::surface);
   EXPECT_NEAR(samples.weights.sum(), 10, 1e-9);
   EXPECT_EQ(samples.weights.minCoeff(), samples.weights.maxCoeff());
-  EXPECT_EQ((samples.points.col(0).array() < 2).count(), 100);  // every tenth of the area has its own points
+  EXPECT_EQ((samples.points.col(0).array() < 2).count(), 100);  // points are stratified by area
   for (Eigen::Index i = 0; i < 1000; ++i) {
     const bool of_small = samples.points(i, 0) < 2;
     EXPECT_EQ(samples.triangles[static_cast<std::size_t>(i)] < 2, of_small) << i;

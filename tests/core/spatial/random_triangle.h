@@ -15,7 +15,7 @@ inline Eigen::Vector3d random_point() {
   return {x, y, coordinate()};
 }
 
-/// A triangle, now and then degenerate, for a RapidCheck property.
+/// A triangle, sometimes degenerate, for a RapidCheck property.
 inline Triangle random_triangle() {
   const Eigen::Vector3d a = random_point();
   const Eigen::Vector3d b = random_point();

@@ -10,10 +10,10 @@
 #include "shapegauge/core/shape/shape.h"
 #include "shapegauge/core/spatial/closest_point.h"
 
-/// Triangle soups that spatial searches find hard.
+/// Triangle soups that are difficult for spatial searches.
 namespace shapegauge {
 
-/// A shape of triangles with vertices of their own.
+/// Shape whose triangles share no vertices.
 inline Shape soup_of(const std::vector<Triangle>& triangles) {
   Shape shape;
   shape.vertices.resize(3 * std::ssize(triangles), 3);
@@ -89,7 +89,7 @@ class SoupMaker {
   std::mt19937 generator_;
 };
 
-/// A soup of any kind, of up to so many triangles, for a RapidCheck property.
+/// Generator of soups of all kinds for RapidCheck.
 inline Shape any_soup(int most) {
   const Soup kind = *rc::gen::elementOf(all_soups);
   const int count = *rc::gen::inRange(1, most);
@@ -101,7 +101,7 @@ inline Triangle triangle_of(const Shape& shape, Eigen::Index f) {
           shape.vertices.row(shape.triangles(f, 2))};
 }
 
-/// What a ray and a triangle have to do with each other.
+/// Relation of a ray to a triangle.
 struct RayMeeting {
   bool sure = true;  ///< false where the ray passes so close to a side, or begins so close to the plane, that rounding
                      ///< may decide
@@ -110,11 +110,11 @@ struct RayMeeting {
   double distance = 0;
 };
 
-/// By the signs of the volumes that the ray spans with the triangle's sides. `unsure` is a distance.
+/// Classifies by the signs of the volumes spanned by ray and sides; `unsure` is a tolerance, as a distance.
 inline RayMeeting meeting_of(const Triangle& t, const Eigen::Vector3d& x, const Eigen::Vector3d& direction,
                              double unsure) {
   for (const auto& [p, q] : {std::pair(t.a, t.b), {t.b, t.c}, {t.c, t.a}}) {
-    // The distance of the line from the side: both seen along the line.
+    // Distance of the line from the side, in projection along the line.
     const auto across = [&](const Eigen::Vector3d& y) -> Eigen::Vector3d {
       return (y - x) - (y - x).dot(direction) * direction;
     };

@@ -24,7 +24,7 @@ Eigen::Vector3d random_point_within(std::mt19937& random, double extent) {
   return {x, y, uniform(random)};
 }
 
-/// What single precision may mistake, in shapes of size 1.
+/// Tolerance of single precision for shapes of size 1.
 constexpr double unsure = 1e-5;
 
 struct Expected {
@@ -101,7 +101,7 @@ TEST(RayCaster, NoRayEscapesThroughAnEdgeOrVertex) {
         const RayHit hit = caster.first_hit(centre, (target - centre).normalized());
         ASSERT_TRUE(hit);
         EXPECT_TRUE(hit.leaving);
-        EXPECT_NEAR(hit.distance, (target - centre).norm(), 1e-7);  // the neighbour's plane, a float's error away
+        EXPECT_NEAR(hit.distance, (target - centre).norm(), 1e-7);  // the neighbour's plane, within single precision
       }
     }
   }
@@ -121,7 +121,7 @@ std::vector<Eigen::Vector3d> directions_to(const Shape& shape, const Eigen::Vect
   return directions;
 }
 
-/// Spheres within each other, the outer one listed twice, and a third time turned over.
+/// Nested spheres; the outer one appears twice, and once more flipped.
 Shape nested_spheres(int subdivisions) {
   const Shape outer = test::sphere(1, subdivisions);
   const Shape shape = test::joined({outer, test::sphere(0.4, 2), test::flipped(outer), outer});
@@ -158,7 +158,7 @@ TEST(RayCaster, ManyRaysHitWhatEachHits) {
 }
 
 TEST(RayCaster, SameHitsOnAnyNumberOfThreads) {
-  const Shape shape = nested_spheres(5);  // enough triangles for Embree to build with many threads
+  const Shape shape = nested_spheres(5);  // enough triangles for a multithreaded build by Embree
   const Eigen::Vector3d origin(7.3, -1, -1);
   const std::vector<Eigen::Vector3d> directions = directions_to(test::sphere(1, 4), {0.1, 0.2, 0.3});
   const tbb::global_control more_threads_than_cores(tbb::global_control::max_allowed_parallelism, 8);

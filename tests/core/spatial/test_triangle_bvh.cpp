@@ -13,7 +13,7 @@
 #include "tests/core/spatial/soups.h"
 #include "tests/support/test_shapes.h"
 
-/// The tree against all triangles tried in turn, on soups that trees find hard.
+/// Compares the tree with brute force on difficult soups.
 namespace shapegauge {
 
 namespace {
@@ -28,7 +28,7 @@ double distance_to_all(const Shape& shape, const Eigen::Vector3d& x) {
   return distance;
 }
 
-/// A place in the soup, near it, or at a corner of it.
+/// A point on the soup, near it, or at one of its vertices.
 Eigen::Vector3d any_query(const Shape& shape) {
   if (*rc::gen::inRange(0, 4) == 0) {
     return shape.vertices.row(*rc::gen::inRange<int>(0, static_cast<int>(shape.vertices.rows())));
@@ -90,7 +90,7 @@ TEST(TriangleBVH, CopesWithManyTrianglesInOnePlace) {
   EXPECT_DOUBLE_EQ(tree.closest({0.25, 0.25, 2})->distance, 2);
 }
 
-/// A cloud's points are found as triangles of no size.
+/// Points of a cloud are treated as degenerate triangles.
 RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
   Shape cloud;
   cloud.vertices = any_soup(100).vertices;
@@ -103,7 +103,7 @@ RC_GTEST_PROP(TriangleBVH, FindsTheClosestPointOfACloud, ()) {
   RC_ASSERT(found->point == Eigen::Vector3d(cloud.vertices.row(found->triangle).transpose()));
 }
 
-/// So few and so large that they are in one leaf, and the nearest is seldom that of the nearest plane or corner.
+/// Few and large triangles in one leaf; the nearest is seldom that with the nearest plane or corner.
 TEST(TriangleBVH, FindsTheClosestOfAFewLargeTriangles) {
   RandomNumbers random(1);
   const auto place = [&] {

@@ -6,8 +6,8 @@
 
 namespace shapegauge {
 
-/// Square matrices of 1 to 12 rows with entries of all magnitudes, exactly representable as float32, infinity among
-/// them, none NaN.
+/// Square matrices of 1 to 12 rows with entries of all magnitudes, exactly representable as float32, including
+/// infinity but not NaN.
 rc::Gen<DistanceMatrix> square_matrices();
 
 }  // namespace shapegauge

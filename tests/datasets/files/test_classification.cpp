@@ -107,7 +107,7 @@ TEST(ParseClassification, OneClearErrorWithTheLineForEachFault) {
 }
 
 TEST(ParseClassification, EveryPrefixReadsOrIsAnInputError) {
-  // Without its line end the file is whole; anything shorter is not.
+  // Complete without the final newline; truncated if any shorter.
   for (std::size_t length = 0; length < valid.size() - 1; ++length) {
     EXPECT_THAT(classification_error_of(valid.substr(0, length)), StartsWith("x.cla:")) << length;
   }
@@ -171,7 +171,7 @@ TEST(WriteClassification, AFolderThatIsNotThereIsAnInputError) {
               HasSubstr("cannot write"));
 }
 
-// The real labels, where they are there: 30 classes of 20, models 0 to 599.
+// The original labels, if available: 30 classes of 20, models 0 to 599.
 TEST(ReadClassification, Shrec11) {
   const char* const data = std::getenv("SHAPEGAUGE_DATA");
   if (data == nullptr) GTEST_SKIP() << "SHAPEGAUGE_DATA does not name the folder of the real data";

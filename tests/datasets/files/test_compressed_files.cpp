@@ -23,7 +23,7 @@ using testing::HasSubstr;
 
 using Entries = std::vector<std::pair<std::string, std::string>>;  // names and contents
 
-// What an archive of these entries is, in a format and with a filter of libarchive.
+// Bytes of an archive of the entries, with a format and a filter of libarchive.
 std::string packed(const Entries& entries, int (*format)(archive*), int (*filter)(archive*)) {
   std::string bytes(1 << 20, '\0');
   std::size_t used = 0;
@@ -90,7 +90,7 @@ TEST(CompressedFiles, MayUnpackToALimitThatGrowsWithTheirSize) {
 TEST(CompressedFiles, ThatUnpackToMoreThanTheyCanHoldAreErrors) {
   const TemporaryFolder folder;
   const std::string zeros(std::size_t{4} << 20, '\0');
-  std::string bomb;  // a gzip file may be of several, one behind the other
+  std::string bomb;  // a gzip file may consist of several members
   for (const std::string member = gzipped(zeros); bomb.size() < 65 * member.size();) bomb += member;
   for (const char* const name : {"a.npy.gz", "a.csv.gz", "a.matrix.gz"}) {
     EXPECT_THAT(test::input_error_of([&] { read_number_table(folder.file(name, bomb)); }),

@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// The cells of a text of one row.
+// Cells of a one-row text.
 std::vector<std::string> cells_of(const std::string& text, char separator = ',') {
   const std::vector<CsvRow> rows = parse_csv(text, "f.csv", separator);
   return rows.size() == 1 ? rows[0].cells : std::vector<std::string>{"not one row"};
@@ -86,7 +86,7 @@ RC_GTEST_PROP(Csv, CellsReadBackAsTheyWere, ()) {
   const auto cell =
       rc::gen::container<std::string>(rc::gen::element('a', ',', '"', ' ', '\t', '\n', '\r', '\xC3', '\xA9'));
   const auto cells = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::string>>(cell));
-  RC_PRE(cells.size() > 1 || !cells[0].empty());  // an empty line is no row
+  RC_PRE(cells.size() > 1 || !cells[0].empty());  // an empty line is not a row
   RC_ASSERT(cells_of(csv_line(cells)) == cells);
 }
 

@@ -15,7 +15,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-// A file of MATLAB's version 5 to which variables are added.
+// Builds a MATLAB version 5 file from variables.
 class MatFile {
  public:
   explicit MatFile(const std::filesystem::path& path) : file_(Mat_CreateVer(path.c_str(), nullptr, MAT_FT_MAT5)) {}
@@ -23,7 +23,7 @@ class MatFile {
   MatFile& operator=(const MatFile&) = delete;
   ~MatFile() { Mat_Close(file_); }
 
-  // Two rows of three numbers, of which these are the columns one after the other.
+  // Two rows of three numbers, in column-major order.
   template <typename Number>
   void add(const char* name, matio_classes numbers, matio_types type, std::array<Number, 6> columns,
            matio_compression compression = MAT_COMPRESSION_ZLIB) {

@@ -218,7 +218,7 @@ TEST(TextMatrix, EveryPrefixReadsOrIsAnInputError) {
   const std::string valid = "# three models\n0 1.25 2e-1\n1.25 0 3\n2e-1 3 0\n";
   const std::size_t first_number = valid.find('0');
   for (std::size_t length = 0; length < valid.size(); ++length) {
-    // One number alone is a matrix too, and the last line end may be missing.
+    // A single number is a matrix; the final newline is optional.
     const bool alone = length == first_number + 1 || length == first_number + 2;
     const bool whole = length + 1 == valid.size();
     EXPECT_THAT(text_error(valid.substr(0, length)), HasSubstr(alone || whole ? "no error" : "m.txt")) << length;

@@ -48,7 +48,7 @@ TEST(NpyHeader, TakesShapesOfAnyDimension) {
 }
 
 TEST(NpyHeader, ASizeThatOverflowsIsNoSize) {
-  // 2^61 numbers of 8 bytes are 2^64 bytes, which a 64-bit count holds as 0.
+  // 2^61 numbers of 8 bytes are 2^64 bytes, 0 as a 64-bit count.
   const std::string bytes = version_1("{'descr': '<f8', 'fortran_order': False, 'shape': (2305843009213693952, 1), }");
   EXPECT_THAT(test::input_error_of([&] { parse_npy_table_header(bytes, bytes.size(), false, "x.npy"); }),
               StartsWith("x.npy: 0 bytes of data"));
@@ -131,7 +131,7 @@ TEST(Npy, ReadsWhatNumpyWrites) {
   }
 }
 
-// A row of the numbers in these bytes.
+// .npy file with one row, from the bytes of its numbers.
 DistanceMatrix row_of(const std::string& type, const std::string& bytes, std::size_t count) {
   const std::string shape = "(1, " + std::to_string(count) + ")";
   return parse_npy_table(
@@ -187,7 +187,7 @@ TEST(Npy, DataOfAnotherLengthIsAnError) {
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2)", "(3, 3)")),
               HasSubstr("shape (3, 3) and type <f8"));
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "<f8", "<f4")), HasSubstr("32 bytes of data"));
-  // 2^32 squared is 0 in 64 bits, and 2^64 - 1 the largest number of all.
+  // 2^32 squared is 0 in 64 bits; 2^64 - 1 is the largest 64-bit number.
   EXPECT_THAT(npy_error_of(npy_replaced(float64_version_1, "(2, 2), }" + std::string(22, ' '),
                                         "(4294967296, 4294967296), }    ")),
               HasSubstr("do not match an array of shape"));
@@ -219,7 +219,7 @@ RC_GTEST_PROP(Npy, DamagedFilesReadOrAreInputErrors, ()) {
 
 RC_GTEST_PROP(Npy, ReadsBackWhatIsWritten, ()) {
   const TemporaryFolder folder;
-  // A third of a float32 needs all of the float64.
+  // A third of a float32 needs the precision of float64.
   const DistanceMatrix matrix = *square_matrices() / 3;
   write_npy(folder.path() / "m.npy", matrix);
   RC_ASSERT(parse_npy(test::bytes_of(folder.path() / "m.npy"), "m") == matrix);

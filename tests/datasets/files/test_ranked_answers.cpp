@@ -32,7 +32,7 @@ TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
   EXPECT_TRUE(judgements.queries[1].relevant.empty());
   EXPECT_TRUE(judgements.graded);
   EXPECT_FALSE(parse_qrels("q1 0 a 1\n", "j").graded);
-  EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever the grade above 1 is
+  EXPECT_TRUE(parse_qrels("q1 0 a 2\nq1 0 b 1\n", "j").graded);  // wherever a grade above 1 occurs
 }
 
 TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {

@@ -26,7 +26,7 @@ TEST(Sha256, OfAFile) {
   EXPECT_THROW(sha256_of_file(folder.path() / "absent"), InputError);
 }
 
-/// A format of which each line names a file with a vertex.
+/// Format whose lines name files with one vertex each.
 ShapeFormat format_of_parts() {
   static constexpr std::array<std::string_view, 1> extensions{".parts"};
   constexpr auto neighbours = [](const ShapeSource& source) {

@@ -48,7 +48,7 @@ TEST(Table, LatexEscapesEverySpecialCharacter) {
             std::string::npos);
 }
 
-// Two groups by the second column; in the first the best looks the same twice.
+// Two groups by the second column; in the first, two rows tie for the best as printed.
 Table two_groups() {
   Table groups{.header = {"method", "average", "NN"},
                .rows = {{"a", "x", "9.5"}, {"b", "x", "10.0 [9.0, 11.0]"}, {"c", "x", "10.0"}, {"d", "y", "3.0"}},

@@ -13,7 +13,7 @@
 
 namespace shapegauge {
 
-/// Writes a matrix as CSV, with ids where it has them, and with all digits.
+/// Writes a matrix as CSV with full precision, and with ids if it has any.
 inline void write_csv_matrix(const std::filesystem::path& path, const LabelledDistances& matrix) {
   std::string text;
   if (!matrix.ids.empty()) {

@@ -6,8 +6,8 @@
 
 namespace shapegauge {
 
-/// What keeps a mesh from being closed, 2-manifold, consistently oriented outward and of one component, found by
-/// counting edges and walking around vertices; empty where nothing does.
+/// Reason why a mesh is not closed, 2-manifold, consistently oriented outward and connected, found by
+/// counting edges and walking around vertices; empty if there is none.
 std::string topology_fault(const Shape& mesh);
 
 }  // namespace shapegauge

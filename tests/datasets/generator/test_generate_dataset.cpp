@@ -184,7 +184,7 @@ TEST(GenerateDataset, WritesModelsLabelsPartsAndClassification) {
     }
   }
   EXPECT_THAT(numbers, testing::UnorderedElementsAre("0", "1", "2", "3", "4", "5", "6", "7", "8"));
-  EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end()));  // the order of files does not give the classes away
+  EXPECT_FALSE(std::is_sorted(numbers.begin(), numbers.end()));  // the order of files does not reveal classes
 }
 
 TEST(GenerateDataset, SameSeedSameBytesWithAnyNumberOfThreads) {

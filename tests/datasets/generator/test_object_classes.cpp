@@ -34,7 +34,7 @@ TEST(MeshSolid, ClosesAroundACylinderOfTwoParts) {
   EXPECT_NEAR(static_cast<double>(made->mesh.triangles.rows()), 2000, 400);
   EXPECT_EQ(topology_fault(made->mesh), "");
   EXPECT_FALSE(self_intersects(made->mesh));
-  // Chords and the rounding take away a few percent.
+  // Chords and rounding reduce it by a few percent.
   EXPECT_NEAR(volume(made->mesh) / (std::numbers::pi * 0.25), 0.975, 0.02);
   for (Eigen::Index f = 0; f < made->labels.size(); ++f) {
     const Eigen::Matrix3d corners = made->mesh.vertices(made->mesh.triangles.row(f), Eigen::all);

@@ -151,7 +151,7 @@ TEST(Proportions, StretchEachKindOfLimbByAFewPercentAndKeepTheJointsTogether) {
     EXPECT_NEAR(factor, 1, 0.07);
   }
   EXPECT_GT(std::abs(body_girth - body_length), 1e-3) << "girth and length are drawn each by itself";
-  EXPECT_NEAR(-drawn.points(3, 2), leg_length, 1e-15);  // both legs are of a kind
+  EXPECT_NEAR(-drawn.points(3, 2), leg_length, 1e-15);  // both legs have the same proportions
   EXPECT_NEAR(drawn.tree.bones[1].joint.x(), 0.5 * body_length, 1e-15);
   EXPECT_NEAR(drawn.points(2, 0), 0.5 * body_length, 1e-15);
   EXPECT_NEAR(drawn.points(3, 0), 1.5 * body_length, 1e-15);

@@ -32,7 +32,7 @@ void expect_distance(const Solid& solid, Distance distance) {
 TEST(Solid, RoundedBoxIsTheDistanceToItsCoreLessTheRounding) {
   const Vector3d centre(0.2, -0.1, 0.3);
   expect_distance(rounded_box(centre, {0.6, 0.5, 0.4}, 0.4), [&](const Vector3d& point) {
-    // A core of no height: outside of it everywhere.
+    // A core of height 0: every point is outside.
     const Vector3d local = point - centre;
     const Vector3d nearest(std::clamp(local.x(), -0.2, 0.2), std::clamp(local.y(), -0.1, 0.1), 0);
     return (local - nearest).norm() - 0.4;

@@ -15,13 +15,13 @@ using testing::HasSubstr;
 
 const std::string triangle = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-/// Folders in the shape of published data sets, with few models.
+/// Folders with the layouts of published data sets and few models.
 class BenchmarkLayouts : public testing::Test {
  protected:
   [[nodiscard]] fs::path root() const { return folder_.path() / "data"; }
   void add(const std::string& name, const std::string& text = triangle) const { test::write_text(root() / name, text); }
 
-  /// The data set as the folder is recognised: layout, then models with their classes.
+  /// Layout recognized for the folder, then models with their classes.
   [[nodiscard]] std::vector<std::string> recognised(const std::string& split = "all") const {
     DatasetLocation location = recognise_dataset(root());
     location.split = split;

@@ -113,7 +113,7 @@ TEST_F(ModelLabelsTest, LinesOfIdsAndClassesAreATable) {
   EXPECT_FALSE(labels.without_ids);
   EXPECT_THAT(labels.models, ElementsAre("10", "2", "1"));
   EXPECT_THAT(classes_of(labels), ElementsAre("big ant", "bee"));
-  // What can be a list of classes is one: words without digits, repeated first words, no class that repeats.
+  // Recognized as lists of classes: words without digits, repeated first words, classes without repetition.
   for (const char* const text : {"red ant\nold ant\nnew bee\n", "0 ant\n0 bee\n1 bee\n", "0 ant\n1 bee\n"}) {
     EXPECT_TRUE(read_labels(file("list.txt", text)).without_ids) << text;
   }

@@ -138,7 +138,7 @@ TEST_F(Layouts, WhatIsSkippedIsCounted) {
   EXPECT_THAT(counts(find("folders").skipped), ElementsAre(3, 1, 1));
   EXPECT_EQ(skipped_text(find("folders").skipped),
             "skipped: 3 files that are no shapes, 1 shape outside of the layout, 1 folder");
-  // Each folder has to have models, and "chair" has them in "train" only: the rest belongs to the other split.
+  // Each folder must have models; "chair" has some in "train" only.
   write("bed/train/b3.off");
   EXPECT_THAT(counts(find("folders", "train").skipped), ElementsAre(3, 1, 1));
 }
@@ -207,7 +207,7 @@ TEST_F(Layouts, AreRecognised) {
   EXPECT_EQ(recognise_dataset(root(), "other.cla").classification, "other.cla");
 }
 
-/// The messages of the models that fail, by id.
+/// Messages of models that fail, by id.
 std::map<std::string, std::string> failures_of(const Dataset& dataset) {
   std::map<std::string, std::string> messages;
   for (const ModelFailure& failure : check_models(dataset))

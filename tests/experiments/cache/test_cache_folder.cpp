@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// While it lives, an environment variable has a value, or none.
+/// Sets or clears an environment variable during its lifetime.
 class Variable {
  public:
   Variable(const char* name, const std::optional<std::string>& value) : name_(name) {
@@ -90,7 +90,7 @@ using testing::HasSubstr;
 class CacheContentsTest : public testing::Test {
  protected:
   [[nodiscard]] fs::path folder() const { return folder_.path() / "cache"; }
-  /// Keeps a value and says that it was last used so many hours ago.
+  /// Stores a value, last used the given number of hours ago.
   void keep(EntryKind kind, char digit, std::size_t size, int hours = 0) const {
     const std::string key(64, digit);
     Cache(folder()).store(kind, key, std::string(size, 'x'));
@@ -143,7 +143,7 @@ TEST_F(CacheContentsTest, TrimmingRemovesWhatWasNotUsedForLongest) {
   keep(EntryKind::field, '3', 1000, 20);
   trim_cache(folder(), 10'000);
   EXPECT_EQ(cache_contents(folder()).total().entries, 3U);
-  // The first is the oldest, but is used now.
+  // The first is the oldest, but has just been used.
   const auto same = [](const nlohmann::json& value) { return value; };
   EXPECT_TRUE(Cache(folder()).lookup(EntryKind::field, std::string(64, '1'), same));
   trim_cache(folder(), 2500);

@@ -31,7 +31,7 @@ TEST(WeightedQuantile, OfNothingIsNotANumber) {
 
 namespace {
 
-constexpr double rounding = 1e-5;  // degrees; the cross product of unit vectors is good to 1e-15
+constexpr double rounding = 1e-5;  // degrees; the cross product of unit vectors is accurate to 1e-15
 
 TEST(NormalErrors, AreNoneForTheTrianglesOwnNormals) {
   const Shape box = test::box({3, 2, 1}, 4);

@@ -20,12 +20,12 @@ using test::write_text;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-/// A sphere, the same file again under another name, and a noisy one.
+/// A sphere, a copy of its file under another name, and a noisy sphere.
 class RunComparison : public testing::Test {
  protected:
   void SetUp() override {
     Shape sphere = test::sphere(10, 3);
-    sphere.vertices.rowwise() += Eigen::RowVector3d(5, 0, 1);  // units and place of its own
+    sphere.vertices.rowwise() += Eigen::RowVector3d(5, 0, 1);  // another scale and position
     write_off(path("sphere.off"), sphere);
   }
   [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
@@ -68,7 +68,7 @@ TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
       EXPECT_EQ(field.errors->percentile_90, 0);
       EXPECT_EQ(field.errors->relative_percentile_90, 0);
     }
-    // At the centroids of a convex mesh the offset normal is the triangle's, but for rounding.
+    // At the centroids of a convex mesh the offset normal is that of the triangle, up to rounding.
     EXPECT_LT(results.shapes[shape].fields[0].offset_normals->percentile_90, 1e-4);
     EXPECT_FALSE(results.shapes[shape].fields[1].offset_normals) << "the cone estimates no normals";
   }
@@ -192,7 +192,7 @@ TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
   EXPECT_LT(cloud.offset_normals->percentile_90, 8);
 }
 
-/// On which side the normals of a cloud without any point is chance: only their lines are compared.
+/// The orientation of normals of an unoriented cloud is arbitrary: compares lines only.
 TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
   Json changed = document();
   changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");

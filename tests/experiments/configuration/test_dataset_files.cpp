@@ -66,7 +66,7 @@ TEST_F(DatasetFiles, MustBeThereAndDescribeADataSet) {
   EXPECT_THAT(test::input_error_of([&] { read({{"datasets", {"sets/broken.json"}}}); }), HasSubstr("broken.json"));
 }
 
-/// The files of configs/datasets, each with a variable and a folder in its shape.
+/// Files in configs/datasets, each with its environment variable and a folder of the expected layout.
 struct PublishedDataset {
   std::string file;
   std::string variable;

@@ -82,7 +82,7 @@ TEST(MakeField, ConeSdfIsThatOfTheCore) {
   EXPECT_EQ(computed.outcomes, (FieldOutcomes{{"total", 80}, {"missing", 0}}));
 }
 
-/// The values of a field on a shape.
+/// Values of a field on a shape.
 Eigen::VectorXd values_of(const nlohmann::json& settings, const Shape& shape) {
   const Field field = read_field(settings);
   FieldSource source(shape);
@@ -167,7 +167,7 @@ TEST(MakeField, SecondsAreOfAllThatIsDone) {
 }
 
 TEST(MakeField, AMissingValueIsCounted) {
-  // A single triangle: no ray meets anything.
+  // A single triangle: rays hit nothing.
   Shape shape;
   shape.vertices = Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   shape.triangles = Triangles{{0, 1, 2}};
@@ -211,7 +211,7 @@ TEST(MakeField, AFieldKnowsItsDimension) {
   }
 }
 
-/// Values of a field on a shape of any size, without preparation.
+/// Values of a field on a shape without preparation.
 Eigen::VectorXd values_on(const Shape& shape, const nlohmann::json& settings) {
   const Field field = read_field(settings);
   FieldSource source(shape);

@@ -38,7 +38,7 @@ TEST(ParameterJson, FillsInDefaultsAndReadsBackAsTheSame) {
   EXPECT_EQ(read_parameters(parameters, {{"width", "auto"}}).word("width"), "auto");
 }
 
-/// A parameter that takes lists.
+/// A parameter whose values are lists.
 const std::vector<Parameter> listed{{.name = "sizes",
                                      .kind = ParameterKind::integers,
                                      .default_value = IntegerList{3},

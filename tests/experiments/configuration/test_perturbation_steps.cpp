@@ -30,8 +30,8 @@ TEST(PerturbModel, DependsOnSeedAndIdButNotOnThePlaceInTheDataSet) {
 }
 
 TEST(PerturbModel, IsTheSameOnEveryMachine) {
-  // Of the id, 64-bit FNV-1a.
-  RandomNumbers model(7, 0xaf63dc4c8601ec8cULL);  // the hash of "a", by its authors' table
+  // Seeded by the id's 64-bit FNV-1a hash.
+  RandomNumbers model(7, 0xaf63dc4c8601ec8cULL);  // published hash of "a"
   RandomNumbers step(model.next());
   const Shape box = test::box({1, 2, 3}, 2);
   EXPECT_EQ(vertices_of(noise, 7, "a", 0), vertex_noise(box, {.amplitude = 0.01}, step).vertices);
@@ -53,7 +53,7 @@ TEST(PerturbModel, WithoutStepsChangesNothing) {
 
 using Json = nlohmann::json;
 
-/// Nothing, 24 faces, or a cloud of 50 points.
+/// Empty shape, mesh of 24 faces, or cloud of 50 points.
 Json choices() {
   return Json::parse(R"([[], [{"type": "remove_faces", "fraction": 0.5}], [{"type": "sample_points", "points": 50}]])");
 }
@@ -101,7 +101,7 @@ TEST(OneOf, FillsInTheDefaultsOfItsChoices) {
 
 using testing::HasSubstr;
 
-/// Expects that the step is what the function of the core does, and that its settings make the same step again.
+/// Checks that the step equals the function of the core, and that its settings reproduce it.
 template <typename OfTheCore>
 void expect_step(const Json& settings, const OfTheCore& of_the_core) {
   const Shape sphere = test::sphere(1, 3);

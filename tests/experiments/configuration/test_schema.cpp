@@ -35,7 +35,7 @@ Json valid() {
     ]})");
 }
 
-/// The message for the valid configuration with the value at a JSON pointer replaced.
+/// Error message of the valid configuration after replacing the value at a JSON pointer.
 std::string schema_error_with(const std::string& pointer, const Json& value) {
   Json document = valid();
   document[Json::json_pointer(pointer)] = value;
@@ -139,7 +139,7 @@ TEST(SchemaCheck, SeedsAreWholeNumbersThatADoubleHolds) {
   EXPECT_THAT(schema_error_with("/seed", 9007199254740992), StartsWith("x.json: seed: must be"));
 }
 
-/// All values of a document, by JSON pointer.
+/// Values of a document by JSON pointer.
 std::vector<std::string> places_in(const Json& document) {
   std::vector<std::string> places;
   const Json flat = document.flatten();

@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::json;
 
-/// The experiments among the configurations that come with the program.
+/// Experiment configurations shipped with the program.
 std::vector<Json> all_experiments() {
   std::set<fs::path> files;
   for (const auto& entry : fs::directory_iterator(SHAPEGAUGE_CONFIGS_FOLDER)) {
@@ -47,7 +47,7 @@ void read(const Json& document) {
   }
 }
 
-/// The error of reading a document; "" for none. Fails for an exception that is not for users.
+/// Error of reading a document, or "". Fails on exceptions other than user errors.
 std::string error_of(const Json& document) {
   try {
     read(document);
@@ -60,7 +60,7 @@ std::string error_of(const Json& document) {
   }
 }
 
-/// All places in a document, as JSON pointers.
+/// JSON pointers of all values of a document.
 void add_places(const Json& value, const Json::json_pointer& place, std::vector<Json::json_pointer>& places) {
   if (!place.empty()) places.push_back(place);
   if (value.is_object()) {
@@ -69,14 +69,14 @@ void add_places(const Json& value, const Json::json_pointer& place, std::vector<
   for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) add_places(value[i], place / i, places);
 }
 
-/// The place as messages have it, "signatures.0.field".
+/// Path as in messages, such as "signatures.0.field".
 std::string dotted(const Json::json_pointer& place) {
   std::string text = place.to_string().substr(1);
   std::ranges::replace(text, '/', '.');
   return text;
 }
 
-/// The first place of each kind in all experiments: without indices, with the kind of what is there.
+/// First occurrence of each path (without indices) and value type in all experiments.
 std::vector<std::pair<Json, Json::json_pointer>> places_of_every_kind() {
   std::vector<std::pair<Json, Json::json_pointer>> result;
   std::set<std::string> seen;

@@ -111,7 +111,7 @@ TEST(ResultFolder, WhereNothingCanBeWrittenIsAnError) {
   EXPECT_THAT(error_for("/proc/results"), HasSubstr("cannot"));
 }
 
-/// A folder with the results of an earlier run and a file of the user's.
+/// Folder with results of an earlier run and a file of the user.
 class StagedResultsTest : public testing::Test {
  protected:
   void SetUp() override {

@@ -7,7 +7,7 @@
 #include "shapegauge/metrics/evaluation.h"
 #include "tests/support/test_files.h"
 
-// The worked example of docs/manual/evaluation.md: what stands there is what the library gives.
+// The worked example of docs/manual/evaluation.md: numbers on the page must be those of the library.
 
 namespace shapegauge {
 namespace {
@@ -19,7 +19,7 @@ const std::string& guide() {
   return text;
 }
 
-// The indented block behind the first line with these words, without the indentation.
+// The indented block after the first line that contains the words, without indentation.
 std::string block_behind(const std::string& words) {
   std::string block;
   bool found = false;
@@ -32,7 +32,7 @@ std::string block_behind(const std::string& words) {
   return block;
 }
 
-// The rows of the Markdown table behind a heading, cells without their blanks.
+// Rows of the Markdown table after a heading, with trimmed cells.
 std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
   std::vector<std::vector<std::string>> rows;
   for (std::string_view line : split_lines(std::string_view(guide()).substr(guide().find(heading)))) {
@@ -47,7 +47,7 @@ std::vector<std::vector<std::string>> table_behind(const std::string& heading) {
       line.remove_prefix(line.find('|') + 1);
     }
   }
-  rows.erase(rows.begin(), rows.begin() + 2);  // names and rule
+  rows.erase(rows.begin(), rows.begin() + 2);  // header and separator
   return rows;
 }
 

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Features of so many models that they do not come as one block of rows, with ties and some repeated.
+// Features of more models than one block of rows, with ties and duplicates.
 DistanceMatrix many_features(Eigen::Index models) {
   RandomNumbers random(3);
   DistanceMatrix features = DistanceMatrix::NullaryExpr(
@@ -47,7 +47,7 @@ class EvaluateFiles : public testing::Test {
 
   [[nodiscard]] std::filesystem::path at(const std::string& name) const { return folder_.path() / name; }
 
-  // All scores, and all warnings, as text with all digits.
+  // All scores and warnings as text with full precision.
   [[nodiscard]] static std::string all_output(const EvaluatedFiles& evaluated) {
     const EvaluationTask& task = evaluated.data.task;
     const std::vector<NamedEvaluation> one{
@@ -63,7 +63,7 @@ class EvaluateFiles : public testing::Test {
     return text;
   }
 
-  // Features by rows, against their matrix from a text file, which is read as a whole, and from a file read by blocks.
+  // Compares features, their matrix from a text file (read as a whole), and their matrix from a file read in blocks.
   void expect_same(const std::string& distance, const std::string& labels, const EvaluationOptions& options) const {
     const std::string by_rows =
         all_output(evaluate_files({.matrix = at("features.npy"), .labels = at(labels), .distance = distance}, options));
@@ -109,7 +109,7 @@ TEST_F(EvaluateFiles, WhatIsOddAboutTheDistancesOfFeaturesIsFound) {
   EXPECT_THAT(evaluated.warnings, Contains(HasSubstr(std::to_string(repeats) + " rows repeat an earlier one")));
 }
 
-/// What is told of a matrix of four models in two classes.
+/// Warnings for a matrix of four models in two classes.
 class MatrixWarnings : public testing::Test {
  protected:
   [[nodiscard]] std::vector<std::string> warnings_of(const std::string& matrix, bool similarity = false) const {

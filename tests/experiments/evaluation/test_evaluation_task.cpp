@@ -54,7 +54,7 @@ TEST_F(EvaluationTaskTest, SimilaritiesAreTurnedRound) {
 TEST_F(EvaluationTaskTest, FeaturesAreCompared) {
   const auto labels = two_classes();
   for (const char* table : {"10,5,0\n1,0,0\n11,6,1\n2,1,0\n", "id,x,y\n10,5,0\n1,0,0\n11,6,1\n2,1,0\n"}) {
-    // Without a header the ids are numbers, and taken as features: the rows are 1, 2, 10, 11 then.
+    // Without a header, numeric ids are taken as features: rows are 1, 2, 10, 11 then.
     const EvaluationData input =
         open_evaluation_files({.matrix = file("f.csv", table), .labels = labels, .distance = "l2"});
     const bool header = table[0] == 'i';
@@ -116,7 +116,7 @@ TEST_F(EvaluationTaskTest, ATrecRunUnderJudgements) {
 TEST_F(EvaluationTaskTest, RankedListsUnderClasses) {
   const EvaluationData input =
       open_evaluation_files({.matrix = file("r.lists", "1 1 2 10\n10 2 11\n11 1\n"), .labels = two_classes()});
-  // The query itself is passed over in its list; 11 finds nothing that is relevant.
+  // The query itself is skipped in its list; 11 finds no relevant model.
   EXPECT_DOUBLE_EQ(measure(input, "MRR"), (1 + 0.5 + 0) / 3);
   EXPECT_THAT(input.task.warnings, ElementsAre(HasSubstr("1 of 4 queries have no answer")));
   const ListCoverage& coverage = input.task.coverage.value();
@@ -161,7 +161,7 @@ TEST_F(EvaluationTaskTest, WhatDoesNotFitIsOneError) {
               HasSubstr("model \"77\" is in no class"));
 }
 
-// A user of Python means row i of the list by row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
+// In Python, row i of the list refers to row i of the matrix. Rows of the CSV: 10 and 2 of one class, 1 of the
 // other.
 TEST_F(EvaluationTaskTest, RowsOfAMatrixAreThoseOfAListOfLabels) {
   const auto labels = file("labels.csv", "id,class\n10,ant\n2,ant\n1,bee\n");
@@ -186,7 +186,7 @@ TEST_F(EvaluationTaskTest, RowsOfAMatrixAreInNaturalOrderOfAClassification) {
   const EvaluationData in_file = open_evaluation_files({.matrix = matrix, .labels = labels, .order = RowOrder::file});
   EXPECT_THAT(in_file.task.query_ids, ElementsAre("10", "2", "1"));
   EXPECT_THAT(in_file.task.warnings, testing::IsEmpty());
-  // Where both orders are the same, or the matrix says its models, there is nothing to warn of.
+  // No warning if both orders agree or the matrix has ids.
   const auto sorted = file("sorted.cla", "PSB 1\n2 3\nant 0 2\n1 2\nbee 0 1\n10\n");
   EXPECT_THAT(open_evaluation_files({.matrix = matrix, .labels = sorted}).task.warnings, testing::IsEmpty());
   const auto named = file("d.csv", "id,2,1,10\n2,0,1,5\n1,1,0,5\n10,5,5,0\n");

@@ -78,7 +78,7 @@ TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"), HasSubstr("occurs twice"));
 }
 
-// The names that methods get which are named by their files.
+// Names of methods derived from file names.
 std::vector<std::string> names_of(const std::vector<std::string>& files, const std::vector<std::string>& wanted = {}) {
   std::vector<MethodScores> methods;
   for (const std::string& file : files) {

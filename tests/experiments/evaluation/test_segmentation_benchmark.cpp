@@ -54,7 +54,7 @@ TEST_F(SegmentationBenchmarkFolder, WithoutPeopleIsRefused) {
   EXPECT_THROW(find_segmentation_benchmark(folder_.path()), InputError);
 }
 
-/// By the side of x = 0 on which a triangle lies.
+/// Labels by the side of x = 0.
 Labels halves(const Shape& shape, double place) {
   const Samples samples = sample_shape(shape, SampleSite::faces);
   Labels labels;
@@ -67,7 +67,7 @@ TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
   const Shape sphere = test::sphere(1, 5);
   const SegmentationScorer scorer(sphere, {});
   const double arc = std::asin(0.5);
-  // Ways along edges are up to a seventh longer than the surface's own, cuts zigzag by an edge of 0.05.
+  // Paths along edges are up to a seventh longer than geodesics; cuts zigzag by an edge of 0.05.
   const double found = scorer.errors(halves(sphere, 0), halves(sphere, 0.5)).cut_discrepancy;
   EXPECT_GT(found, 2 * (arc - 0.05));
   EXPECT_LT(found, 2 * (arc * 1.16 + 0.05));
@@ -76,7 +76,7 @@ TEST(SegmentationScorer, MeasuresCutsInMeanRadii) {
 }
 
 TEST(SegmentationScorer, WeighsByAreaIfWanted) {
-  // A box of few large triangles at one end and many small ones at the other.
+  // A box with few large triangles at one end and many small ones at the other.
   const Shape shape = test::joined(
       {test::box({1, 1, 1}, 1), test::transformed(test::box({1, 1, 1}, 6), 1, Eigen::Matrix3d::Identity(), {3, 0, 0})});
   const Labels two = halves(shape, 1.5);

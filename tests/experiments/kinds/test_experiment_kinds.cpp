@@ -25,7 +25,7 @@ using Json = nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// Small experiments of each kind of the library.
+/// One small experiment of each kind.
 class ExperimentKinds : public testing::Test {
  protected:
   void SetUp() override {
@@ -53,7 +53,7 @@ class ExperimentKinds : public testing::Test {
       "segmentation": [{"name": "best"}, {"name": "paper", "method": "paper"}]})");
   }
 
-  /// Retrieval on three data sets, one of which is not there.
+  /// Retrieval on three data sets, one of them missing.
   [[nodiscard]] Json collection() const {
     Json document = retrieval();
     Json dataset = document["dataset"];
@@ -72,7 +72,7 @@ class ExperimentKinds : public testing::Test {
                            ranks);
   }
 
-  /// The result files that hold no seconds, by name; of the manifest what does not differ from run to run.
+  /// Result files without run times, by name; of the manifest only what is reproducible.
   [[nodiscard]] std::map<std::string, std::string> results(const std::string& output) const {
     Json manifest = Json::parse(test::text_of(at(output) / manifest_name));
     manifest.erase("execution");
@@ -158,7 +158,7 @@ TEST_F(ExperimentKinds, ASegmentationKeepsItsGeneratedShapes) {
   EXPECT_EQ(generated, 0);
 }
 
-/// A kind from outside the library: it counts the characters of a text.
+/// A kind defined outside the library: counts the characters of a text.
 Experiment read_count(const Json& document, const std::string& /*source*/, const fs::path& /*folder*/) {
   return {.name = "count", .configuration = document, .run = [document](const RunContext& context) {
             return on_all_ranks(context.ranks, [&] {

@@ -19,7 +19,7 @@ inline std::string small_labels() {
   return text;
 }
 
-/// A matrix as CSV without ids: models of a class are near each other, but for an error of up to `noise`.
+/// CSV matrix without ids in which models of a class are close, with errors of up to `noise`.
 inline std::string small_matrix(double noise, double sign = 1) {
   std::string text;
   for (int i = 0; i < models; ++i) {
@@ -33,7 +33,7 @@ inline std::string small_matrix(double noise, double sign = 1) {
   return text;
 }
 
-/// A folder with labels and two submissions, of which "good" is perfect and "poor" is not.
+/// Folder with labels and two submissions: "good" is perfect, "poor" is not.
 struct SmallBoard {
   SmallBoard() {
     std::filesystem::create_directories(submissions());

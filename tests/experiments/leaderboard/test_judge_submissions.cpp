@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const Leaderboard& board) {
   return names;
 }
 
-/// The reason for which the only refused submission was.
+/// Reason for rejecting the only rejected submission.
 std::string refusal_of(const SmallBoard& small) {
   const Leaderboard board = small.judged();
   EXPECT_EQ(board.submissions.size(), 2U) << "the good ones are judged all the same";
@@ -92,7 +92,7 @@ TEST(JudgeSubmissions, RefusesWhatIsNoMatrix) {
 
 TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
   const SmallBoard small;
-  std::string lists;  // of three queries, each with the three others of its class
+  std::string lists;  // three queries, each with the three others of its class
   for (const int query : {0, 1, 2}) {
     lists += fmt::format("m{}", query);
     for (int i = query + 3; i < 12; i += 3) lists += fmt::format(" m{}", i);
@@ -110,7 +110,7 @@ TEST(JudgeSubmissions, CountsMissingQueriesAsZeroAndRemarksOnDepth) {
 
 TEST(JudgeSubmissions, MatchesIdsAndNotPlaces) {
   const SmallBoard small;
-  std::string matrix = "id";  // the models backwards
+  std::string matrix = "id";  // models in reverse order
   for (int i = 11; i >= 0; --i) matrix += fmt::format(",m{}", i);
   matrix += "\n";
   for (int i = 11; i >= 0; --i) {

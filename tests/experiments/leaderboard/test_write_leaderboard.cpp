@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 using testing::HasSubstr;
 
-/// The site of the board, and what changed in it.
+/// The leaderboard's files, and those changed.
 SiteUpdate update(const test_board::SmallBoard& small, const fs::path& site) {
   return write_site(site, "Title", small.judged(), small.options());
 }

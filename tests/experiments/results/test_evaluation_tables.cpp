@@ -162,7 +162,7 @@ TEST_F(Evaluations, PerQueryHasIdsAndClasses) {
               ElementsAre("m", "psb", "s", "B", "0.0000", "33.3333", "100.0000", "60.0000", "73.3838", "53.3333"));
   EXPECT_THAT(table.rows[1],
               ElementsAre("m", "psb", "t", "A", "100.0000", "50.0000", "100.0000", "44.4444", "75.0000", "75.0000"));
-  // v is alone in its class: w follows u.
+  // v is alone in its class and therefore skipped: w follows u.
   EXPECT_THAT(table.rows[3],
               ElementsAre("m", "psb", "w", "A", "0.0000", "50.0000", "100.0000", "44.4444", "75.0000", "50.0000"));
   EXPECT_THAT(table.rows[6],

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-/// Three methods under two measures, with made-up results in which no two numbers are alike.
+/// Three methods under two measures, with invented, distinct numbers.
 class ComparisonTables : public testing::Test {
  protected:
   static PairDifference pair(std::size_t first, std::size_t second, double difference, double p_holm) {

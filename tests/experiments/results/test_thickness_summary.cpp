@@ -16,7 +16,7 @@ ScalarField field_of(std::vector<double> values, std::vector<double> weights) {
 const double none = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ThicknessSummary, WeighsByArea) {
-  // By area: 1 has a tenth, 2 four tenths, 4 a half; 9 has no area, and one sample no value.
+  // Area fractions: 0.1 with value 1, 0.4 with 2, 0.5 with 4; 9 has weight 0, and one sample has no value.
   const ThicknessSummary summary = summarise(field_of({4, 1, none, 2, 9}, {5, 1, 100, 4, 0}), 2.0);
   EXPECT_EQ(summary.samples, 5U);
   EXPECT_EQ(summary.missing, 1U);

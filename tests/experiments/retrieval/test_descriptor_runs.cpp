@@ -53,7 +53,7 @@ class DescriptorRuns : public testing::Test {
     return results;
   }
 
-  /// All result files by name, but for timings.
+  /// Result files by name, without timings.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
     fs::remove_all(folder_.path() / "out");
     write_results(folder_.path() / "out", results);
@@ -155,13 +155,13 @@ TEST_F(DescriptorRuns, WhatIsLearntDependsOnEveryModel) {
   const auto fresh = files_of(run(document(), false));
   const ExperimentResults results = run(document(), true);
   EXPECT_EQ(uses_of_kind(results, EntryKind::learnt).computed, 1U);
-  // All of the bag's, and those of the other two descriptors on the one model.
+  // All of the bag's, and those of the other two descriptors for one model.
   EXPECT_EQ(uses_of_kind(results, EntryKind::features).computed, 9U + 2U);
   EXPECT_EQ(files_of(results), fresh);
 }
 
 TEST_F(DescriptorRuns, AModelThatCannotBeDescribedIsAFailureOfItsOwn) {
-  // A cloud: ShapeDNA needs triangles.
+  // A point cloud: ShapeDNA needs triangles.
   std::string cloud = "OFF\n30 0 0\n";
   for (int i = 0; i < 30; ++i)
     cloud += std::to_string(i % 5) + " " + std::to_string(i % 7) + " " + std::to_string(i) + "\n";

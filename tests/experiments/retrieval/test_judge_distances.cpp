@@ -17,7 +17,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Signatures of models of which every seventh is alike.
+/// Signatures that repeat every seven models.
 Signatures signatures_of(Eigen::Index models) {
   Signatures signatures(models, 9);
   for (Eigen::Index i = 0; i < signatures.size(); ++i) {

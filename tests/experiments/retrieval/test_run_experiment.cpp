@@ -148,7 +148,7 @@ TEST_F(RunExperiment, AConcatenationIsTheMeanOfItsPartsDistances) {
 }
 
 TEST_F(RunExperiment, TheRangeOfTheDataSetIsThatOfAllShapes) {
-  // With the range fixed to what the data set's range is, the signatures are the same but for single precision.
+  // With the range fixed to that of the data set, signatures agree to single precision.
   const ExperimentResults results = run();
   Interval range{.low = 1e9, .high = -1e9};
   for (const Model& model : results.models) {
@@ -226,7 +226,7 @@ TEST_F(RunExperiment, TheReportHasIntervalsDistancesAndSettings) {
 }
 
 TEST_F(RunExperiment, TiesAreCountedAndReported) {
-  // A histogram of one bin is the same of all nine models: no answer has an order.
+  // One-bin histograms of all nine models are equal: all distances tie.
   const Json one_bin{{"name", "one bin"},
                      {"field", {{"type", "cone_sdf"}}},
                      {"histogram", {{"bins", 1}, {"smoothing_bins", 0}, {"range", "dataset"}}}};
@@ -347,7 +347,7 @@ TEST_F(RunExperiment, PerturbationsChangeEveryModelTheSameForAnyNumberOfThreads)
 }
 
 TEST_F(RunExperiment, APerturbationThatFailsIsThatModelsFailure) {
-  // The second model becomes a cloud, which cannot be decimated.
+  // The second model becomes a point cloud, which cannot be decimated.
   const Json changes = Json::parse(R"({"on_error": "skip", "perturbations": [
     {"type": "one_of", "assign": "in_turn", "choices": [
       [], [{"type": "sample_points", "points": 100}, {"type": "decimate", "faces": 10}], [], [], [], [], [], [], []]}]})");

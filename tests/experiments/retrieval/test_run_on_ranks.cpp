@@ -22,7 +22,7 @@ using Json = nlohmann::json;
 using test::text_of;
 using testing::HasSubstr;
 
-/// The result files by name, without what differs from run to run.
+/// Result files by name, without what varies between runs.
 std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -65,7 +65,7 @@ TEST_F(RunOnRanks, TheFilesAreTheSameBytes) {
   run_into_folder(retrieval_experiment(configuration()), at("alone"), false, {.threads = 2}, none, *single_process());
   const auto expected = files_in(at("alone"));
   ASSERT_TRUE(expected.contains("features/d2.npy") && expected.contains("distances/sum.npy"));
-  for (const int size : {2, 3, 10}) {  // ten: more than there are models
+  for (const int size : {2, 3, 10}) {  // ten: more than models
     SCOPED_TRACE(size);
     run_on(size, std::to_string(size), configuration());
     EXPECT_EQ(files_in(at(std::to_string(size))), expected);

@@ -13,7 +13,7 @@
 #include "tests/support/small_dataset.h"
 #include "tests/support/test_files.h"
 
-/// A folder of small shapes, methods to search it by, and the index that belongs to it.
+/// Folder of small shapes, with search methods and an index.
 namespace shapegauge::test {
 
 class SearchedFolder {
@@ -28,7 +28,7 @@ class SearchedFolder {
     write_off(models() / name, small_shape(shape, number));
   }
 
-  /// A retrieval experiment over the folder: histograms, a descriptor that learns, sums and a re-ranked sum.
+  /// Retrieval experiment on the folder: histograms, a trained descriptor, sums and a re-ranked sum.
   [[nodiscard]] nlohmann::json configuration() const {
     using Json = nlohmann::json;
     const Json cone{{"type", "cone_sdf"}, {"rays", 5}};
@@ -67,7 +67,7 @@ class SearchedFolder {
     return open(update, signature);
   }
 
-  /// The answer to a file.
+  /// Results for a query file.
   SearchAnswer answer(OpenIndex& index, const std::filesystem::path& file, const SearchOptions& options = {}) const {
     Cache cache(at("cache"));
     std::vector<std::string> notes;

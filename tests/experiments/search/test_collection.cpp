@@ -88,7 +88,7 @@ TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
   EXPECT_GE(method.terms.size(), 2U);
   EXPECT_EQ(method.scale, DistanceScale::local);
   EXPECT_EQ(method.weight_kind, SumWeights::agreement);
-  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing that is not needed
+  EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
 }
 
 TEST(SearchMethodOf, ASignatureThatIsNotComputedFromEachShapeIsAnError) {

@@ -20,7 +20,7 @@ std::vector<std::string> ids_in(const OpenIndex& index) {
   return ids;
 }
 
-/// The bytes of the index that the folder has if it is described from nothing.
+/// Bytes of an index of the folder built from scratch.
 std::string bytes_from_scratch(const SearchedFolder& folder) {
   Cache none;
   IndexUpdate update;
@@ -60,7 +60,7 @@ TEST(OpenIndex, FollowsFilesThatComeChangeAndVanish) {
   EXPECT_TRUE(update.rebuilt);
   EXPECT_EQ(test::bytes_of(folder.index()), bytes_from_scratch(folder));
 
-  folder.add("T9.off", "capsule", 9);  // the same name, another shape
+  folder.add("T9.off", "capsule", 9);  // same name, another shape
   make_old(folder);
   const std::string before = test::bytes_of(folder.index());
   folder.open();

@@ -10,7 +10,7 @@ namespace {
 
 using test::SearchedFolder;
 
-/// The distances of a run over the folder's models, by the name of the signature.
+/// Distance matrices of a run on the folder, by signature name.
 std::map<std::string, DistanceMatrix> distances_of_run(const SearchedFolder& folder, const nlohmann::json& document) {
   const Configuration configuration = configuration_from_json(document, "small.json", folder.models());
   std::map<std::string, DistanceMatrix> distances;
@@ -77,7 +77,7 @@ TEST(Search, ACopyOfAMemberHasItsAnswerAndTheMemberFirst) {
 
 TEST(Search, AShapeFromElsewhereHasTheDistancesThatARunWithItHas) {
   const SearchedFolder folder;
-  OpenIndex index = folder.open("d2");  // whose features depend on no other shape
+  OpenIndex index = folder.open("d2");  // features independent of other shapes
   write_off(folder.at("query.off"), test::small_shape("box", 7));
   const SearchAnswer answer = folder.answer(index, folder.at("query.off"));
   folder.add("T9.off", "box", 7);
@@ -95,7 +95,7 @@ TEST(Search, AReRankedShapeFromElsewhereIsDiffusedWithTheCollection) {
   const SearchedFolder folder;
   OpenIndex index = folder.open();
   write_off(folder.at("query.off"), test::small_shape("box", 7));
-  // Between all models the index' sum, and from the query its plain answer: what diffusion should start from.
+  // Input of diffusion: the index' sum between models, and the query's distances without re-ranking.
   DistanceMatrix all = DistanceMatrix::Zero(10, 10);
   for (Eigen::Index i = 0; i < 10; ++i) {
     const auto file =
@@ -127,7 +127,7 @@ TEST(Search, FindsTheOwnKindFirstBothAsFileAndAsShape) {
     EXPECT_EQ(of_shape.nearest[k].model, of_file.nearest[k].model);
     EXPECT_EQ(of_shape.nearest[k].distance, of_file.nearest[k].distance);
   }
-  std::vector<Eigen::Index> kind{3};  // T3 is a sphere, and so are its nearest two
+  std::vector<Eigen::Index> kind{3};  // T3 and its two nearest are spheres
   for (const RankedModel& one : sphere.nearest) kind.push_back(one.model);
   for (const RankedModel& one : of_file.nearest) EXPECT_THAT(kind, testing::Contains(one.model));
 }

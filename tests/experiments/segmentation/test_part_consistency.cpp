@@ -8,7 +8,7 @@ namespace shapegauge {
 
 namespace {
 
-/// Results of one method, "m", on shapes of these classes with parts of these sizes.
+/// Results of a method "m" on shapes of the given classes, with parts of the given sizes.
 SegmentationResults results_of(const std::vector<int>& labels, const std::vector<std::vector<double>>& sizes) {
   SegmentationResults results;
   results.experiment.methods.resize(1);

@@ -31,7 +31,7 @@ using test::TemporaryFolder;
 using testing::HasSubstr;
 using testing::Not;
 
-/// Two balls that do not touch, which every method cuts alike.
+/// Two disjoint balls: every method finds the same two parts.
 Shape two_balls() {
   const Shape ball = test::sphere(1, 2);
   return test::joined({ball, test::transformed(ball, 1, Eigen::Matrix3d::Identity(), {5, 0, 0})});
@@ -87,7 +87,7 @@ TEST_F(SegmentationRun, TakesPartsFromTheCacheWhereNothingOfThemHasChanged) {
     const auto results = run_segmentation(run, folder_.path() / "none", {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation));
   };
-  EXPECT_EQ(use_of(same).computed, 1U);  // the three files are the same bytes: one serves the others
+  EXPECT_EQ(use_of(same).computed, 1U);  // the three files have equal contents, described once
   EXPECT_EQ(use_of(same).hits, 3U);
   same.methods[0].name = "another name";
   EXPECT_EQ(use_of(same).hits, 3U);
@@ -141,10 +141,11 @@ TEST_F(SegmentationRun, CutsDamagedShapesAndComparesThemWithTheUndamagedOnes) {
   const SegmentedShape& shape = results.shapes[0];
   for (const auto& labels : shape.labels) ASSERT_EQ(labels.size(), 640U);
   EXPECT_TRUE(std::isnan(shape.moved[0]));
-  EXPECT_GT(shape.moved[1], 0);  // single triangles come loose, and are parts then
+  EXPECT_GT(shape.moved[1], 0);  // single triangles become disconnected, hence parts
   EXPECT_EQ(shape.moved[2], 0);
-  EXPECT_EQ(shape.moved[3], 0);                                       // two clouds, carried back to the triangles
-  EXPECT_EQ(results.scores.errors[1][0].rand_index, shape.moved[1]);  // people see what the best cut sees: two balls
+  EXPECT_EQ(shape.moved[3], 0);  // two clouds, transferred back to the triangles
+  EXPECT_EQ(results.scores.errors[1][0].rand_index,
+            shape.moved[1]);  // human segmentations equal the best cut: two balls
   const Table table = moved_table(results);
   ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.rows[1][0], "turned");
@@ -164,7 +165,8 @@ TEST_F(SegmentationRun, TakesDamagedShapesFromTheCacheWhereNothingOfTheDamageHas
     const auto results = run_segmentation(run, folder_.path() / "none", {.threads = 1}, cache);
     return results.cache.uses.at(static_cast<std::size_t>(EntryKind::segmentation)).computed;
   };
-  EXPECT_EQ(computed(), 4U);  // three files of the same bytes: each has noise of its own, undamaged they are one
+  EXPECT_EQ(computed(),
+            4U);  // three files with equal contents: noise differs per file, undamaged they are described once
   EXPECT_EQ(computed(), 0U);
   run.seed = 2;
   EXPECT_EQ(computed(), 3U);
@@ -193,7 +195,7 @@ TEST_F(SegmentationRun, OfShapesThatNobodyCutSaysHowAlikeTheirPartsAre) {
   EXPECT_THAT(bytes_of(folder_.path() / "results/report.html"), Not(HasSubstr("nan")));
 }
 
-/// A closed box of six quadrilaterals, which become twelve triangles.
+/// Closed box of six quadrilaterals, triangulated as twelve triangles.
 constexpr const char* box_of_quads =
     "OFF\n8 6 0\n0 0 0\n1 0 0\n1 2 0\n0 2 0\n0 0 9\n1 0 9\n1 2 9\n0 2 9\n"
     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
@@ -231,7 +233,7 @@ TEST(GeneratedSegmentation, ComparesWithThePartsOfTheGenerator) {
   const SegmentationExperiment experiment = segmentation_from_json(document, "x.json", folder.path());
   Cache cache;
   const SegmentationResults results = run_segmentation(experiment, folder.path() / "dataset", {}, cache);
-  EXPECT_EQ(results.scores.methods.size(), 3U);  // without people: there is one truth
+  EXPECT_EQ(results.scores.methods.size(), 3U);  // one ground truth, hence no human scores
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index), 0.1);
   EXPECT_LT(results.scores.mean(0, &SegmentationErrors::rand_index),
             results.scores.mean(1, &SegmentationErrors::rand_index));

@@ -13,7 +13,7 @@ namespace {
 
 using test::bytes_of;
 
-/// What two methods found on two shapes that nobody cut.
+/// Results of two methods on two shapes without ground truth.
 SegmentationResults found() {
   SegmentationResults results;
   results.experiment.name = "two shapes";

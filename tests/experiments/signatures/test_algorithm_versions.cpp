@@ -13,10 +13,10 @@
 #include "shapegauge/retrieval/histogram.h"
 #include "tests/support/test_shapes.h"
 
-// Values that the caches of users hold, with the versions of the algorithms that made them. A test that fails here says
-// that a value has changed: raise the version, so that caches give none of the old ones, and correct what is recorded.
-// The tolerances leave room for other compilers and processors, whose last bits differ (of the offset SDF in single
-// precision), and for nothing else.
+// Values in users' caches, with the versions of the algorithms that computed them. A failure means
+// that a value has changed: increase the version, so that cached values are not used, and update the values here.
+// Tolerances allow for other compilers and processors, whose last bits differ (of the offset SDF in single
+// precision).
 
 namespace shapegauge {
 
@@ -24,14 +24,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A closed, a bent and an open surface.
+/// A convex, a bent and an open surface.
 std::vector<Shape> shapes() {
   Shape open = test::box({1, 2, 0.3}, 3);
   open.triangles.conservativeResize(open.triangles.rows() - 4, Eigen::NoChange);
   return {test::capsule(0.2, 2, 16, 6), test::torus(1, 0.3, 12, 8), open};
 }
 
-/// What a field gives on one shape. Each number changes with most of the values; the deviation with where they are.
+/// Statistics of a field on one shape; most changes of values change them.
 struct Summary {
   double mean = 0;       ///< weighted by area
   double deviation = 0;  ///< from the mean, so weighted
@@ -72,7 +72,7 @@ TEST_P(FieldVersions, WithOtherValuesComesAnotherVersion) {
   }
 }
 
-/// Of the shapes above hardly a sample is covered by another part of the offset solid; between crossing arms many are.
+/// Between crossing arms many samples are covered by other parts of the offset solid; on the shapes above hardly any.
 TEST(OffsetSdfVersion, ComesWithOtherValuesOfCoveredSamples) {
   const Shape arm = test::capsule(0.2, 2, 16, 6);
   const Shape crossing = test::joined({arm, test::transformed(arm, 1, test::rotation(3), {0, 0, 0})});
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
                               {4.1256332695, 0.359699427998, 1},
                               {4.87597480109, 1.03229537213, 1}}}));
 
-/// What a descriptor gives on the three shapes: by shape, the sum of the features, and the sum of each times its place,
+/// Statistics of a descriptor on the three shapes: per shape, the sum of features and the sum weighted by position,
 /// counted from 1, over their number; and the distances between the first shape and the others.
 struct RecordedDescriptor {
   Json settings;
@@ -198,7 +198,7 @@ TEST_P(DescriptorVersions, WithOtherValuesComesAnotherVersion) {
   EXPECT_EQ(choice.descriptor.version, GetParam().version);
   const std::vector<double> found = numbers_of(choice);
   ASSERT_EQ(found.size(), GetParam().numbers.size());
-  // Features are in single precision; those of the light field are whole numbers, of which a few may round otherwise.
+  // Features are in single precision; those of the light field are integers, a few of which may round differently.
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i], GetParam().numbers[i], 1e-4 * std::max(1.0, std::abs(found[i]))) << "number " << i;
   }

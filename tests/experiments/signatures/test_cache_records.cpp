@@ -116,7 +116,7 @@ namespace {
 
 using nlohmann::json;
 
-/// As it would come back from a file.
+/// The record after writing and reading.
 json stored(const json& record) { return json::from_cbor(json::to_cbor(record)); }
 
 template <typename Vector>
@@ -144,7 +144,7 @@ void expect_facts(const FieldDescription& found) {
 
 TEST(CacheRecords, AllThatIsKnownOfAShape) {
   ModelDescription model;
-  // Holes, a second part and a vertex too many: every diagnostic but those of clouds and noise is other than zero.
+  // Holes, a second part and an unused vertex: all diagnostics but those of clouds and noise are non-zero.
   Shape shape = test::joined({test::box({1, 2, 0.3}, 3), test::sphere(1, 1)});
   shape.triangles.conservativeResize(shape.triangles.rows() - 2, Eigen::NoChange);
   model.diagnostics = diagnose(shape);

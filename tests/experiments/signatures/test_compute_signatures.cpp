@@ -55,8 +55,8 @@ TEST(ReportFields, CountsAndAddsOverTheModels) {
   const std::vector<FieldReport> reports = report_fields({&closed, &open, &wide}, plan);
   ASSERT_EQ(reports.size(), 2U);
   EXPECT_EQ(reports[0].models, 3U);
-  EXPECT_EQ(reports[0].leaking, 2U);  // both whose gaps are wider than half a unit
-  EXPECT_EQ(reports[1].leaking, 1U);  // the one that chose an offset below its gaps
+  EXPECT_EQ(reports[0].leaking, 2U);  // both with gaps wider than half a unit
+  EXPECT_EQ(reports[1].leaking, 1U);  // the one whose chosen offset is below its gaps
   EXPECT_EQ(reports[0].outcomes, (FieldOutcomes{{"total", 24}, {"missing", 3}}));
   EXPECT_EQ(reports[0].seconds, 1.5);
 }

@@ -42,7 +42,7 @@ TEST(DescribeField, KeepsValuesOnlyForARangeOverAllShapes) {
     std::vector<Eigen::VectorXf> histograms(1);
     describe_field(field, plan[0], signatures, kept, histograms);
     const bool waits = range == HistogramRange::dataset;
-    EXPECT_EQ(kept.values.size(), waits ? 3 : 0);  // of thousands of shapes they would fill the memory
+    EXPECT_EQ(kept.values.size(), waits ? 3 : 0);  // those of thousands of shapes would exhaust memory
     EXPECT_EQ(histograms[0].size(), waits ? 0 : 80);
     EXPECT_EQ(kept.range.high, 1);
   }

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-/// How many of each kind a run took from the cache and how many it computed.
+/// Numbers of cached and computed values of a run, by kind.
 using Uses = std::map<std::string, std::pair<std::size_t, std::size_t>>;
 
 Uses uses_of(const ExperimentResults& results) {
@@ -64,7 +64,7 @@ class DescribeThroughCache : public testing::Test {
     return results;
   }
 
-  /// All result files by name, but for timings: those of the manifest are taken out.
+  /// Result files by name, without timings; those of the manifest are removed.
   [[nodiscard]] std::map<std::string, std::string> files_of(const ExperimentResults& results) const {
     fs::remove_all(folder("out"));
     write_results(folder("out"), results);
@@ -78,7 +78,7 @@ class DescribeThroughCache : public testing::Test {
     files["manifest.json"] = manifest.dump();
     return files;
   }
-  /// As a run without any cache gives them.
+  /// Results of a run without cache.
   [[nodiscard]] std::map<std::string, std::string> fresh_files(const Json& document) const {
     Cache none;
     return files_of(run(document, none));
@@ -115,7 +115,7 @@ TEST_F(DescribeThroughCache, TheSameBytesWhateverPartOfTheCacheIsLeft) {
     EXPECT_EQ(files_of(run(document())), fresh) << name_of(kind);
     EXPECT_EQ(uses_of(run(document())), all_taken) << name_of(kind);
   }
-  // Every third file, of whatever kind.
+  // Every third file, regardless of kind.
   std::size_t i = 0;
   for (const CacheFile& file : cache_files(cache())) {
     if (i++ % 3 == 0) fs::remove(file.path);
@@ -246,7 +246,7 @@ TEST_F(DescribeThroughCache, PerturbedModelsAreTheirOwn) {
 TEST_F(DescribeThroughCache, AModelThatFailsFailsAgain) {
   Json skipping = document();
   skipping["on_error"] = "skip";
-  // A cloud has an SDF of the offset surface, but no conventional one; a flat triangle has no value at all.
+  // A point cloud has an offset SDF but no conventional one; a flat triangle has no value.
   write_text(data() / "T3.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
   write_text(data() / "T6.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   Cache none;

@@ -21,7 +21,7 @@ Image decoded(const std::string& png) {
   return image;
 }
 
-/// The mean of a channel over the pixels that the shape covers wholly.
+/// Mean of a channel over the pixels fully covered by the shape.
 double mean_channel(const Image& image, std::size_t channel) {
   double sum = 0;
   double count = 0;

@@ -25,7 +25,7 @@ TEST(ModelView, HasAtMostTheFacesAskedForAndTheRangeOfTheField) {
     EXPECT_GE(view["triangles"]["count"], 300);
     EXPECT_EQ(view["site"], "vertices");
     const ordered_json field = view["fields"][0];
-    // Means over the places of a vertex: not quite as far out as the field itself. Heights are uniform on a sphere.
+    // Means around vertices have a slightly smaller range than the field. Heights are uniform on a sphere.
     EXPECT_NEAR(field["low"].get<double>(), -1, 0.06);
     EXPECT_NEAR(field["high"].get<double>(), 1, 0.06);
     EXPECT_NEAR(field["from"].get<double>(), -0.96, 0.02);

@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// The settings' defaults, for so many fields.
+/// Default settings for the given number of fields.
 inline DescriptorSettings default_settings(const Descriptor& of, std::size_t fields = 0) {
   return {.values = ParameterValues(of.parameters),
           .axes = std::vector<ParameterValues>(fields, ParameterValues(of.axis_parameters))};

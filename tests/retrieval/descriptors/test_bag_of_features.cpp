@@ -13,7 +13,7 @@
 namespace shapegauge {
 namespace {
 
-/// Fields whose vectors lie about some centres, as many about each.
+/// Fields whose vectors are clustered about some centres, equally many about each.
 std::vector<ScalarField> clustered(const std::vector<Eigen::Vector2d>& centres, std::uint64_t seed) {
   constexpr Eigen::Index each = 50;
   const Eigen::Index samples = each * std::ssize(centres);
@@ -95,7 +95,7 @@ TEST(BagOfFeatures, SoftAssignmentSharesWhatLiesBetween) {
   EXPECT_NEAR(between[0], 0.5, 1e-6);
   // At a word: 1 to exp(-1/2), as the words are one width apart.
   EXPECT_NEAR(bag_of_features(at(0), two, options)[0], 1 / (1 + std::exp(-0.5)), 1e-6);
-  // Far from both they do not vanish.
+  // Far from both, weights do not vanish.
   EXPECT_NEAR(bag_of_features(at(1e6), two, options).sum(), 1, 1e-6);
 }
 

@@ -15,7 +15,7 @@ double distance_of_d2(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
 
 TEST(D2, OfASphereHasItsDensity) {
   const Eigen::VectorXf found = d2(test::sphere(2, 4), {.points = 2000, .bins = 30, .longest = 1.5});
-  // The share of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
+  // The fraction of distances up to d is d^2 / (4 R^2), the mean 4 R / 3; a bin is 1/20 of the mean.
   for (Eigen::Index bin = 0; bin < found.size(); ++bin) {
     const double low = static_cast<double>(bin) / 20 * 4 / 3;
     const double high = static_cast<double>(bin + 1) / 20 * 4 / 3;
@@ -27,7 +27,7 @@ TEST(D2, DoesNotChangeWithMotionScaleAndMesh) {
   const Shape shape = test::box({1, 2, 3}, 4);
   const Eigen::VectorXf expected = d2(shape);
   EXPECT_LT(distance_of_d2(d2(test::transformed(shape, 5, test::rotation(1), {1, 2, 3})), expected), 1e-3);
-  // Other samples of the same surface: noise of a thousand points, and far less than another shape.
+  // Other samples of the same surface: the difference is sampling noise, far less than for another shape.
   const double other_mesh = distance_of_d2(d2(test::soup(test::box({1, 2, 3}, 9))), expected);
   const double other_shape = distance_of_d2(d2(test::box({1, 1, 3}, 4)), expected);
   EXPECT_LT(other_mesh, 0.05);
@@ -39,9 +39,9 @@ TEST(D2, CloudsAreDescribedByTheirPoints) {
   EXPECT_LT(distance_of_d2(d2(Shape{ball.vertices, {}}), d2(ball)), 0.05);
 }
 
-/// Pairs count by the areas of their points, not by the points' number.
+/// Pairs are weighted by the areas of their points.
 TEST(D2, OfACloudDoesNotDependOnWhereItIsDenser) {
-  // Two plates, 4 apart: three quarters of the points are on the first, of which each stands for a third of the area.
+  // Two plates, 4 apart: three quarters of the points are on the first, each with a third of the weight.
   const auto plate = [](Eigen::Index points, double z, std::uint64_t seed) {
     const Shape square{Points{{0, 0, z}, {1, 0, z}, {1, 1, z}, {0, 1, z}}, Triangles{{0, 1, 2}, {0, 2, 3}}};
     return test::random_points(square, points, seed).vertices;

@@ -7,7 +7,7 @@
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
 #include "tests/support/doubled_shapes.h"
 
-// A shape with doubled triangles has the descriptors of the shape without them.
+// Duplicate triangles do not change descriptors.
 
 namespace shapegauge {
 

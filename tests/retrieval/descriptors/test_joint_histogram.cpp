@@ -11,7 +11,7 @@
 namespace shapegauge {
 namespace {
 
-/// Two fields that are independent: all pairs of some values of the one and some of the other.
+/// Two independent fields: all pairs of values of the two.
 std::vector<ScalarField> all_pairs(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   std::vector<ScalarField> fields(2,
                                   {Eigen::VectorXd(a.size() * b.size()), Eigen::VectorXd::Ones(a.size() * b.size())});

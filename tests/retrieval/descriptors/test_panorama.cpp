@@ -22,7 +22,7 @@ double distance_of_panoramas(const Eigen::VectorXf& a, const Eigen::VectorXf& b)
                            {b.data(), static_cast<std::size_t>(b.size())});
 }
 
-/// A shape whose axes differ, and that no rotation or reflection brings upon itself: a bar with a knob.
+/// A bar with a knob: distinct principal axes, and no symmetry.
 Shape knobbed_bar() {
   const auto at = [](const Shape& part, const Eigen::Vector3d& place) {
     return test::transformed(part, 1, Eigen::Matrix3d::Identity(), place);
@@ -30,7 +30,7 @@ Shape knobbed_bar() {
   return test::joined({test::box({1, 2, 4}, 4), at(test::sphere(0.5, 3), {0.6, 1, 1.5})});
 }
 
-/// The distance from the knobbed bar to the nearest of some other shapes.
+/// Distance from the knobbed bar to the nearest of several other shapes.
 double distance_to_others() {
   const Eigen::VectorXf bar = panorama(knobbed_bar());
   double nearest = std::numeric_limits<double>::infinity();

@@ -15,7 +15,7 @@ namespace {
 using Image = std::vector<std::uint8_t>;
 constexpr int pixels = 128;
 
-/// The pixels whose centre (in the square from -1 to 1) is in a set.
+/// Pixels whose centre (in the square from -1 to 1) is in a set.
 template <typename Inside>
 Image image_of(Inside inside) {
   Image image;
@@ -46,7 +46,7 @@ TEST(Silhouette, OfABoxIsARectangle) {
 }
 
 TEST(Silhouette, OfASphereIsADisc) {
-  // The rim of 320 pixels is a third of a pixel wider, as the vertices on it fill theirs.
+  // The disk is about a third of a pixel wider along its rim of 320 pixels, as vertices fill theirs.
   const Image found = silhouette_of(test::sphere(0.8, 4), test::rotation(1));
   EXPECT_NEAR(static_cast<double>(covered(found)), std::numbers::pi * 0.64 / 4 * pixels * pixels, 130);
 }
@@ -61,7 +61,7 @@ TEST(Silhouette, ThinPartsLeaveATrace) {
 }
 
 TEST(Silhouette, OfRandomTrianglesIsWhereACentreOrACornerIs) {
-  // Against a literal test of each pixel, for corners at whole steps of a pixel.
+  // Compared with a test of each pixel, for corners at integer pixel positions.
   RandomNumbers random(1);
   for (int round = 0; round < 10; ++round) {
     Eigen::Matrix<float, 3, 3> corners = Eigen::Matrix<float, 3, 3>::Zero();

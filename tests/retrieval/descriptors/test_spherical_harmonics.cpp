@@ -28,7 +28,7 @@ TEST(HarmonicNorms, OfASingleHarmonicAreASingleFrequency) {
   for (int l = 0; l < bandwidth; ++l) {
     for (int m = 0; m <= l; ++m) {
       const Eigen::VectorXd norms = transform.norms(harmonic(transform.directions(), l, m));
-      // The real part of one that is not zonal has half of its power.
+      // The real part of a non-zonal harmonic has half of its power.
       const double expected = m == 0 ? 1 : std::sqrt(0.5);
       for (int k = 0; k < bandwidth; ++k) EXPECT_NEAR(norms[k], k == l ? expected : 0, 1e-10) << l << " " << m;
     }
@@ -78,7 +78,7 @@ TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
     EXPECT_LT(distance_of_harmonics(spherical_harmonics(moved, options), expected), 0.02 * apart) << voxels;
     for (const unsigned seed : {1U, 2U, 3U}) {
       const Shape turned = test::transformed(bar, 1, test::rotation(seed), {0, 0, 0});
-      // Voxels are a grid that does not turn with the shape.
+      // The voxel grid does not rotate with the shape.
       const double tolerance = voxels ? 0.75 : 0.1;
       EXPECT_LT(distance_of_harmonics(spherical_harmonics(turned, options), expected), tolerance * apart) << voxels;
     }
@@ -88,7 +88,7 @@ TEST(SphericalHarmonics, RotationChangesLittleAndMotionAndScaleNothing) {
 TEST(SphericalHarmonics, OrientationConnectivityAndMeshDoNotMatter) {
   const Shape bar = test::box({1, 2, 4}, 3);
   const Eigen::VectorXf expected = spherical_harmonics(bar);
-  // Other places are drawn to find the centroid and the size.
+  // Centroid and size are estimated from other samples.
   const double tolerance = 0.02 * expected.norm();
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::flipped(test::soup(bar))), expected), tolerance);
   EXPECT_LT(distance_of_harmonics(spherical_harmonics(test::box({1, 2, 4}, 7)), expected), tolerance);

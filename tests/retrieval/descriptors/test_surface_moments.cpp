@@ -43,7 +43,7 @@ TEST(Splats, HaveFourTimesTheAreaAndTheMomentsOfTheSurface) {
   const Shape ball = test::sphere(2, 5);
   const SurfaceMoments found = surface_moments(splatted(test::random_points(ball, 5000, 1)));
   const double area = 16 * std::numbers::pi;
-  // The areas of points are good to some per cent (point_weights()).
+  // Weights of points are accurate to a few percent (point_weights()).
   EXPECT_NEAR(found.area, 4 * area, 0.05 * 4 * area);
   EXPECT_LT(found.centroid.norm(), 0.05);
   EXPECT_LT((found.covariance - Eigen::Matrix3d::Identity() * 4 / 3.0).norm(), 0.1);
