@@ -61,7 +61,7 @@ std::string skipped_text(const SkippedEntries& skipped) {
   const auto add = [&](std::size_t count, std::string_view one, std::string_view several) {
     if (count > 0) parts.push_back(fmt::format("{} {}", count, count == 1 ? one : several));
   };
-  add(skipped.files, "file that is no shape", "files that are no shapes");
+  add(skipped.files, "file that is not a shape", "files that are not shapes");
   add(skipped.shapes, "shape outside of the layout", "shapes outside of the layout");
   add(skipped.folders, "folder", "folders");
   return parts.empty() ? "" : fmt::format("skipped: {}", fmt::join(parts, ", "));

@@ -29,7 +29,7 @@ struct SkippedEntries {
   std::size_t folders = 0;  ///< with their contents
 };
 
-/// Describes the counts, such as "skipped: 3 files that are no shapes, 1 folder"; empty if nothing was skipped.
+/// Describes the counts, such as "skipped: 3 files that are not shapes, 1 folder"; empty if nothing was skipped.
 std::string skipped_text(const SkippedEntries& skipped);
 
 /// Models of a data set, in natural order of ids, and the names of their classes.

@@ -218,10 +218,9 @@ void warn_of_rows(const MatrixFindings& found, std::span<const std::string> ids,
         counted(std::ssize(repeated), "row repeats", "rows repeat"), name_of_row(ids, row), name_of_row(ids, earlier)));
   }
   if (!found.constant_rows.empty()) {
-    warnings.push_back(
-        fmt::format("{} all distances equal (first: {}): the order of their answers depends on --ties only",
-                    counted(std::ssize(found.constant_rows), "row has", "rows have"),
-                    name_of_row(ids, found.constant_rows.front())));
+    warnings.push_back(fmt::format("{} all distances equal (first: {}): only the handling of ties orders their answers",
+                                   counted(std::ssize(found.constant_rows), "row has", "rows have"),
+                                   name_of_row(ids, found.constant_rows.front())));
   }
 }
 

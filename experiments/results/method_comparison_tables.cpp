@@ -143,8 +143,8 @@ std::optional<std::string> few_units_warning(const MethodComparison& comparison,
           : "";
   const std::string advice =
       few_resamples
-          ? fmt::format("more {} than {} can", setting_name(audience, "resamples"), options.resampling.resamples)
-          : fmt::format("more {} can, {} (which assumes normally distributed differences){}", name_of(options.blocks),
+          ? fmt::format("use more {} than {}", setting_name(audience, "resamples"), options.resampling.resamples)
+          : fmt::format("use more {}, {} (which assumes normally distributed differences){}", name_of(options.blocks),
                         setting_with_word(audience, "test", "t"), more_blocks);
   return fmt::format(
       "with {} {} no p-value of the {} test can be below {:.4g} ({:.4g} after Holm's correction for {} {}); no "

@@ -168,8 +168,7 @@ TEST_F(CompareCommand, TooFewClassesAreTold) {
   write_text(at("three.csv"), table);
   const std::string more = "--labels '" + at("three.csv") + "' --measures FT --format json ";
   const Outcome outcome = compare("good.npy bad.npy", more);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("over 3 classes no p-value of the randomization test can be below 0.25"),
-                                    HasSubstr("--blocks queries")));
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("3 classes"), HasSubstr("below 0.25"), HasSubstr("--blocks queries")));
   EXPECT_EQ(nlohmann::json::parse(outcome.output)["smallest_p"], 0.25);
   EXPECT_THAT(compare("good.npy bad.npy", more + "--test t").errors, testing::Not(HasSubstr("p-value")));
   EXPECT_THAT(compare_matrices("good.npy bad.npy").errors, testing::Not(HasSubstr("p-value")));

@@ -63,7 +63,7 @@ TEST_F(DatasetCommand, InfoCountsWhatIsSkipped) {
   write_text(at("classes/box/T1.mtl"), "newmtl x");
   const Outcome outcome = run_executable("dataset info '" + at("classes") + "'");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is no shape, 1 folder\n"));
+  EXPECT_THAT(outcome.output, HasSubstr("\nskipped: 1 file that is not a shape, 1 folder\n"));
 }
 
 TEST_F(DatasetCommand, ValidateNamesWhatCannotBeUsed) {

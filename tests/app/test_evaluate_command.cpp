@@ -249,7 +249,7 @@ TEST_F(EvaluateCommand, UnusableInputIsOneClearLine) {
       {toy + labels + "--min-class-size 5", "class"},
       {toy + labels + "--measures FT,F", "no measure \"F\""},
       {toy + labels + "--similarity --distance l1", "--similarity"},
-      {toy + labels + "--level 1", "no level 1 to take"},
+      {toy + labels + "--level 1", "no level 1"},
       {toy + labels + "--ids '" + at("absent.txt") + "'", "toy.cla"},
       {toy + labels + "--pr /nowhere/pr.csv", "/nowhere/pr.csv"}};
   expect_error_lines(cases);

@@ -76,7 +76,7 @@ TEST(LeaderboardCommand, RefusesWhatItCannotUse) {
       {"leaderboard " + folder, "--labels"},
       {"leaderboard " + folder + labels + " --rank-by BEP", "BEP"},
       {"leaderboard " + folder + labels + " -o " + folder, "submissions"},
-      {"leaderboard " + folder + labels + " -o " + shell_word(small.folder.path()), "no site"},
+      {"leaderboard " + folder + labels + " -o " + shell_word(small.folder.path()), "not a leaderboard site"},
       {"leaderboard '" + small.folder.path().string() + "/absent'" + labels, "absent"},
   });
 }

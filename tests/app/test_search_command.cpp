@@ -59,7 +59,7 @@ TEST_F(SearchCommand, CountsWhatIsSkippedWhenTheCollectionIsDescribed) {
   test::write_text(at("models/readme.txt"), "hello");
   test::write_text(at("models/.hidden"), "hello");
   EXPECT_THAT(search("query.off", "").errors,
-              HasSubstr("skipped: " + std::to_string(others + 1) + " files that are no shapes"));
+              HasSubstr("skipped: " + std::to_string(others + 1) + " files that are not shapes"));
   EXPECT_THAT(search("query.off", "").errors, Not(HasSubstr("skipped")));
 }
 
@@ -97,7 +97,7 @@ TEST_F(SearchCommand, OneBrokenModelAndOneBrokenQueryAreNamedAndTheRestAnswered)
   test::write_text(at("broken.off"), "OFF\n");
   const Outcome outcome = search(quoted("broken.off") + " " + quoted("query.off") + " " + quoted("models"));
   EXPECT_EQ(outcome.status, 1);
-  EXPECT_THAT(outcome.errors, HasSubstr("left out T7.off"));
+  EXPECT_THAT(outcome.errors, HasSubstr("warning: omitted T7.off"));
   EXPECT_THAT(outcome.errors, HasSubstr("broken.off"));
   EXPECT_THAT(outcome.output, HasSubstr("query.off"));
   EXPECT_THAT(outcome.output, Not(HasSubstr("T7.off")));

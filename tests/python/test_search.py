@@ -26,7 +26,7 @@ def models(tmp_path):
 
 
 def opened(models, **settings):
-    with pytest.warns(UserWarning, match="left out broken.off"):
+    with pytest.warns(UserWarning, match="omitted broken.off"):
         return sg.Index(models, method=METHOD, cache="", **settings)
 
 

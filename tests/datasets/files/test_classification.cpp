@@ -93,7 +93,7 @@ TEST(ParseClassification, OneClearErrorWithTheLineForEachFault) {
       BadFile{"PSB 1\n4000000000 1\na 0 1\nx\n", "x.cla:5: the file ends where the name of class 2 of 4000000000"},
       BadFile{"PSB 1\n1 4000000000\na 0 4000000000\nx\n", "x.cla:5: the file ends where model 2 of 4000000000"},
       BadFile{"PSB 1\n1 1\na 0 -1\n", "x.cla:3: the number of models of class \"a\" must be a whole number"},
-      BadFile{"PSB 1\n1 2\na 0 3\nx y z\n", "x.cla:3: up to class \"a\" there are 3 models, but the head"},
+      BadFile{"PSB 1\n1 2\na 0 3\nx y z\n", "x.cla:3: there are 3 models up to class \"a\""},
       BadFile{"PSB 1\n1 3\na 0 2\nx\ny\n", "x.cla:5: the classes have 2 models"},
       BadFile{"PSB 1\n1 2\na 0 2\nx\ny\nz\n", "x.cla:6: \"z\" follows the last of 1 classes"},
       BadFile{"PSB 1\n2 2\na 0 1\nx\na 0 1\ny\n", "x.cla:5: class \"a\" is repeated; it was first in line 3"},

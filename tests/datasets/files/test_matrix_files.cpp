@@ -97,8 +97,9 @@ TEST(CsvMatrix, WithoutHeaderThereAreNoIds) {
 TEST(CsvMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(csv_error("id,a,b\na,0,x\nb,1,0\n"), HasSubstr("m.csv:2: \"x\" is not a number (number 2 of the row)"));
   EXPECT_THAT(csv_error("id,a,b\na,0,\nb,1,0\n"), HasSubstr("m.csv:2: \"\" is not a number"));
-  EXPECT_THAT(csv_error("id,a,b\nb,0,1\na,1,0\n"), HasSubstr("m.csv:2: the row is of \"b\", but the column"));
-  EXPECT_THAT(csv_error("id,a,a\na,0,1\na,1,0\n"), HasSubstr("m.csv:1: the id \"a\" occurs twice"));
+  EXPECT_THAT(csv_error("id,a,b\nb,0,1\na,1,0\n"),
+              AllOf(HasSubstr("m.csv:2: "), HasSubstr("\"b\""), HasSubstr("\"a\"")));
+  EXPECT_THAT(csv_error("id,a,a\na,0,1\na,1,0\n"), HasSubstr("m.csv:1: repeated id \"a\""));
   EXPECT_THAT(csv_error("id,a,\na,0,1\n,1,0\n"), HasSubstr("m.csv:1: an id is empty"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1\n"), HasSubstr("m.csv:3: expected 2 numbers as in line 2, found 1"));
   EXPECT_THAT(csv_error("id,a,b\na,0,1\nb,1,0\nc,1,1\n"), HasSubstr("m.csv:4: there are more rows than the 2 ids"));
@@ -149,7 +150,7 @@ TEST(PsbMatrix, AnotherSizeIsAnErrorThatKnowsFloat64) {
     return test::input_error_of([&] { read_psb_matrix(folder.file("m.matrix", std::string(bytes, '\0'))); });
   };
   EXPECT_THAT(error_for(8 * 9), AllOf(HasSubstr("m.matrix: 72 bytes"), HasSubstr("float64 (3 x 3)")));
-  EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("cut off")));
+  EXPECT_THAT(error_for(4 * 9 - 1), AllOf(HasSubstr("m.matrix: 35 bytes"), HasSubstr("truncated")));
   EXPECT_THAT(error_for(4 * 10), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(3), HasSubstr("square matrix"));
   EXPECT_THAT(error_for(0), HasSubstr("empty"));
@@ -207,7 +208,7 @@ TEST(TextMatrix, OneNumberIsAMatrix) { EXPECT_EQ(read_text("0"), DistanceMatrix:
 TEST(TextMatrix, AFaultIsOneErrorWithItsLine) {
   EXPECT_THAT(text_error("0 1\n1 x\n"), HasSubstr("m.txt:2: \"x\" is not a number (number 2 of the row)"));
   EXPECT_THAT(text_error("0 1\n\n1\n"), HasSubstr("m.txt:3: expected 2 numbers as in line 1, found 1"));
-  EXPECT_THAT(text_error("0 1\n1 0 2\n"), HasSubstr("m.txt:2: the row has 3 numbers"));
+  EXPECT_THAT(text_error("0 1\n1 0 2\n"), HasSubstr("m.txt:2: expected 2 numbers as in line 1, found 3"));
   EXPECT_THAT(text_error("0 1\n1 0\n2 3\n"), HasSubstr("m.txt:3: expected a square distance matrix, found row 3"));
   EXPECT_THAT(text_error("0 1 2\n1 0 2\n"), HasSubstr("m.txt: expected a square distance matrix, found 2 rows of 3"));
   EXPECT_THAT(text_error("# nothing\n"), HasSubstr("m.txt: the file has no numbers"));

@@ -37,20 +37,20 @@ TEST(RankedAnswers, JudgementsKeepWhatIsRelevant) {
 
 TEST(RankedAnswers, FaultsAreOneErrorWithTheLine) {
   const auto run = [](const std::string& text) { return test::input_error_of([&] { parse_trec_run(text, "r"); }); };
-  EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: 5 words where a line is \"query Q0 model rank score tag\""));
-  EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\" is no finite number"));
+  EXPECT_THAT(run("q Q0 a 1 0.5\n"), HasSubstr("r:1: found 5 words"));
+  EXPECT_THAT(run("q Q0 a 1 nan t\n"), HasSubstr("r:1: the score \"nan\""));
   EXPECT_THAT(run("q Q0 a 1 1 t\nq Q0 a 2 0 t\n"), HasSubstr("r:2: repeated model \"a\""));
   EXPECT_THAT(run("\n \n"), HasSubstr("r: the file has no lines"));
   const auto lists = [](const std::string& text) {
     return test::input_error_of([&] { parse_ranked_lists(text, "l"); });
   };
   EXPECT_THAT(lists("q\n"), HasSubstr("l:1: the query has no models"));
-  EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: the query \"q\" has a line already"));
-  EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: the model \"a\" occurs twice"));
+  EXPECT_THAT(lists("q a\nq b\n"), HasSubstr("l:2: repeated query \"q\""));
+  EXPECT_THAT(lists("q a a\n"), HasSubstr("l:1: repeated model \"a\""));
   const auto qrels = [](const std::string& text) { return test::input_error_of([&] { parse_qrels(text, "j"); }); };
-  EXPECT_THAT(qrels("q 0 a yes\n"), HasSubstr("j:1: the grade \"yes\" is no whole number"));
-  EXPECT_THAT(qrels("q 0 a\n"), HasSubstr("j:1: 3 words"));
-  EXPECT_THAT(qrels("q 0 a 1\nq 0 a 0\n"), HasSubstr("j:2: the model \"a\" occurs twice"));
+  EXPECT_THAT(qrels("q 0 a yes\n"), HasSubstr("j:1: the grade \"yes\""));
+  EXPECT_THAT(qrels("q 0 a\n"), HasSubstr("j:1: found 3 words"));
+  EXPECT_THAT(qrels("q 0 a 1\nq 0 a 0\n"), HasSubstr("j:2: repeated model \"a\""));
 }
 
 TEST(RankedAnswers, OfATrecRunHaveItsName) {

@@ -137,7 +137,7 @@ TEST_F(Layouts, WhatIsSkippedIsCounted) {
   };
   EXPECT_THAT(counts(find("folders").skipped), ElementsAre(3, 1, 1));
   EXPECT_EQ(skipped_text(find("folders").skipped),
-            "skipped: 3 files that are no shapes, 1 shape outside of the layout, 1 folder");
+            "skipped: 3 files that are not shapes, 1 shape outside of the layout, 1 folder");
   // Each folder must have models; "chair" has some in "train" only.
   write("bed/train/b3.off");
   EXPECT_THAT(counts(find("folders", "train").skipped), ElementsAre(3, 1, 1));
@@ -156,7 +156,7 @@ TEST_F(Layouts, FoldersErrors) {
   EXPECT_THAT(error("folders"), HasSubstr("a: no models"));
   write("a/x.off");
   write("a/x.obj");
-  EXPECT_THAT(error("folders"), HasSubstr("is the model a/x already"));
+  EXPECT_THAT(error("folders"), HasSubstr("also model a/x"));
   EXPECT_THAT(error("folders", "train"), HasSubstr("for the split \"train\""));
 }
 
@@ -192,7 +192,7 @@ TEST_F(Layouts, CsvErrorsNameTheLine) {
   write("models.csv", "id,path,class\n1,x,\n");
   EXPECT_THAT(error("csv"), HasSubstr("models.csv:2: the class is empty"));
   write("models.csv", "id,path,class\n1,x,a\n1,y,b\n");
-  EXPECT_THAT(error("csv"), HasSubstr("models.csv:3: the model 1 stands in line 2 already"));
+  EXPECT_THAT(error("csv"), HasSubstr("models.csv:3: repeated model 1; it was first in line 2"));
 }
 
 TEST_F(Layouts, AreRecognised) {

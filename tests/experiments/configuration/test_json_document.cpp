@@ -34,7 +34,7 @@ TEST(ParseJson, ANumberTooLargeIsAnError) {
 
 TEST(ParseJson, AKeyThatStandsTwiceIsAnError) {
   EXPECT_THAT(test::input_error_of([] { parse_json(R"({"a": {"b": 1, "c": 2, "b": 3}})", "x.json"); }),
-              HasSubstr("the key \"b\" stands twice"));
+              HasSubstr("x.json: the key \"b\" is repeated"));
   EXPECT_NO_THROW(parse_json(R"([{"b": 1}, {"b": {"b": 3}}])", "x.json"));
 }
 
@@ -144,7 +144,7 @@ TEST(ApplyOverride, WhatLeadsNowhereIsAnError) {
   EXPECT_THAT(test::input_error_of([] { overridden("signatures.2.name=x"); }), HasSubstr("\"2\" is not an index"));
   EXPECT_THAT(test::input_error_of([] { overridden("signatures.-1.name=x"); }), HasSubstr("\"-1\" is not an index"));
   EXPECT_THAT(test::input_error_of([] { overridden("signatures.first.name=x"); }), HasSubstr("not an index"));
-  EXPECT_THAT(test::input_error_of([] { overridden("name.more=1"); }), HasSubstr("there is no \"more\" in \"x\""));
+  EXPECT_THAT(test::input_error_of([] { overridden("name.more=1"); }), HasSubstr("no key \"more\" in \"x\""));
   EXPECT_THAT(test::input_error_of([] { overridden("name"); }), HasSubstr("expected dotted.key=value"));
   EXPECT_THAT(test::input_error_of([] { overridden("=1"); }), HasSubstr("expected dotted.key=value"));
   EXPECT_THAT(test::input_error_of([] { overridden("a..b=1"); }), HasSubstr("is empty"));

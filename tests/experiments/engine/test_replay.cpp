@@ -20,8 +20,8 @@ TEST(Replay, AManifestThatTellsTooLittleIsAnError) {
     return test::input_error_of([&] { read_manifest(folder.path() / "m.json"); });
   };
   EXPECT_EQ(error_for(R"({"configuration": {}, "inputs": {}, "outputs": {}})"), "no error");
-  EXPECT_THAT(error_for("[]"), HasSubstr("has no \"configuration\""));
-  EXPECT_THAT(error_for(R"({"configuration": {}, "inputs": {}})"), HasSubstr("has no \"outputs\""));
+  EXPECT_THAT(error_for("[]"), HasSubstr("m.json: missing \"configuration\""));
+  EXPECT_THAT(error_for(R"({"configuration": {}, "inputs": {}})"), HasSubstr("m.json: missing \"outputs\""));
   EXPECT_THAT(error_for(R"({"configuration": 1, "inputs": {}, "outputs": {}})"), HasSubstr("manifest.json"));
   EXPECT_THAT(error_for("{"), HasSubstr("m.json"));
   EXPECT_THAT(test::input_error_of([] { read_manifest("/nowhere/manifest.json"); }), HasSubstr("no such file"));

@@ -124,7 +124,7 @@ TEST(OpenIndex, IsMadeAnewWithANoteWhereItIsDamagedOrOfAnotherMethod) {
   }
   IndexUpdate update;
   folder.open(update, "d2");
-  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program; it is made anew")));
+  EXPECT_THAT(update.notes, ElementsAre(HasSubstr("of another method or program")));
 }
 
 TEST(OpenIndex, AsItIsNeedsNoModelsAndSaysWhatIsWrong) {
