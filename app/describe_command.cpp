@@ -96,7 +96,7 @@ Described described(const DescriptorChoice& choice, const Shape& given, bool den
   return result;
 }
 
-/// Describes the shapes of the files by what is learnt from all of them.
+/// Describes the shapes by features learnt from all of them.
 void learn_and_describe(const DescriptorChoice& choice, const ShapeFiles& files,
                         std::vector<std::optional<Described>>& shapes) {
   const Shape none;

@@ -11,7 +11,7 @@
 #include <utility>
 
 /// Output, messages and progress. Functions never throw if a stream cannot be written (full or closed): results must
-/// not be lost because nobody reads the messages.
+/// not be lost because standard error is closed.
 
 namespace shapegauge {
 

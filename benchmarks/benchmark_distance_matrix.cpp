@@ -1,6 +1,6 @@
 // L1 distances between signatures of 240 entries, on one thread: a plain double loop, ours, and ours row by row without
-// keeping the matrix. The argument is the number of signatures; the counter, seconds a pair. Beside them what may bind:
-// the distances of as many pairs of signatures that never leave the cache, and the writing of the matrix alone.
+// keeping the matrix. The argument is the number of signatures; the counter, seconds a pair. Also measured are bounds:
+// the distances of equally many pairs of cached signatures, and writing the matrix alone.
 
 #include <benchmark/benchmark.h>
 #include <cmath>
@@ -67,7 +67,7 @@ void rows(benchmark::State& state) {
   count_pairs(state, static_cast<double>(signatures.rows() * signatures.rows()));
 }
 
-/// As many pairs, of the same few signatures each time.
+/// Equally many pairs of the same few signatures.
 void arithmetic(benchmark::State& state) {
   constexpr Eigen::Index few = 32;
   const Signatures signatures = random_signatures(few);
@@ -83,7 +83,7 @@ void arithmetic(benchmark::State& state) {
   count_pairs(state, static_cast<double>(pairs));
 }
 
-/// Writes a matrix of that size and nothing else.
+/// Only writes a matrix of that size.
 void memory(benchmark::State& state) {
   const Eigen::Index count = state.range(0);
   for ([[maybe_unused]] const auto iteration : state) {

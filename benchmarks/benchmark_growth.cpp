@@ -1,5 +1,5 @@
 // How the time of the offset SDF grows with the number of faces: a torus with 10,000 to a million of them, at 5 % of
-// the diagonal, on one thread. The counters are microseconds and, for what stays in memory meanwhile, bytes a face.
+// the diagonal, on one thread. The counters are microseconds and resident bytes per face.
 
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -1,9 +1,9 @@
-// The SDF of given meshes at all faces, every way there is, side by side in one process:
+// The SDF of given meshes at all faces by all available methods, in one process:
 //
 //     benchmark_sdf [options of Google Benchmark] MESH...
 //
-// Names are MESH/what. Unless they say otherwise, times are of one thread and include building all structures.
-// scripts/benchmark makes a table of ratios of them.
+// Benchmarks are named MESH/method. Unless stated, times are of one thread and include building all structures.
+// scripts/benchmark tabulates their ratios.
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ struct Input {
   Samples samples;
 };
 
-/// One inward ray for each face: the least that any SDF costs.
+/// One inward ray per face: a lower bound of the cost of any SDF.
 void cast_one_ray_each(const Input& input) {
   const RayCaster caster(input.shape);
   double sum = 0;

@@ -1,8 +1,9 @@
-// The segmentation of given meshes beside CGAL's, in one process:
+// The segmentation of given meshes compared with CGAL's, in one process:
 //
 //     benchmark_segmentation [options of Google Benchmark] MESH...
 //
-// Names are MESH/what. Times are of one thread and include the SDF. CGAL cuts with libmaxflow (cgal_segmentation.h).
+// Benchmarks are named MESH/method. Times are of one thread and include the SDF. CGAL uses libmaxflow
+// (cgal_segmentation.h).
 #include <benchmark/benchmark.h>
 #include <exception>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What docs/methods/offset_sdf.md and docs/notes/performance.md say of the offset SDF of given meshes, beside
+// Measurements of the offset SDF in docs/methods/offset_sdf.md and docs/notes/performance.md, in addition to
 // scripts/benchmark's tables:
 //
 //   measure_offset times|threads|turned|exact [--cut N] [--every N] [--offsets 0.05,0.03,0.01] MESH...
@@ -101,7 +101,7 @@ double wall_clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Of five runs, or of two where they are long.
+/// Minimum of up to five runs, or of two if they are long.
 template <typename Clock, typename Task>
 double least_seconds(const Clock& clock, const Task& task) {
   double least = std::numeric_limits<double>::infinity();
@@ -142,7 +142,7 @@ void measure_threads(const Case& one, const Settings& settings) {
   fmt::print("\n");
 }
 
-/// How many of the values differ by more than 1 and 10 % of r, in percent.
+/// Percentages of values that differ by more than 1 % and 10 % of r.
 std::string difference(const OffsetAnswers& a, const OffsetAnswers& b, double offset) {
   const Eigen::ArrayXd change = (a.values - b.values).array().abs() / offset;
   const auto percent = [&](double limit) {

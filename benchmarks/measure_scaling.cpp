@@ -1,6 +1,6 @@
-// Distances and measures of many signatures that are made from nothing, on one process or, under mpirun, on several:
-// seconds, memory, traffic. docs/notes/scaling.md has what it measured, and scripts/simulate_scaling goes on from
-// there.
+// Distances and measures of many synthetic signatures, in one process or, under mpirun, on several:
+// seconds, memory, traffic. Results are in docs/notes/scaling.md; scripts/simulate_scaling extrapolates
+// them.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int models_of_class = 50;
 
-/// Histograms with a bump where the class has it and noise all over, the same whoever makes them.
+/// Histograms with a peak that depends on the class, plus noise; identical on all ranks.
 Signatures make_signatures(const Range& models, int bins) {
   Signatures signatures(static_cast<Eigen::Index>(models.size()), bins);
   for (std::size_t model = models.first; model < models.last; ++model) {
@@ -59,7 +59,7 @@ Usage usage() {
           .peak_megabytes = static_cast<double>(all.ru_maxrss) / 1024};
 }
 
-/// Seconds to hand out so many jobs with nothing in them, to all ranks but the first, which hands them out.
+/// Seconds for distributing empty jobs from the first rank to all others.
 double hand_out(std::size_t jobs, Communicator& ranks) {
   const Stopwatch stopwatch;
   ranks.share_jobs(jobs, [&](Jobs& shared) {

@@ -1,6 +1,7 @@
-// measure_search COLLECTION MODELS [answers]: the times of an index of so many models. Those of a described collection
-// are multiplied: each copy's features are moved towards those of another model, by a part that is drawn. "answers":
-// only plain answers, with the scales that the models have in the collection, for numbers whose pairs take hours.
+// measure_search COLLECTION MODELS [answers]: run times of an index of MODELS models. The models of a described
+// collection are multiplied: each copy's features are moved towards those of another model, by a random fraction.
+// "answers": only plain answers, with the scales that the models have in the collection, for numbers whose pairs take
+// hours.
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
@@ -48,7 +49,7 @@ ShapeIndex multiplied(const ShapeIndex& few, std::size_t models) {
   return many;
 }
 
-/// The scales of the models that copies are of.
+/// Local scales of the models copied.
 CollectionSum multiplied(CollectionSum sum, Eigen::Index models) {
   for (LocalScales& scales : sum.local_scales) {
     const Eigen::VectorXd few = scales.roots;
@@ -69,7 +70,7 @@ int measure(const std::filesystem::path& collection, std::size_t models, bool an
     stopwatch.lap();
     before = std::clock();
   };
-  // On a machine that is busy the processor time says more.
+  // On a busy machine processor time is more meaningful.
   const auto report = [&](const std::string& what) {
     const double processor = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
     fmt::print("{:<44}{:8.3f} s, {:8.3f} s of processors\n", what, stopwatch.lap(), processor);

@@ -1,8 +1,8 @@
-// Writes the parts that CGAL sees, for evaluate-segmentation:
+// Writes CGAL's segmentations for evaluate-segmentation:
 //
 //     segment_by_cgal CLUSTERS SMOOTHING FOLDER MESH...
 //
-// FOLDER/MESH.seg has a line a face. A mesh that CGAL cannot cut is named, and left out.
+// FOLDER/MESH.seg has one line per face. Meshes unsupported by CGAL are reported and omitted.
 #include <cstdlib>
 #include <exception>
 #include <filesystem>

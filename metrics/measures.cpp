@@ -30,7 +30,7 @@ double second_tier(const RankedList& list) {
   return hits_among_first(list, 2 * list.relevant) / static_cast<double>(list.relevant);
 }
 
-constexpr std::size_t first_page = 32;  // results that a user is taken to look at
+constexpr std::size_t first_page = 32;  // results that a user is assumed to inspect
 
 double e_measure(const RankedList& list) {
   const std::size_t looked_at = std::min(first_page, list.length);

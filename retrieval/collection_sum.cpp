@@ -150,7 +150,7 @@ CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> ter
     if (weights[k] == 0 || (!local && kind == SumWeights::given)) continue;
     const bool known = earlier != nullptr && earlier->unchanged[k] && earlier->sum.nearest[k].indices.rows() > 0;
     TermPass found = known ? PassUpdate(models, terms[k], *earlier, k).run() : pass_over(models, terms[k]);
-    found.nearest.largest = 0;  // unknown after an update, and of no use here
+    found.nearest.largest = 0;  // unknown after an update, and unused here
     sum.nearest[k] = std::move(found.nearest);
     sum.means[k] = std::move(found.means);
     if (local) sum.local_scales[k] = LocalScales::of_means(sum.means[k]);

@@ -1,4 +1,4 @@
-// The sum over a signature's entries, compiled once for each instruction set that Highway knows of.
+// The sum over a signature's entries, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/retrieval/l1_distance.cpp"

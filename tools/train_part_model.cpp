@@ -1,4 +1,4 @@
-// Trains the model of part_segmentation(), or says what it is worth:
+// Trains or evaluates the model of part_segmentation():
 //
 //     train_part_model SHAPES WEIGHTS.inc
 //     train_part_model SHAPES
@@ -37,7 +37,7 @@ namespace shapegauge {
 namespace {
 
 constexpr int none_left_out = -1;
-constexpr int no_class = -2;  // of what belongs to no class that could be left out
+constexpr int no_class = -2;  // for shapes that belong to no class
 
 /// Mesh with its regions and human segmentations.
 struct TrainingModel {

@@ -18,7 +18,7 @@
 #include "shapegauge/core/shape/connectivity.h"
 #include "shapegauge/core/shape/shape.h"
 
-// QuadricT.hh does not include what it needs.
+// Needed by QuadricT.hh, which does not include it.
 // clang-format off
 #include <OpenMesh/Core/Utils/vector_traits.hh>
 #include <OpenMesh/Core/Geometry/QuadricT.hh>
@@ -344,7 +344,7 @@ std::size_t collapse_edges(DecimationMesh& mesh, Eigen::Index faces) {
 Triangles triangles_left(const Shape& shape, DecimationInput& input) {
   const std::vector<std::int32_t> merged = welded_vertices(shape.vertices);
   std::vector<std::array<std::int32_t, 3>> left;
-  for (const auto face : input.mesh.faces()) {  // without those that are deleted
+  for (const auto face : input.mesh.faces()) {  // skips deleted faces
     std::array<std::int32_t, 3> triangle{};
     std::size_t k = 0;
     for (const auto vertex : input.mesh.fv_range(face)) {

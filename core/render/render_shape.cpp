@@ -126,7 +126,7 @@ class RayGrid {
         return;
       }
       const double crossing = start.x() + slope * (row - start.y());
-      if ((sign > 0) == (along.y() < 0)) {  // what is inside is to the right
+      if ((sign > 0) == (along.y() < 0)) {  // the interior is to the right
         if (crossing - 1 > first) first = static_cast<int>(std::min(crossing - 1, last + 1.0));
         while (first <= last && !has_inside(first, row)) ++first;
       } else {

@@ -100,7 +100,7 @@ LabelledTable csv_table(const std::filesystem::path& path) {
 }
 
 LabelledTable psb_table(const std::filesystem::path& path) {
-  return {.numbers = read_psb_matrix(path), .row_ids = {}, .column_ids = {}};  // knows square ones only
+  return {.numbers = read_psb_matrix(path), .row_ids = {}, .column_ids = {}};  // square matrices only
 }
 
 struct Format {

@@ -77,7 +77,7 @@ std::optional<NpyTable> block_layout(const std::filesystem::path& path, TableSha
   if ((!psb && extension != ".npy") || !std::filesystem::is_regular_file(path)) return std::nullopt;
   const auto bytes = static_cast<std::size_t>(std::filesystem::file_size(path));
   constexpr std::size_t longest_usual_header = 1 << 17;
-  const std::string beginning = read_file_bytes(path, longest_usual_header);  // refuses what is empty or unreadable
+  const std::string beginning = read_file_bytes(path, longest_usual_header);  // rejects empty and unreadable files
   if (psb) {
     const Eigen::Index size = psb_matrix_size(bytes, path.string());
     return NpyTable{.rows = size, .columns = size, .numbers = float32_format()};

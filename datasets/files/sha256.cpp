@@ -74,7 +74,7 @@ std::string sha256_of_shape(const ShapeSource& source) {
     for (const std::string& file : shape_neighbours(source)) {
       all += fmt::format("\n{} {}", sha256_of_file(source.neighbour(file)), file);
     }
-  } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): whoever reads the shape reports it
+  } catch (const InputError&) {  // NOLINT(bugprone-empty-catch): reported when the shape is read
   }
   return all == hash ? hash : sha256(all);
 }

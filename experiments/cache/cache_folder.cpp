@@ -176,7 +176,7 @@ void trim_cache(const fs::path& cache, std::uintmax_t limit) {
   try {
     files = cache_files(cache);
   } catch (const InputError&) {
-    return;  // whoever reads or writes it has said so
+    return;  // reported when it was read or written
   }
   std::ranges::sort(files, {}, &CacheFile::last_used);
   std::uintmax_t bytes = contents_of(files).total().bytes;

@@ -144,7 +144,7 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / ".shapegauge-loc
       throw InputError(fmt::format("another run is writing to {}; wait for it, or use another folder with --output",
                                    folder.string()));
     }
-    // The previous owner may have removed the file: a lock on a removed file excludes nobody.
+    // The previous owner may have removed the file: a lock on a removed file has no effect.
     if (error != 0 || is_file_of(descriptor_, path_)) return;
     ::close(descriptor_);
   }

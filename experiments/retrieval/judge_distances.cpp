@@ -19,7 +19,7 @@ Range own_part(const SharedSignatures& signatures, const Communicator& ranks) {
 }
 
 std::string_view bytes_of(const Eigen::Ref<const Signatures>& rows) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): access to the bytes is intended
   return {reinterpret_cast<const char*>(rows.data()), static_cast<std::size_t>(rows.size()) * sizeof(float)};
 }
 

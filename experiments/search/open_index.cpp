@@ -57,7 +57,7 @@ std::vector<IndexedFile> states_of(const Collection& collection, const ShapeInde
     try {
       state.sha256 = sha256_of_file(collection.file(collection.files[i].path));
     } catch (const InputError&) {
-      state.sha256.clear();  // whoever describes it says why
+      state.sha256.clear();  // the reason is reported when it is described
     }
   });
   return states;

@@ -162,7 +162,7 @@ std::string view_key(const std::vector<std::string>& fields, Eigen::Index faces)
 
 std::string distances_key(const Signatures& signatures, const std::string& distance) {
   const auto bytes = static_cast<std::size_t>(signatures.size()) * sizeof(float);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): the bytes of the numbers are what is wanted
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): access to the bytes is intended
   const std::string_view numbers(reinterpret_cast<const char*>(signatures.data()), bytes);
   return key_of(EntryKind::distances, {{"signatures", sha256(numbers)},
                                        {"size", {signatures.rows(), signatures.cols()}},

@@ -62,7 +62,7 @@ class DescribedModel {
     }
     for (PartlyKnownFeatures& descriptor : descriptors_) {
       if (descriptor.plan.learns) {
-        descriptor.found = FeatureDescription{};  // whoever has all shapes completes it
+        descriptor.found = FeatureDescription{};  // completed after all shapes
         continue;
       }
       descriptor.found = cache_->lookup(EntryKind::features, descriptor.key, read_features);
@@ -246,7 +246,7 @@ class DescribedModel {
       describe_field({.values = std::move(cached->values), .weights = *weights}, field.rest, configuration_->signatures,
                      cached->facts, histograms);
     } catch (const InputError&) {
-      return std::nullopt;  // no histogram of these values: whoever computes the field will say so
+      return std::nullopt;  // no histogram of these values: reported when the field is computed
     }
     store_histograms(field, cached->facts, histograms);
     return std::move(cached->facts);

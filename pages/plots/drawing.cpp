@@ -156,7 +156,7 @@ void Drawing::rectangle(DrawingPoint corner, DrawingPoint size, const Colour& fi
 double estimated_text_width(std::string_view text, double size) {
   double width = 0;
   for (const char c : text) {
-    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // goes on with a letter
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80U) continue;  // continuation byte
     const bool narrow = std::string_view(" .,:;'!|()[]ijlftI1").find(c) != std::string_view::npos;
     const bool wide = std::string_view("mwMWOQ@%").find(c) != std::string_view::npos;
     width += narrow ? 0.4 : wide ? 0.9 : 0.63;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view set = "\n--set ";
 
-/// Takes what stands in front of the next override off the text, and what introduces the override.
+/// Removes and returns the text before the next override, and removes its introduction.
 std::string_view next_part(std::string_view& text) {
   const std::size_t end = text.find(set);
   const std::string_view part = text.substr(0, end);
@@ -22,7 +22,7 @@ std::string_view next_part(std::string_view& text) {
   return part;
 }
 
-/// Whether the document is a configuration, by the function that reads it.
+/// Whether the document can be read as a configuration.
 template <typename Read>
 bool complete(const nlohmann::json& document, const Read& from_json) {
   decltype(from_json(document, "", "")) read;

@@ -32,7 +32,7 @@ void promise_sound(const Shape& shape) {
 using Read = Shape (*)(const std::string& bytes, const std::string& name);
 using Check = void (*)(const std::string& bytes, const std::string& name);
 
-/// The reader, and the look at the header that goes before it in long runs: it must not refuse what can be read.
+/// The reader and the check of headers before long runs, which must accept every readable file.
 bool read_with(Read read, Check check, std::string_view bytes) {
   const std::string copy(bytes);
   const std::string name = "shape";

@@ -3,7 +3,7 @@
 
 #include "tests/fuzz/fuzz_targets.h"
 
-/// What Clang's libFuzzer calls with bytes of its making. An exception that leaves it is a finding.
+/// Entry point for Clang's libFuzzer. An escaping exception is a finding.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   shapegauge::fuzz::SHAPEGAUGE_FUZZ_TARGET({reinterpret_cast<const char*>(data), size});
   return 0;

@@ -8,12 +8,12 @@
 
 namespace shapegauge::fuzz {
 
-/// Throws std::logic_error where the promise is not kept.
+/// Throws std::logic_error if the guarantee is violated.
 inline void promise(bool kept, std::string_view what) {
   if (!kept) throw std::logic_error("broken promise: " + std::string(what));
 }
 
-/// Runs the function. False where it refuses its input, which it has to do with one line that begins with `source`.
+/// Runs the function. Returns false on InputError, whose message must be one line that begins with `source`.
 template <typename Function>
 bool is_accepted(std::string_view source, const Function& function) {
   try {

@@ -13,14 +13,14 @@ constexpr int most = 60;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Nothing below 0.1: with the sanitizers a finer octree takes many seconds.
+/// At least 0.1: with sanitizers a finer octree takes many seconds.
 constexpr std::array offsets = {0.2, 0.1, 0.15, 0.3, 1.0, 5.0, 100.0, 1e30, 0.0, -1.0, infinity, nan};
 
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) : bytes_(bytes) {}
 
-  /// The next byte; 0 behind the last.
+  /// Next byte, or 0 after the last.
   int next() {
     if (bytes_.empty()) return 0;
     const auto byte = static_cast<std::uint8_t>(bytes_.front());

@@ -7,18 +7,18 @@
 
 namespace shapegauge::fuzz {
 
-/// A shape and what to measure on it.
+/// A shape and settings of a measurement.
 struct Measurement {
   Shape shape;
   SampleSite site = SampleSite::faces;
   double offset = 0;
 };
 
-/// A measurement that any bytes stand for; bytes that are missing count as zeros. The first byte: its lowest bit makes
-/// a point cloud, its second one samples at the vertices. The second byte chooses the offset, an unusable one among
-/// others. The third and the fourth are the numbers of vertices and triangles (at most 60 of each), which follow: three
+/// Decodes a measurement from arbitrary bytes; missing bytes are zeros. The first byte: its lowest bit selects
+/// a point cloud, the next one samples at vertices. The second byte selects the offset, possibly an invalid
+/// one. The third and fourth are the numbers of vertices and triangles (at most 60 each), which follow: three
 /// coordinates (see coordinate() in the source: on a small grid, repeated, huge, tiny, not finite) and three indices,
-/// of which some are out of range.
+/// some of them out of range.
 Measurement measurement_from_bytes(std::string_view bytes);
 
 }  // namespace shapegauge::fuzz

@@ -24,7 +24,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }
 
 struct Target {
-  std::string_view name;  // of the folders in seeds and regressions
+  std::string_view name;  // name of the folders in seeds and regressions
   bool (*run)(std::string_view bytes);
 };
 
@@ -54,14 +54,14 @@ class FuzzCorpus : public ::testing::TestWithParam<Target> {
     return files_in(fs::path(SHAPEGAUGE_FUZZ_FOLDER) / kind / GetParam().name);
   }
 
-  /// Whether the target has a use for the file, as far as it says. Memory is bounded here, time by CTest.
+  /// Whether the target accepts the file. Memory is bounded here, time by CTest.
   static bool run(const fs::path& file) {
     SCOPED_TRACE(file);
     const std::string bytes = read_file_bytes(file);
     bool accepted = false;
     test::reset_largest_allocation();
     EXPECT_NO_THROW(accepted = GetParam().run(bytes));
-    // The octree of the offset SDF takes what it takes, but no more; what is read takes a multiple of its file.
+    // The offset SDF has a fixed bound; readers one proportional to the file.
     const std::size_t limit = GetParam().run == shape_sdf ? 200'000'000 : 200'000 + 100 * bytes.size();
     EXPECT_LT(test::largest_allocation(), limit);
     return accepted;

@@ -6,14 +6,14 @@
 
 namespace shapegauge::test_collection {
 
-/// The page of a collection, and what it points to.
+/// Page of a collection, with the data it refers to.
 struct SampleCollection {
   std::vector<RankComparison> ranks;
   CollectionPage page;
 };
 
-/// Twelve methods on fourteen data sets, with groups that overlap, two protocols and measures, names that a page of
-/// markup and scripts could trip over, and a data set that was left out.
+/// Twelve methods on fourteen data sets, with groups that overlap, two protocols and measures, names that need escaping
+/// in markup and scripts, and an omitted data set.
 const SampleCollection& sample_collection();
 
 }  // namespace shapegauge::test_collection

@@ -4,14 +4,14 @@
 
 namespace shapegauge::test_leaderboard {
 
-/// A leaderboard, and what it points to.
+/// Leaderboard, with the data it refers to.
 struct SampleLeaderboard {
   std::vector<Evaluation> evaluations;
   LeaderboardPage page;
 };
 
-/// Thirty methods of falling quality on four classes, in groups that overlap, with names that a page of markup and
-/// scripts could trip over; two submissions were refused.
+/// Thirty methods of decreasing quality on four classes, in overlapping groups, with names that need escaping in markup
+/// and scripts; two submissions are rejected.
 const SampleLeaderboard& sample_leaderboard();
 
 }  // namespace shapegauge::test_leaderboard

@@ -5,7 +5,7 @@
 
 namespace shapegauge::test_report {
 
-/// What reports point to.
+/// Data that reports refer to.
 struct SampleReport {
   std::vector<DistanceMatrix> distances;
   std::vector<DistanceOverview> overviews;
@@ -14,15 +14,15 @@ struct SampleReport {
   Report report;
 };
 
-/// A report of three methods, the third the first two side by side, under both protocols, on models of three classes of
-/// unequal size, one of them a single model; with pictures, warnings and failures. All names are text that a page of
-/// markup and scripts could trip over.
+/// Report of three methods, the third a concatenation of the first two, under both protocols, on models of three
+/// classes of unequal size, one of them a single model; with pictures, warnings and failures. All names need escaping
+/// in markup and scripts.
 const SampleReport& hostile_report();
 
-/// A report of one distance matrix and nothing else, not symmetric and with an infinite entry.
+/// Report of a single distance matrix, asymmetric and with an infinite entry.
 const SampleReport& plain_report();
 
-/// A report of sixteen methods, some of long names: more than there are colours.
+/// Report of sixteen methods, more than colours, some with long names.
 const SampleReport& crowded_report();
 
 }  // namespace shapegauge::test_report

@@ -6,16 +6,16 @@
 namespace shapegauge::test_view {
 
 /// Two balls beside each other, of diameter 2 (part 0, value 2) and 0.5 (part 1, value 0.5), with fields, parts and
-/// normals at the faces, under a name that a page of markup could trip over.
+/// normals at the faces, with a name that needs escaping in markup.
 ShapeView balls();
 
-/// A cloud of 800 points on a sphere of diameter 1, with that as the value of its field.
+/// Point cloud of 800 points on a sphere of diameter 1, with its diameter as the field.
 ShapeView cloud();
 
-/// Both, and a name of a shape that is missing.
+/// Both, and the name of a missing shape.
 ViewPage page();
 
-/// The page of a search: one answer of three shapes, of which the last has no view, and a query without an answer.
+/// Search page: a query with three results, the last without a view, and a query without results.
 SearchPage sample_search();
 
 }  // namespace shapegauge::test_view

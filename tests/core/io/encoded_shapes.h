@@ -27,7 +27,7 @@ std::string as_binary_stl(const Shape& shape, std::string_view header = "binary"
 struct Encoded {
   std::string file_name;
   std::string bytes;
-  std::size_t optional = 0;  ///< bytes at the end without which the file cannot be told from a whole one
+  std::size_t optional = 0;  ///< number of final bytes whose truncation is undetectable
 };
 
 /// The shape in every format and variant.

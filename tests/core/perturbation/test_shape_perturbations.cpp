@@ -81,7 +81,7 @@ TEST(ShapePerturbations, HaveNamesOfTheirOwnAndWords) {
   }
 }
 
-/// What the registry lets pass, the function does too, and the other way round.
+/// Registry and function accept the same parameters.
 TEST(ShapePerturbations, TheFunctionsHaveTheBoundsOfTheRegistry) {
   RandomNumbers random(1);
   const Shape small = test::box({1, 1, 1}, 1);
@@ -104,7 +104,7 @@ constexpr std::array stretch_parameters{Parameter{.name = "factor",
                                                   .bounds = {.low = 0, .low_open = true},
                                                   .description = "Of the stretch along x."}};
 
-/// What a user of the library writes to add a perturbation.
+/// Minimal perturbation as a user of the library would add it.
 TEST(RegisterShapePerturbation, AddsOneOfAUsersOwn) {
   shape_perturbations().add({.name = "test_stretch",
                              .description = "Stretched along x.",

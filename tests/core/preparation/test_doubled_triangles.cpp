@@ -10,7 +10,7 @@
 #include "tests/support/doubled_shapes.h"
 #include "tests/support/test_shapes.h"
 
-// What a shape without doubled triangles has, the same shape with doubles has as well.
+// Duplicate triangles do not change the diagnostics of a shape.
 
 namespace shapegauge {
 

@@ -30,7 +30,7 @@ constexpr double unsure = 1e-5;
 struct Expected {
   RayMeeting first;            ///< with the triangle that the ray crosses first; or with none
   std::int32_t triangle = -1;  ///< which
-  bool sure = true;            ///< false where rounding may decide what is crossed
+  bool sure = true;            ///< false if the hit depends on rounding
   bool other_as_near = false;  ///< another triangle is crossed at about the same distance
 };
 

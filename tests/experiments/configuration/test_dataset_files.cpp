@@ -72,7 +72,7 @@ struct PublishedDataset {
   std::string variable;
   std::vector<std::string> models;
   std::string classification{};  ///< file of classes
-  std::string classes{};         ///< what is in it
+  std::string classes{};         ///< contents
 };
 
 std::vector<PublishedDataset> published_datasets() {
