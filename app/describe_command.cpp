@@ -176,7 +176,7 @@ int run(DescribeArguments& arguments) {
 }  // namespace
 
 void add_describe_command(CLI::App& app, int& status) {
-  CLI::App* command = app.add_subcommand("describe", "Compute features of shapes, one row a shape");
+  CLI::App* command = app.add_subcommand("describe", "Compute features of shapes, one row per shape");
   command->footer(
       "Example: shapegauge describe models/*.off --descriptor light_field -o features.npy\n         shapegauge "
       "describe a.off b.off --descriptor joint_histogram -o features.csv \\\n           --set 'fields=[{\"type\": "

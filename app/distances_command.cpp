@@ -52,7 +52,7 @@ void add_distances_command(CLI::App& app, int& status) {
   command
       ->add_option(
           "features", arguments->features,
-          "Features, one row a model: .npy, .npz, .mat, .csv, .txt or .dat; .npy and text also compressed (.gz)")
+          "Features, one row per model: .npy, .npz, .mat, .csv, .txt or .dat; .npy and text also compressed (.gz)")
       ->required();
   begin_option_group(*command, output_options);
   command->add_option("-o,--output", arguments->output, "Output file: .npy, or .csv (with ids)")->required();

@@ -260,7 +260,7 @@ void add_evaluate_command(CLI::App& app, int& status) {
       app.add_subcommand("evaluate", "Evaluate distances, features or ranked lists of any method against classes");
   command->footer(
       "Example: shapegauge evaluate distances.npy --labels test.cla --protocol psb --format json\nRows without ids "
-      "(CSV, --ids) are in the order of the labels' file if it is a list (a table, one class a line, .npy),\nand in "
+      "(CSV, --ids) are in the order of the labels' file if it is a list (a table, one class per line, .npy),\nand in "
       "natural order (2 before 10) for a .cla file or a folder. Princeton's own tools use the order of the .cla\nfile: "
       "--order file.\nTables are in percent, JSON in fractions. 'shapegauge measures' explains the measures.");
   const auto arguments = std::make_shared<EvaluateArguments>();

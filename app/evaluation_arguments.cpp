@@ -26,7 +26,7 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
       .add_option("--level", files.level,
                   "Level of the .cla hierarchy: 1 for the roots, 2 for their children, 0 for the classes themselves")
       ->capture_default_str();
-  command.add_option("--ids", files.ids, "File with the ids of the rows, one a line");
+  command.add_option("--ids", files.ids, "File with the ids of the rows, one per line");
   command
       .add_option("--order", arguments.order,
                   "Order of rows without ids: natural order of the labels' ids, or order of the labels' file (default: "
@@ -35,7 +35,7 @@ void add_input_options(CLI::App& command, EvaluationArguments& arguments) {
   CLI::Option* similarity = command.add_flag("--similarity", files.similarity, "Read the matrix as similarities");
   command
       .add_option("--distance", files.distance,
-                  "Read the file as features, one row a model, and compute this distance, or that of this descriptor")
+                  "Read the file as features, one row per model, and compute this distance, or that of this descriptor")
       ->check(CLI::IsMember(feature_distance_names()))
       ->excludes(similarity);
 }

@@ -85,7 +85,7 @@ void segment(const SegmentArguments& arguments, LabelWriter write, const Shape& 
     write(job.output, shape, labels);
     if (const auto polygons = polygon_note(shape)) {
       remarks.notes.push_back(
-          *polygons + "; .seg files have one line a face of the file, with the part that covers most of its area");
+          *polygons + "; .seg files have one line per face of the file, with the part that covers most of its area");
     }
     remarks.notes.push_back(fmt::format("{} parts", *std::ranges::max_element(labels) + 1));
   } catch (const InputError& error) {
@@ -103,7 +103,7 @@ void add_segment_command(CLI::App& app, int& status) {
   const auto arguments = std::make_shared<SegmentArguments>();
   add_shape_inputs(*command, arguments->files);
   add_shape_outputs(*command, arguments->files,
-                    ".seg (one part number a line, by face), .ply or .png (coloured parts)");
+                    ".seg (one part number per line, by face), .ply or .png (coloured parts)");
   begin_option_group(*command, "Method");
   command
       ->add_option("--method", arguments->method,

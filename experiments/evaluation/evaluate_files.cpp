@@ -250,8 +250,8 @@ Evaluation evaluate_rows(const EvaluationData& data, const EvaluationOptions& op
 std::string advice_on(const EvaluationFiles& files, const EvaluationTask& task) {
   if (files.labels.empty() || task.class_names.size() < 2 || task.class_names.size() < task.query_ids.size()) return "";
   return fmt::format(
-      "; in {} each model has a class of its own: expected are a class a line, or a table of ids and classes with "
-      "commas, semicolons or tabs",
+      "; in {} each model has a different class; expected one class per line, or a table of ids and classes separated "
+      "by commas, semicolons or tabs",
       files.labels.string());
 }
 

@@ -357,8 +357,8 @@ TEST_F(EvaluateCommand, LinesOfIdsAndClassesAreATable) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_EQ(outcome.output, evaluate_toy("--format csv").output);
   write_text(at("words.txt"), "red A\nblue A\nbig A\nold B\nnew B\nfar B\nhot B\n");  // also seven classes
-  expect_error_lines(
-      {{"evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "'", "each model has a class of its own"}});
+  expect_error_lines({{"evaluate '" + at("toy.npy") + "' --labels '" + at("words.txt") + "'",
+                       "words.txt each model has a different class"}});
 }
 
 TEST_F(EvaluateCommand, IntervalsAreThoseOfCompareWhateverTheOrderOfTheClasses) {
