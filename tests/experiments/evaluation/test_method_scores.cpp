@@ -56,11 +56,11 @@ TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
     return test::input_error_of([&] { align_methods(methods, measures); });
   };
   const std::string header = "method,protocol,id,class,NN\n";
-  EXPECT_THAT(align_error(header + "c,psb,1,ant,1\n"), HasSubstr("\"c\" has no query \"2\", which \"a\" has"));
+  EXPECT_THAT(align_error(header + "c,psb,1,ant,1\n"), HasSubstr("other.csv: \"c\" lacks the query \"2\""));
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\nc,psb,2,ant,1\nc,psb,3,ant,1\n"),
-              HasSubstr("\"c\" has the query \"3\", which \"a\" has not"));
+              HasSubstr("other.csv: \"c\" has the query \"3\""));
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\nc,psb,2,bee,1\n"), HasSubstr("the query \"2\" is of class \"bee\""));
-  EXPECT_THAT(align_error(header + "c,trec,1,ant,1\nc,trec,2,ant,1\n"), HasSubstr("under trec"));
+  EXPECT_THAT(align_error(header + "c,trec,1,ant,1\nc,trec,2,ant,1\n"), HasSubstr("trec"));
   EXPECT_THAT(align_error(header + "c,psb,1,ant,1\nc,psb,2,ant,1\n", {"FT"}), HasSubstr("no measure \"FT\" for \"c\""));
   EXPECT_THAT(align_error("method,protocol,id,class,ST\nc,psb,1,ant,1\nc,psb,2,ant,1\n"),
               HasSubstr("no measure in common"));
@@ -70,12 +70,14 @@ TEST_F(MethodScoresTest, WhatCannotBeComparedIsOneError) {
 
 TEST_F(MethodScoresTest, FaultsAreOneErrorWithTheLine) {
   EXPECT_THAT(error_of("method,protocol,average,NN\n"), HasSubstr("expected a table of scores by query"));
-  EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"), HasSubstr("per_query.csv:2: 4 cells"));
+  EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant\n"),
+              HasSubstr("per_query.csv:2: expected 5 cells as in the first row, found 4"));
   for (const char* figure : {"x", "nan", "-1", "101"}) {
     EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant," + std::string(figure) + "\n"),
                 HasSubstr("per_query.csv:2: \"" + std::string(figure) + "\" is not a number from 0 to 100"));
   }
-  EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"), HasSubstr("occurs twice"));
+  EXPECT_THAT(error_of("method,protocol,id,class,NN\na,psb,1,ant,1\na,psb,T1,ant,1\n"),
+              HasSubstr("per_query.csv: repeated query \"T1\" for \"a\""));
 }
 
 // Names of methods derived from file names.
