@@ -45,5 +45,5 @@ def run(configuration: Union[PathLike, Mapping[str, Any]], output: Optional[Path
     done = _native.run(text, source, folder, words(settings, "settings"), output, switch(replace, "replace"),
                        "" if cache == "" else None if cache is None else path_of(cache, "cache"),
                        number_of_threads(threads), progress_of(on_progress))
-    warn(done.warnings + [f"left out {one}" for one in done.left_out])
+    warn(done.warnings + [f"omitted {one}" for one in done.left_out])
     return Run(output, done.summary, done.left_out)

@@ -95,7 +95,7 @@ class Index:
                                           switch(update, "update"),
                                           "" if cache == "" else None if cache is None else path_of(cache, "cache"),
                                           self._threads, progress_of(on_progress))
-        warn(self._native.notes + [f"left out {one}" for one in self._native.left_out])
+        warn(self._native.notes + [f"omitted {one}" for one in self._native.left_out])
         self._models = self._native.models()
 
     @property
