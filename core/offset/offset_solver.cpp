@@ -274,7 +274,7 @@ std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
 /// collected: those farther by no more than farther() than a distance that exceeds the smaller by no more than gain().
 /// The larger is at least as large as given where it exceeds the smaller by more.
 std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, Room& room) const {
-  constexpr double first_reach = 1.1;  // in parts of r
+  constexpr double first_reach = 1.6;  // in parts of r
   if (room.reach == 0) {
     room.reach = first_reach * grid_.r;
     room.sites.collect(room.places, room.reach);
