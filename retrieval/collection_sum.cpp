@@ -141,12 +141,12 @@ CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> ter
   CollectionSum sum;
   sum.scale = scale;
   sum.weights.assign(weights.begin(), weights.end());
-  const bool local = scale == DistanceScale::local;
+  const bool local = is_local(scale);
   sum.nearest.resize(terms.size());
   sum.means.resize(terms.size());
   if (local) sum.local_scales.resize(terms.size());
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    if (!local) sum.units.push_back(weights[k] > 0 ? unit_of(models, terms[k], scale, k) : 1);
+    sum.units.push_back(local || weights[k] == 0 ? 1 : unit_of(models, terms[k], scale, k));
     if (weights[k] == 0 || (!local && kind == SumWeights::given)) continue;
     const bool known = earlier != nullptr && earlier->unchanged[k] && earlier->sum.nearest[k].indices.rows() > 0;
     TermPass found = known ? PassUpdate(models, terms[k], *earlier, k).run() : pass_over(models, terms[k]);
@@ -154,6 +154,9 @@ CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> ter
     sum.nearest[k] = std::move(found.nearest);
     sum.means[k] = std::move(found.means);
     if (local) sum.local_scales[k] = LocalScales::of_means(sum.means[k]);
+    if (scale == DistanceScale::local_spread) {
+      sum.units[k] = spread_of_scaled(sum.means[k], sum.local_scales[k], terms[k]);
+    }
   }
   if (kind == SumWeights::agreement) sum.weights = sum_weights(sum.nearest, weights);
   return sum;
@@ -164,7 +167,7 @@ Eigen::VectorXd sum_row(const CollectionSum& sum, std::span<const Eigen::VectorX
   for (std::size_t k = 0; k < distances.size(); ++k) {
     const double weight = sum.weights[k];
     if (weight == 0) continue;
-    if (sum.scale != DistanceScale::local) {
+    if (!is_local(sum.scale)) {
       row += weight / sum.units[k] * distances[k];
       continue;
     }
@@ -172,7 +175,7 @@ Eigen::VectorXd sum_row(const CollectionSum& sum, std::span<const Eigen::VectorX
     const double root = member >= 0 ? scales.roots[member]
                                     : scales.root_of(mean_distance_to_nearest(
                                           {distances[k].data(), static_cast<std::size_t>(distances[k].size())}));
-    row.array() += weight * (distances[k].array() / (root * scales.roots.array()));
+    row.array() += weight / sum.units[k] * (distances[k].array() / (root * scales.roots.array()));
   }
   return row.cwiseMin(std::numeric_limits<double>::max());
 }

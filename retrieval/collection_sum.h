@@ -15,8 +15,8 @@ namespace shapegauge {
 struct CollectionSum {
   DistanceScale scale = DistanceScale::none;
   std::vector<double> weights;            ///< by term, those of sum_weights()
-  std::vector<double> units;              ///< by term: distance_unit(); empty with DistanceScale::local
-  std::vector<LocalScales> local_scales;  ///< by term with DistanceScale::local; empty for a term of weight 0
+  std::vector<double> units;              ///< by term: distance_unit() or spread_of_scaled(), or 1
+  std::vector<LocalScales> local_scales;  ///< by term where is_local(scale); empty for a term of weight 0
   std::vector<NearestModels> nearest;     ///< by term: nearest_for_weights() of each model, if needed
   std::vector<Eigen::VectorXd> means;     ///< by term: mean_distance_to_nearest() of each model, if needed
 };
@@ -30,8 +30,8 @@ struct EarlierSum {
 
 /// Computes the statistics of a weighted sum of the terms' distances. Distances are streamed in blocks of rows, except
 /// that a median or mean needs the whole matrix. With an earlier sum of the same terms, only requests the rows of new
-/// models and of models that lost one of their nearest; the result is the same. Throws ArgumentError as
-/// sum_of_distances() does.
+/// models, of models that lost one of their nearest, and of spread_of_scaled(); the result is the same. Throws
+/// ArgumentError as sum_of_distances() does.
 CollectionSum collection_sum(Eigen::Index models, std::span<const RowSource> terms, std::span<const double> weights,
                              SumWeights kind, DistanceScale scale, const EarlierSum* earlier = nullptr);
 

@@ -46,13 +46,15 @@ std::vector<double> finite_distances(const DistanceMatrix& matrix) {
   return distances;
 }
 
-/// Computes sum += weight matrix(i, j) / (roots[i] roots[j]).
-void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceMatrix& sum) {
+/// Computes sum += weight matrix(i, j) / (roots[i] roots[j]); with local_spread the weight is divided by the spread.
+void add_locally_scaled(const DistanceMatrix& matrix, double weight, DistanceScale scale, DistanceMatrix& sum) {
   Eigen::VectorXd means(matrix.rows());
   parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
     means[i] = mean_distance_to_nearest({matrix.row(i).data(), static_cast<std::size_t>(matrix.cols())}, i);
   });
-  const Eigen::VectorXd roots = LocalScales::of_means(means).roots;
+  const LocalScales scales = LocalScales::of_means(means);
+  const Eigen::VectorXd& roots = scales.roots;
+  if (scale == DistanceScale::local_spread) weight /= spread_of_scaled(means, scales, rows_of(matrix));
   parallel_for(Eigen::Index{0}, matrix.rows(), [&](Eigen::Index i) {
     sum.row(i).array() += weight * (matrix.row(i).array() / (roots[i] * roots.transpose().array()));
   });
@@ -157,7 +159,7 @@ std::vector<double> agreement_factors(const std::vector<std::vector<NearestSets>
     if (!(agreeing > 0)) continue;
     for (const NearestSets& sets : nearest[k]) cohering += cohesion(sets);
     const auto counts = static_cast<double>(nearest[k].size());
-    factors[k] = std::pow(agreeing / (others * counts) * (cohering / counts), 3);
+    factors[k] = std::pow(agreeing / (others * counts) * (cohering / counts), 7);
   }
   return factors;
 }
@@ -220,8 +222,8 @@ DistanceMatrix sum_of_distances(std::span<const DistanceMatrix> matrices, std::s
   DistanceMatrix sum = DistanceMatrix::Zero(matrices.front().rows(), matrices.front().cols());
   for (std::size_t k = 0; k < matrices.size(); ++k) {
     if (weights[k] == 0) continue;
-    if (scale == DistanceScale::local) {
-      add_locally_scaled(matrices[k], weights[k], sum);
+    if (is_local(scale)) {
+      add_locally_scaled(matrices[k], weights[k], scale, sum);
       continue;
     }
     const double unit = distance_unit(matrices[k], scale);

@@ -18,7 +18,15 @@ enum class DistanceScale {
   /// (Zelnik-Manor and Perona 2004). Models at distance 0 are duplicates and not among the ten. s is at least a
   /// hundredth of its median, which limits the effect of groups of almost equal models.
   local,
+  /// As local, then by the interquartile range of these distances (spread_of_scaled()): a matrix whose distances hardly
+  /// differ from pair to pair, as those of many features do, counts as much as one whose distances differ a lot.
+  local_spread,
 };
+
+/// Returns true if distances are divided by local scales.
+constexpr bool is_local(DistanceScale scale) {
+  return scale == DistanceScale::local || scale == DistanceScale::local_spread;
+}
 
 /// Computes the weighted sum of normalised distance matrices of the same models. A distance that is infinite in a
 /// matrix of positive weight is infinite in the sum; scales use the finite distances. Sums of finite distances are
@@ -44,7 +52,7 @@ enum class SumWeights {
   agreement,  ///< agreement of a matrix's neighbours with those of other matrices, and their cohesion
 };
 
-/// Computes the weights of a sum: each given weight times the cube of (agreement x cohesion) of its matrix. Both are
+/// Computes the weights of a sum: each given weight times (agreement x cohesion)^7 of its matrix. Both are
 /// means over those k of neighbour_counts() that are less than the number of other models.
 /// - agreement: mean share of a model's k nearest that are also among its k nearest by another matrix, over the models
 ///   and the other matrices, the latter by their given weights.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <span>
 
+#include "shapegauge/retrieval/nearest_models.h"
+
 /// Local scales of distances: a unit of length for each model (Zelnik-Manor and Perona 2004).
 
 namespace shapegauge {
@@ -24,5 +26,11 @@ struct LocalScales {
   /// to the collection.
   [[nodiscard]] double root_of(double mean) const;
 };
+
+/// Interquartile range of a collection's distances, each divided by both models' roots, from the rows of 64 models (of
+/// all, where there are fewer) to all others. The 64 are evenly spread over the models in the order of their means, so
+/// that the order of the models does not matter but where means are equal. Infinite distances do not count. 1 where the
+/// range is 0 or there is no distance.
+double spread_of_scaled(const Eigen::VectorXd& means, const LocalScales& scales, const RowSource& rows);
 
 }  // namespace shapegauge

@@ -17,13 +17,14 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 3> kinds_of_derived{"sum", "fuse_ranks", "rerank"};
-constexpr std::array<std::string_view, 4> distance_scales{"median", "mean", "none", "local"};
+constexpr std::array<std::string_view, 5> distance_scales{"median", "mean", "none", "local", "local_spread"};
 constexpr std::array<std::string_view, 2> weight_kinds{"given", "agreement"};
 constexpr std::array<std::string_view, 2> rank_scores{"reciprocal", "borda"};
 
 DistanceScale scale_of(std::string_view word) {
   if (word == "none") return DistanceScale::none;
   if (word == "local") return DistanceScale::local;
+  if (word == "local_spread") return DistanceScale::local_spread;
   return word == "mean" ? DistanceScale::mean : DistanceScale::median;
 }
 
@@ -98,7 +99,7 @@ std::span<const Parameter> derived_parameters() {
                 .choices = distance_scales,
                 .description = "With sum: what each signature's distances are divided by first, their median or mean "
                                "over all pairs of models; local: each by the two models' mean distances to their ten "
-                               "nearest."},
+                               "nearest; local_spread: the same, then the interquartile range of the result."},
       Parameter{.name = "weights",
                 .kind = ParameterKind::choice,
                 .default_value = weight_kinds[0],

@@ -14,6 +14,7 @@
 #include "shapegauge/retrieval/descriptors/panorama.h"
 #include "shapegauge/retrieval/descriptors/shape_dna.h"
 #include "shapegauge/retrieval/descriptors/spherical_harmonics.h"
+#include "shapegauge/retrieval/descriptors/surflet_pairs.h"
 
 namespace shapegauge {
 
@@ -29,6 +30,7 @@ std::vector<Descriptor> own_descriptors() {
       shape_dna_descriptor(),
       panorama_descriptor(),
       geodesic_spectrum_descriptor(),
+      surflet_pairs_descriptor(),
   };
 }
 

@@ -22,8 +22,10 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024}, "Cells around a cylinder."),
-    option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024}, "Cells along a cylinder."),
+    option_of<&PanoramaOptions::angles>("angles", {.low = 64, .high = 1024},
+                                        "Cells around a cylinder; a multiple of 64."),
+    option_of<&PanoramaOptions::heights>("heights", {.low = 64, .high = 1024},
+                                         "Cells along a cylinder; a multiple of 64."),
     option_of<&PanoramaOptions::frequencies>("frequencies", {.low = 1, .high = 31},
                                              "Highest Fourier frequency in either direction."),
     option_of<&PanoramaOptions::exponent>("exponent", {.low = 0.1, .high = 1}, "Exponent of the Fourier magnitudes."),
@@ -36,6 +38,11 @@ constexpr std::array table = {
 constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t poses = 2;
+constexpr std::size_t maps = 3 * 2;  // of a pose: by axis, distances and cosines
+
+constexpr int wavelet_levels = 6;
+constexpr std::size_t subband_features = 3;  // mean, standard deviation, skewness
+constexpr std::size_t wavelet_features = (3 * wavelet_levels + 1) * subband_features;  // of a map
 
 /// Returns waves (cos or sin) of frequency 0 to `highest`, one a row, at the centres of the cells.
 Eigen::MatrixXf waves(int highest, int cells, double (*wave)(double)) {
@@ -84,6 +91,57 @@ class LowFrequencies {
   Eigen::MatrixXf along_sin_;
 };
 
+/// Mean, standard deviation and skewness of the absolute values.
+Eigen::Vector3f statistics(const CylinderGrid& coefficients) {
+  const Eigen::ArrayXXd sizes = coefficients.array().abs().cast<double>();
+  const double mean = sizes.mean();
+  const double deviation = std::sqrt((sizes - mean).square().mean());
+  constexpr double negligible = 1e-6;  // relative to the largest coefficients, which are of the order of 1
+  const double skewness = deviation > negligible ? (sizes - mean).cube().mean() / std::pow(deviation, 3) : 0;
+  return Eigen::Vector3d(mean, deviation, skewness).cast<float>();
+}
+
+/// The statistics of each subband of a map's Haar wavelet transform: from the finest level on the details around the
+/// axis, along it, and in both directions; at last the coarsest approximation.
+Eigen::VectorXf haar_statistics(CylinderGrid map) {
+  Eigen::VectorXf result(static_cast<Eigen::Index>(wavelet_features));
+  Eigen::Index next = 0;
+  const auto append = [&](const CylinderGrid& subband) {
+    result.segment<subband_features>(next) = statistics(subband);
+    next += subband_features;
+  };
+  for (int level = 0; level < wavelet_levels; ++level) {
+    const auto rows = [&](Eigen::Index first) { return Eigen::seqN(first, map.rows() / 2, 2); };
+    const auto columns = [&](Eigen::Index first) { return Eigen::seqN(first, map.cols() / 2, 2); };
+    const CylinderGrid sums = map(Eigen::all, columns(0)) + map(Eigen::all, columns(1));
+    const CylinderGrid differences = map(Eigen::all, columns(0)) - map(Eigen::all, columns(1));
+    append((differences(rows(0), Eigen::all) + differences(rows(1), Eigen::all)) / 2);
+    append((sums(rows(0), Eigen::all) - sums(rows(1), Eigen::all)) / 2);
+    append((differences(rows(0), Eigen::all) - differences(rows(1), Eigen::all)) / 2);
+    map = ((sums(rows(0), Eigen::all) + sums(rows(1), Eigen::all)) / 2).eval();
+  }
+  append(map);
+  return result;
+}
+
+/// Mean of |x - y| / (|x| + |y|); entries that are both 0 count 0.
+double mean_canberra_distance(std::span<const float> a, std::span<const float> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double size = std::abs(static_cast<double>(a[i])) + std::abs(static_cast<double>(b[i]));
+    if (size > 0) sum += std::abs(static_cast<double>(a[i]) - static_cast<double>(b[i])) / size;
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+/// The distance in one pose.
+double pose_distance(std::span<const float> a, std::span<const float> b) {
+  constexpr double wavelet_weight = 20;
+  const std::size_t fourier = a.size() - maps * wavelet_features;
+  return l1_distance(a.first(fourier), b.first(fourier)) +
+         wavelet_weight * mean_canberra_distance(a.subspan(fourier), b.subspan(fourier));
+}
+
 /// Converts the shape to a mesh with its centroid at the origin and a root mean square distance of 1; also returns the
 /// original moments.
 std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
@@ -100,16 +158,26 @@ std::pair<Shape, SurfaceMoments> centred_surface(const Shape& shape) {
 
 Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
   check_options("panorama", table, options);
+  constexpr int coarsest = 1 << wavelet_levels;
+  if (options.angles % coarsest != 0 || options.heights % coarsest != 0) {
+    throw InputError("the descriptor panorama needs angles and heights that are multiples of 64, not " +
+                     std::to_string(options.angles) + " and " + std::to_string(options.heights));
+  }
   const auto [centred, moments] = centred_surface(shape);
   const LowFrequencies transform(options);
-  Eigen::VectorXf features(static_cast<Eigen::Index>(poses) * 3 * 2 * transform.features());
+  const auto in_wavelets = static_cast<Eigen::Index>(wavelet_features);
+  const Eigen::Index of_pose = static_cast<Eigen::Index>(maps) * (transform.features() + in_wavelets);
+  Eigen::VectorXf features(static_cast<Eigen::Index>(poses) * of_pose);
   Eigen::Index next = 0;
-  const auto append = [&](const CylinderGrid& map) {
-    features.segment(next, transform.features()) = transform(map);
-    next += transform.features();
-  };
   for (const Eigen::Matrix3d& of : {moments.covariance, moments.normals}) {
     const Shape posed{centred.vertices * principal_axes(of).transpose(), centred.triangles};
+    Eigen::Index next_wavelets = next + static_cast<Eigen::Index>(maps) * transform.features();
+    const auto append = [&](const CylinderGrid& map) {
+      features.segment(next, transform.features()) = transform(map);
+      features.segment(next_wavelets, in_wavelets) = haar_statistics(map);
+      next += transform.features();
+      next_wavelets += in_wavelets;
+    };
     for (const int axis : {0, 1, 2}) {
       check_interruption();
       const CylinderMap map = project_on_cylinder(
@@ -117,29 +185,33 @@ Eigen::VectorXf panorama(const Shape& shape, const PanoramaOptions& options) {
       append(map.distance);
       append(map.cosine.array().pow(static_cast<float>(options.sharpness)));
     }
+    next = next_wavelets;
   }
   return features;
 }
 
 double panorama_distance(std::span<const float> a, std::span<const float> b) {
-  if (a.size() != b.size() || a.size() % poses != 0) {
+  if (a.size() != b.size() || a.size() % poses != 0 || a.size() < poses * maps * wavelet_features) {
     throw ArgumentError("panoramas of " + std::to_string(a.size()) + " and " + std::to_string(b.size()) +
                         " features cannot be compared");
   }
   const std::size_t half = a.size() / poses;
-  return std::min(l1_distance(a.first(half), b.first(half)), l1_distance(a.last(half), b.last(half)));
+  return std::min(pose_distance(a.first(half), b.first(half)), pose_distance(a.last(half), b.last(half)));
 }
 
 Descriptor panorama_descriptor() {
-  return {.name = "panorama",
-          .description = "Fourier magnitudes of the views from cylinders about principal axes (Papadakis et al. 2010).",
-          .parameters = parameters,
-          .version = panorama_version,
-          .describe =
-              [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
-                return panorama(input.shape, options_from(table, settings.values));
-              },
-          .distance = panorama_distance};
+  return {
+      .name = "panorama",
+      .description =
+          "Fourier magnitudes and wavelet statistics of the views from cylinders about principal axes (Papadakis et "
+          "al. 2010).",
+      .parameters = parameters,
+      .version = panorama_version,
+      .describe =
+          [](const DescriptorInput& input, const LearntFeatures&, const DescriptorSettings& settings) {
+            return panorama(input.shape, options_from(table, settings.values));
+          },
+      .distance = panorama_distance};
 }
 
 }  // namespace shapegauge

@@ -69,7 +69,8 @@ TEST_P(CollectionSumOf, HasTheRowsOfTheWholeSumBitByBit) {
 INSTANTIATE_TEST_SUITE_P(All, CollectionSumOf,
                          testing::Combine(testing::Values(SumWeights::given, SumWeights::agreement),
                                           testing::Values(DistanceScale::none, DistanceScale::median,
-                                                          DistanceScale::mean, DistanceScale::local)));
+                                                          DistanceScale::mean, DistanceScale::local,
+                                                          DistanceScale::local_spread)));
 
 TEST(CollectionSum, ACopyOfAMemberHasTheMembersRow) {
   const Terms terms(grouped_points(80, 2));
@@ -105,7 +106,8 @@ TEST(CollectionSum, AQueryAmongDoublesIsScaledByAHundredthOfTheMedian) {
 }
 
 /// Sum for the points, optionally updated from an earlier one, and the number of rows requested.
-CollectionSum sum_over(const Eigen::MatrixX2d& points, const EarlierSum* earlier, Eigen::Index& asked) {
+CollectionSum sum_over(const Eigen::MatrixX2d& points, const EarlierSum* earlier, Eigen::Index& asked,
+                       DistanceScale scale = DistanceScale::local) {
   const Terms terms(points);
   std::vector<RowSource> rows;
   asked = 0;
@@ -115,11 +117,12 @@ CollectionSum sum_over(const Eigen::MatrixX2d& points, const EarlierSum* earlier
       return matrix.middleRows(first, count);
     });
   }
-  return collection_sum(points.rows(), rows, terms.weights, SumWeights::agreement, DistanceScale::local, earlier);
+  return collection_sum(points.rows(), rows, terms.weights, SumWeights::agreement, scale, earlier);
 }
 
 void expect_same_sum(const CollectionSum& found, const CollectionSum& expected) {
   EXPECT_EQ(found.weights, expected.weights);
+  EXPECT_EQ(found.units, expected.units);
   for (std::size_t k = 0; k < 2; ++k) {  // the third has no weight
     EXPECT_EQ(found.nearest[k].indices, expected.nearest[k].indices);
     EXPECT_EQ(found.nearest[k].distances, expected.nearest[k].distances);
@@ -156,6 +159,18 @@ TEST(CollectionSum, AnUpdateIsTheSameAndAsksForFewRows) {
     const EarlierSum changed{.sum = old, .places = places, .unchanged = {false, true, true}};
     expect_same_sum(sum_over(all(now, Eigen::all), &changed, asked), expected);
   }
+}
+
+TEST(CollectionSum, AnUpdateAsksForTheRowsOfTheSpreadToo) {
+  const Eigen::MatrixX2d all = grouped_points(200, 8);
+  Eigen::Index asked = 0;
+  const CollectionSum old = sum_over(all.topRows(199), nullptr, asked, DistanceScale::local_spread);
+  const CollectionSum expected = sum_over(all, nullptr, asked, DistanceScale::local_spread);
+  EarlierSum earlier{.sum = old, .places = {}, .unchanged = {true, true, true}};
+  for (Eigen::Index i = 0; i < 200; ++i) earlier.places.push_back(i < 199 ? i : -1);
+  expect_same_sum(sum_over(all, &earlier, asked, DistanceScale::local_spread), expected);
+  EXPECT_LE(asked, 2 * (64 + 1 + 10));  // of two terms; a few have lost their nearest
+  EXPECT_NE(expected.units[0], 1);
 }
 
 TEST(CollectionSum, AnUpdateOfAFewModelsIsTheSame) {

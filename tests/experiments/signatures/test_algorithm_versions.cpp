@@ -239,9 +239,13 @@ INSTANTIATE_TEST_SUITE_P(
             1003,
             {-81.4436155, -49.0773442, -80.2422322, -48.4127842, -80.4336050, -48.6842827, 1.77136818, 0.952826244}},
         RecordedDescriptor{
+            {{"type", "surflet_pairs"}},
+            1003,
+            {19.5658906, 7.60807875, 19.5462406, 6.45005868, 10.9660654, 3.82700136, 18.1791119, 19.9828287}},
+        RecordedDescriptor{
             {{"type", "panorama"}},
-            1,
-            {36.8988422, 18.0941078, 36.8494960, 18.1157077, 43.6810435, 21.4226862, 15.0555583, 13.9557794}}));
+            2,
+            {683.257275, 476.282503, 594.60766, 412.353933, 1061.55727, 719.259699, 25.8085216, 27.9393965}}));
 
 TEST(HistogramVersion, WithOtherHistogramsComesAnotherVersion) {
   const ScalarField field{.values = Eigen::VectorXd::LinSpaced(40, 0.1, 1.3).array().square(),

@@ -17,6 +17,9 @@
 namespace shapegauge {
 namespace {
 
+/// Of a pose: by axis, map, subband and statistic.
+constexpr Eigen::Index wavelet_features = 3 * 2 * 19 * 3;
+
 double distance_of_panoramas(const Eigen::VectorXf& a, const Eigen::VectorXf& b) {
   return panorama_distance({a.data(), static_cast<std::size_t>(a.size())},
                            {b.data(), static_cast<std::size_t>(b.size())});
@@ -74,7 +77,7 @@ TEST(Panorama, FeaturesAreFourierMagnitudesByTheirDefinition) {
       }
     }
   }
-  EXPECT_EQ(found.size(), 2 * 3 * 2 * 2 * 16);
+  EXPECT_EQ(found.size(), 2 * (3 * 2 * 2 * 16 + wavelet_features));
 }
 
 TEST(Panorama, RotationReflectionPlaceAndScaleChangeLittle) {
@@ -115,18 +118,76 @@ TEST(Panorama, AnyNumberOfThreadsGivesTheSameBytes) {
   EXPECT_EQ(panorama(cloud), expected);
 }
 
+/// Features of two Fourier magnitudes in each pose, the wavelet features all the same.
+Eigen::VectorXf features_of(const Eigen::Vector4f& fourier, float wavelets) {
+  Eigen::VectorXf features = Eigen::VectorXf::Constant(4 + 2 * wavelet_features, wavelets);
+  features.head<2>() = fourier.head<2>();
+  features.segment<2>(2 + wavelet_features) = fourier.tail<2>();
+  return features;
+}
+
 TEST(Panorama, TheNearerPoseCounts) {
-  const Eigen::VectorXf a = Eigen::Vector4f(1, 2, 3, 4);
-  const Eigen::VectorXf b = Eigen::Vector4f(2, 4, 3, 2);
+  const Eigen::VectorXf a = features_of({1, 2, 3, 4}, 1);
+  const Eigen::VectorXf b = features_of({2, 4, 3, 2}, 1);
   EXPECT_EQ(distance_of_panoramas(a, b), 2);
   EXPECT_EQ(distance_of_panoramas(b, a), 2);
-  EXPECT_THROW(distance_of_panoramas(a, Eigen::Vector2f(1, 2)), ArgumentError);
+  EXPECT_THROW(distance_of_panoramas(a, features_of({1, 2, 3, 4}, 1).tail(4 + wavelet_features)), ArgumentError);
+  EXPECT_THROW(distance_of_panoramas(Eigen::Vector2f(1, 2), Eigen::Vector2f(1, 2)), ArgumentError);
+}
+
+TEST(Panorama, WaveletFeaturesCountByTheirRelativeDifference) {
+  const Eigen::Vector4f same(1, 2, 3, 4);
+  EXPECT_NEAR(distance_of_panoramas(features_of(same, 1), features_of(same, 3)), 20 * 0.5, 1e-9);
+  EXPECT_EQ(distance_of_panoramas(features_of(same, 0), features_of(same, 0)), 0);
+}
+
+/// The orthonormal Haar matrix of so many entries: details from the finest level on, the mean at last.
+Eigen::MatrixXd haar_matrix(Eigen::Index size) {
+  if (size == 1) return Eigen::MatrixXd::Ones(1, 1);
+  Eigen::MatrixXd sums = Eigen::MatrixXd::Zero(size / 2, size);
+  Eigen::MatrixXd differences = sums;
+  for (Eigen::Index i = 0; i < size / 2; ++i) {
+    sums(i, 2 * i) = sums(i, 2 * i + 1) = differences(i, 2 * i) = std::sqrt(0.5);
+    differences(i, 2 * i + 1) = -std::sqrt(0.5);
+  }
+  Eigen::MatrixXd all(size, size);
+  all << differences, haar_matrix(size / 2) * sums;
+  return all;
+}
+
+TEST(Panorama, WaveletFeaturesAreThoseOfTheHaarTransform) {
+  const PanoramaOptions options;
+  const Shape box = test::box({4, 2, 1}, 2);  // along x is its own principal pose, except for signs
+  const Eigen::VectorXf found = panorama(box, options);
+  const double spread = std::sqrt(surface_moments(box).covariance.trace());
+  const CylinderGrid map = project_on_cylinder(box, {.axis = 0, .radius = options.radius * spread}).distance;
+  // Around the axis a first step brings 128 columns to 64; the approximation of 64 x 64 is transformed at once.
+  const Eigen::MatrixXd around = haar_matrix(128);
+  const Eigen::MatrixXd along = haar_matrix(64);
+  const Eigen::MatrixXd both = along * map.cast<double>() * around.transpose();
+  const Eigen::Index first = 3 * 2 * 2 * 13 * 13;
+  // Details in both directions of each level are the same in the whole transform and level by level.
+  Eigen::Index row = 0;
+  Eigen::Index column = 0;
+  for (Eigen::Index level = 0; level < 6; ++level) {
+    const Eigen::ArrayXXd block = both.block(row, column, 32 >> level, 64 >> level).cwiseAbs();
+    const double mean = block.mean();
+    const double deviation = std::sqrt((block - mean).square().mean());
+    EXPECT_NEAR(found[first + (3 * level + 2) * 3], mean, 1e-4) << level;
+    EXPECT_NEAR(found[first + (3 * level + 2) * 3 + 1], deviation, 1e-4) << level;
+    if (deviation > 1e-3) {
+      EXPECT_NEAR(found[first + (3 * level + 2) * 3 + 2], (block - mean).cube().mean() / std::pow(deviation, 3), 0.01);
+    }
+    row += 32 >> level;
+    column += 64 >> level;
+  }
 }
 
 TEST(Panorama, RefusesOptionsOutOfRangeAndShapesWithoutArea) {
   const Shape ball = test::sphere(1, 1);
   EXPECT_THROW(panorama(ball, {.angles = 8}), InputError);
   EXPECT_THROW(panorama(ball, {.heights = 2000}), InputError);
+  EXPECT_THROW(panorama(ball, {.heights = 100}), InputError);
   EXPECT_THROW(panorama(ball, {.frequencies = 0}), InputError);
   EXPECT_THROW(panorama(ball, {.exponent = 0}), InputError);
   EXPECT_THROW(panorama(ball, {.sharpness = 17}), InputError);
