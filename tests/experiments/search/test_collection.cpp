@@ -86,7 +86,7 @@ TEST(SearchMethodOf, TheRecommendedConfigurationIsItsSum) {
       search_method(read_json(SHAPEGAUGE_CONFIGS_FOLDER "/recommended.json"), "recommended.json");
   EXPECT_EQ(method.key(), of_file.key());
   EXPECT_GE(method.terms.size(), 2U);
-  EXPECT_EQ(method.scale, DistanceScale::local);
+  EXPECT_EQ(method.scale, DistanceScale::local_spread);
   EXPECT_EQ(method.weight_kind, SumWeights::agreement);
   EXPECT_EQ(method.configuration.signatures.size(), method.terms.size() + 1);  // nothing unneeded
 }
