@@ -11,6 +11,7 @@
 #include "app/commands.h"
 #include "app/help_format.h"
 #include "app/options.h"
+#include "app/parameter_options.h"
 #include "app/shape_files.h"
 #include "app/terminal.h"
 #include "shapegauge/core/base/error.h"
@@ -51,7 +52,7 @@ void add_settings(std::string_view of, std::span<const Parameter> parameters, co
   const Json defaults = to_json(ParameterValues(parameters));
   for (const Parameter& parameter : parameters) {
     table.rows.push_back({std::string(of), prefix + std::string(parameter.name),
-                          defaults.at(std::string(parameter.name)).dump(), std::string(parameter.description)});
+                          defaults.at(std::string(parameter.name)).dump(), meaning_of(parameter, false)});
   }
 }
 

@@ -1,10 +1,14 @@
 #include "shapegauge/pages/html_page.h"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <openssl/evp.h>
 #include <vector>
+
+#include "shapegauge/pages/palette.h"
 
 namespace shapegauge {
 
@@ -59,6 +63,20 @@ std::string filled_page(std::string_view page,
     page.remove_prefix(found + mark.size());
   }
   return result.append(page);
+}
+
+std::string scripted_page(std::string_view page, const ScriptedPage& contents) {
+  const std::string title = html_text(contents.title);
+  const std::string style =
+      fmt::format("{}{}{}", palette_style(), page_files::common_style(), fmt::join(contents.styles, ""));
+  const std::string libraries = fmt::format("{}", fmt::join(contents.libraries, "\n"));
+  const std::string data = script_data(contents.data);
+  const std::array<std::pair<std::string_view, std::string_view>, 5> marks{{{"{{title}}", title},
+                                                                            {"{{style}}", style},
+                                                                            {"{{libraries}}", libraries},
+                                                                            {"{{data}}", data},
+                                                                            {"{{script}}", contents.script}}};
+  return filled_page(page, marks);
 }
 
 }  // namespace shapegauge

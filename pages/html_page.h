@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 /// Building blocks of HTML pages. Pages are self-contained: styles, scripts and data are embedded.
 
@@ -26,6 +27,18 @@ std::string script_data(const nlohmann::ordered_json& json);
 /// searched for marks.
 std::string filled_page(std::string_view page,
                         std::span<const std::pair<std::string_view, std::string_view>> marks_and_contents);
+
+/// Contents of a page that scripts draw.
+struct ScriptedPage {
+  std::string_view title;                   ///< plain text
+  std::vector<std::string_view> styles;     ///< after those of all pages
+  std::vector<std::string_view> libraries;  ///< scripts that `script` needs
+  const nlohmann::ordered_json& data;
+  std::string_view script;
+};
+
+/// Replaces the marks {{title}}, {{style}}, {{libraries}}, {{data}} and {{script}} of a page.
+std::string scripted_page(std::string_view page, const ScriptedPage& contents);
 
 /// Files of pages/, its bundled scripts and the JavaScript libraries, compiled in by the build (CMakeLists.txt). Pages
 /// have marks such as {{data}} for their contents.
@@ -49,9 +62,9 @@ std::string_view search_page();
 std::string_view search_style();
 std::string_view search_script();  ///< needs both libraries
 
-std::string_view collection_page();
-std::string_view collection_style();   ///< after report_style()
-std::string_view collection_script();  ///< needs the chart library
+std::string_view multi_dataset_page();
+std::string_view multi_dataset_style();   ///< after report_style()
+std::string_view multi_dataset_script();  ///< needs the chart library
 
 std::string_view segmentation_page();
 std::string_view segmentation_style();

@@ -11,6 +11,7 @@
 #include "shapegauge/metrics/retrieval_failures.h"
 #include "shapegauge/pages/html_page.h"
 #include "shapegauge/pages/packed_numbers.h"
+#include "shapegauge/pages/score_json.h"
 
 namespace shapegauge {
 
@@ -19,21 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t worst_count = 20;
-constexpr int fraction_digits = 6;
 constexpr int distance_digits = 5;
-
-template <typename Values>
-Json fractions(const Values& values) {
-  Json json = Json::array();
-  for (const double value : values) json.push_back(rounded(value, fraction_digits));
-  return json;
-}
-
-Json rows_of(const Eigen::MatrixXd& table) {
-  Json json = Json::array();
-  for (Eigen::Index row = 0; row < table.rows(); ++row) json.push_back(fractions(table.row(row)));
-  return json;
-}
 
 /// Returns the positions of the queries with the lowest average precision, or first measure if that is missing.
 std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
@@ -44,7 +31,7 @@ std::vector<std::size_t> worst_of(const Evaluation& evaluation) {
 Json intervals_json(const std::vector<ConfidenceInterval>& intervals) {
   Json json = Json::array();
   for (const ConfidenceInterval& one : intervals) {
-    json.push_back({rounded(one.low, fraction_digits), rounded(one.high, fraction_digits)});
+    json.push_back({rounded(one.low, score_digits), rounded(one.high, score_digits)});
   }
   return json;
 }
@@ -57,19 +44,12 @@ Json intervals_json(const ReportIntervals& intervals) {
 }
 
 Json evaluation_json(const Evaluation& evaluation) {
-  return {{"protocol", name_of(evaluation.protocol)},
-          {"left_out", evaluation.models_left_out},
-          {"measures", evaluation.measures},
-          {"micro", fractions(evaluation.micro)},
-          {"macro", fractions(evaluation.macro)},
-          {"classes", evaluation.classes},
-          {"per_class", rows_of(evaluation.per_class)},
-          {"queries", evaluation.queries},
-          {"per_query", rows_of(evaluation.per_query)},
-          {"worst", worst_of(evaluation)},
-          {"recall", evaluation.micro_curve.recall},
-          {"micro_curve", fractions(evaluation.micro_curve.precision)},
-          {"macro_curve", fractions(evaluation.macro_curve.precision)}};
+  Json json = charted_json(evaluation);
+  json["left_out"] = evaluation.models_left_out;
+  json["queries"] = evaluation.queries;
+  json["per_query"] = rounded_rows(evaluation.per_query);
+  json["worst"] = worst_of(evaluation);
+  return json;
 }
 
 /// Returns the models whose nearest ones are listed, ascending.
@@ -197,7 +177,7 @@ Json report_json(const Report& report) {
   for (const ReportMethod& method : report.methods) methods.push_back(method_json(report, method));
   Json leaks = Json::array();
   for (const ReportLeak& leak : report.leaks) {
-    leaks.push_back({leak.id, leak.field, rounded(leak.offset, fraction_digits), rounded(leak.gap, fraction_digits)});
+    leaks.push_back({leak.id, leak.field, rounded(leak.offset, score_digits), rounded(leak.gap, score_digits)});
   }
   return {{"version", version()},
           {"title", report.title},

@@ -1,14 +1,11 @@
 #include "shapegauge/pages/search_page.h"
 
-#include <array>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <utility>
 
 #include "shapegauge/core/base/parallel.h"
 #include "shapegauge/core/version.h"
 #include "shapegauge/pages/html_page.h"
-#include "shapegauge/pages/palette.h"
 
 namespace shapegauge {
 
@@ -39,24 +36,16 @@ std::string search_page(const SearchPage& page) {
   parallel_for(std::size_t{0}, shapes.size(), [&](std::size_t i) { shapes[i] = packed_shape(page.shapes[i]); });
   Json answers = Json::array();
   for (const SearchPageAnswer& answer : page.answers) answers.push_back(packed_answer(answer));
-  const std::string title = html_text(page.title);
-  const std::string data = script_data({{"version", version()},
-                                        {"title", page.title},
-                                        {"facts", page.facts},
-                                        {"shapes", std::move(shapes)},
-                                        {"answers", std::move(answers)}});
-  const std::string style = palette_style()
-                                .append(page_files::common_style())
-                                .append(page_files::view_style())
-                                .append(page_files::search_style());
-  const std::string libraries = fmt::format("{}\n{}", page_files::chart_library(), page_files::shape_library());
-  const std::array<std::pair<std::string_view, std::string_view>, 5> marks{
-      {{"{{title}}", title},
-       {"{{style}}", style},
-       {"{{libraries}}", libraries},
-       {"{{data}}", data},
-       {"{{script}}", page_files::search_script()}}};
-  return filled_page(page_files::search_page(), marks);
+  return scripted_page(page_files::search_page(),
+                       {.title = page.title,
+                        .styles = {page_files::view_style(), page_files::search_style()},
+                        .libraries = {page_files::chart_library(), page_files::shape_library()},
+                        .data = {{"version", version()},
+                                 {"title", page.title},
+                                 {"facts", page.facts},
+                                 {"shapes", std::move(shapes)},
+                                 {"answers", std::move(answers)}},
+                        .script = page_files::search_script()});
 }
 
 }  // namespace shapegauge

@@ -1,4 +1,4 @@
-// The native half of the Python package: arrays in, arrays out. Checks of arguments, defaults and docstrings are in
+// The native half of the Python package: arrays in, arrays out. Checks of arguments and docstrings are in
 // shapegauge/*.py.
 #include <algorithm>
 #include <filesystem>
@@ -524,6 +524,7 @@ PYBIND11_MODULE(_native, module) {
   bind_evaluation(module);
   bind_comparison(module);
   bind_search(module);
+  bind_settings(module);
   module.def("fuse", &fuse);
   module.def("rerank", &rerank);
   py::class_<FinishedRun>(module, "FinishedRun")

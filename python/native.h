@@ -65,4 +65,7 @@ Shape shape_of(const Eigen::Ref<const Points>& vertices, const Eigen::Ref<const 
 /// Adds the search functions to the module.
 void bind_search(pybind11::module_& module);
 
+/// Adds settings(): what the registries know of settings, as JSON.
+void bind_settings(pybind11::module_& module);
+
 }  // namespace shapegauge

@@ -115,6 +115,13 @@ constexpr OptionParameter<Options> required(OptionParameter<Options> option) {
   return option;
 }
 
+/// Adds a unit (Parameter::unit) to an option.
+template <typename Options>
+constexpr OptionParameter<Options> measured_in(std::string_view unit, OptionParameter<Options> option) {
+  option.parameter.unit = unit;
+  return option;
+}
+
 /// Makes an OptionParameter for an option of a nested options struct. `table` is the table of the nested struct.
 template <auto member, const auto& table, std::size_t index>
 constexpr auto option_within() {

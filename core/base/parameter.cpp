@@ -33,10 +33,13 @@ std::string shown(const ParameterValue& value) {
       value);
 }
 
-/// "a whole number from 1 to 9", "a finite number".
-std::string bounded(std::string_view kind, const Bounds& bounds) {
-  const bool unlimited = std::isinf(bounds.low) && std::isinf(bounds.high);
-  return unlimited ? fmt::format("a finite {}", kind) : fmt::format("a {} {}", kind, to_string(bounds));
+/// "a whole number from 1 to 9", "a finite number, in degrees".
+std::string bounded(std::string_view kind, const Parameter& parameter) {
+  const auto& [low, high, low_open, high_open] = parameter.bounds;
+  const std::string numbers = std::isinf(low) && std::isinf(high)
+                                  ? fmt::format("a finite {}", kind)
+                                  : fmt::format("a {} {}", kind, to_string(parameter.bounds));
+  return numbers + unit_phrase(parameter);
 }
 
 /// Parses integers separated by commas, at most as many as a list takes; nothing for other text.
@@ -127,16 +130,20 @@ void require_in_bounds(std::string_view what, double value, const Bounds& bounds
   }
 }
 
+std::string unit_phrase(const Parameter& parameter) {
+  return parameter.unit.empty() ? "" : fmt::format(", in {}", parameter.unit);
+}
+
 std::string legal_values(const Parameter& parameter) {
   const std::string words = fmt::format("{}", fmt::join(parameter.choices, ", "));
   switch (parameter.kind) {
     case ParameterKind::number:
-      return bounded("number", parameter.bounds) + (words.empty() ? "" : ", or " + words);
+      return bounded("number", parameter) + (words.empty() ? "" : ", or " + words);
     case ParameterKind::integer:
-      return bounded("whole number", parameter.bounds);
+      return bounded("whole number", parameter);
     case ParameterKind::integers:
-      return fmt::format("{}, a list of 1 to {} of them{}", bounded("whole number", parameter.bounds),
-                         IntegerList::most, words.empty() ? "" : ", or " + words);
+      return fmt::format("{}, a list of 1 to {} of them{}", bounded("whole number", parameter), IntegerList::most,
+                         words.empty() ? "" : ", or " + words);
     case ParameterKind::boolean:
       return "true or false";
     case ParameterKind::choice:

@@ -70,6 +70,9 @@ enum class ParameterKind {
 /// Value of a parameter, or none. A word refers to one of the parameter's own choices and lives as long as they do.
 using ParameterValue = std::variant<std::monostate, bool, std::int64_t, double, std::string_view, IntegerList>;
 
+/// Unit of lengths relative to the bounding box's diagonal.
+inline constexpr std::string_view bounding_box_diagonals = "diagonals of the bounding box";
+
 /// Describes one setting of an algorithm. Registry entries list their parameters. Configurations, the JSON schema, the
 /// command line and the documentation are generated from these lists, and algorithms validate their options against the
 /// same bounds.
@@ -80,6 +83,7 @@ struct Parameter {
   Bounds bounds = {};                              ///< of numbers and integers
   std::span<const std::string_view> choices = {};  ///< legal words
   std::string_view description;                    ///< one sentence
+  std::string_view unit = {};                      ///< of a number, to follow "in": "degrees"; empty: a pure number
 
   [[nodiscard]] bool required() const { return std::holds_alternative<std::monostate>(default_value); }
 };
@@ -96,7 +100,10 @@ ParameterValue parse_value(const Parameter& parameter, std::string_view text);
 /// Formats a value as parse_value() reads it; empty for none.
 std::string to_string(const ParameterValue& value);
 
-/// Describes the valid values: "a number from 0 to 1, or auto".
+/// Formats the unit to follow a number: ", in degrees"; empty without a unit.
+std::string unit_phrase(const Parameter& parameter);
+
+/// Describes the valid values: "a number from 0 to 1, in degrees, or auto".
 std::string legal_values(const Parameter& parameter);
 
 /// Values for a list of parameters. Refers to the list, which must outlive it.

@@ -22,9 +22,10 @@ struct InscribedBallOptions {
 
 /// Parameters of InscribedBallOptions.
 inline constexpr std::array inscribed_ball_table = {
-    option_of<&InscribedBallOptions::separation_angle_degrees>(
-        "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
-        "Minimum angle at the ball's centre between the sample and the contact that stops the ball."),
+    measured_in("degrees",
+                option_of<&InscribedBallOptions::separation_angle_degrees>(
+                    "separation_angle_degrees", {.low = 0, .high = 180, .high_open = true},
+                    "Minimum angle at the ball's centre between the sample and the contact that stops the ball.")),
 };
 
 /// Computes the radius of the largest ball that touches a plane at the origin, lies on the side of the plane's unit

@@ -103,9 +103,9 @@ struct HeatKernelField {
 };
 
 constexpr std::array heat_kernel_table = {
-    option_of<&HeatKernelField::time>(
-        "time", {.low = 1e-6, .high = 100},
-        "How long heat spreads, in units of the surface's area: about the square of a neighbourhood's size."),
+    measured_in("areas of the surface", option_of<&HeatKernelField::time>(
+                                            "time", {.low = 1e-6, .high = 100},
+                                            "How long heat spreads: about the square of a neighbourhood's size.")),
     option_within<&HeatKernelField::spectrum, spectrum_table, 0>(),
     option_within<&HeatKernelField::spectrum, spectrum_table, 1>(),
 };

@@ -25,8 +25,7 @@ std::vector<Parameter> offset_sdf_parameters() {
   parameters[0].default_value = {};
   parameters[0].choices = automatic;
   parameters[0].description =
-      "Offset distance as a fraction of the bounding box's diagonal; auto: chosen for each shape between 1 and 5 % by "
-      "its gaps and its noise.";
+      "Offset distance; auto: chosen for each shape between 1 and 5 % by its gaps and its noise.";
   return parameters;
 }
 

@@ -30,8 +30,8 @@ struct VertexNoiseOptions {
 
 /// Parameters of VertexNoiseOptions.
 inline constexpr std::array vertex_noise_table = {
-    required(option_of<&VertexNoiseOptions::amplitude>(
-        "amplitude", {.low = 0, .high = 1}, "Length of the vector, as a fraction of the bounding box's diagonal.")),
+    required(measured_in(bounding_box_diagonals, option_of<&VertexNoiseOptions::amplitude>(
+                                                     "amplitude", {.low = 0, .high = 1}, "Length of the vector."))),
     option_of<&VertexNoiseOptions::distribution>("distribution",
                                                  "gaussian: each coordinate has the amplitude as its standard "
                                                  "deviation; uniform: in the ball whose radius is the amplitude."),
@@ -61,8 +61,8 @@ struct PunchHolesOptions {
 /// Parameters of PunchHolesOptions.
 inline constexpr std::array punch_holes_table = {
     option_of<&PunchHolesOptions::number>("number", {.low = 0, .high = 100'000}, "Number of holes."),
-    option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1},
-                                          "Radius of a hole, as a fraction of the bounding box's diagonal."),
+    measured_in(bounding_box_diagonals,
+                option_of<&PunchHolesOptions::radius>("radius", {.low = 0, .high = 1}, "Radius of a hole.")),
 };
 
 /// Removes the faces whose centroids lie within `radius` of one of `number` random points of the surface

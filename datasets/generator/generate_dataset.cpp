@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <fmt/format.h>
+#include <functional>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -41,60 +43,72 @@ constexpr Parameter faces_parameter{.name = "faces",
 
 constexpr int most_models = 1000;
 
-/// Returns the names of the classes in order: articulated bodies, then objects.
-const std::vector<std::string>& class_names() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (std::size_t c = 0; c < class_count(); ++c) all.push_back(class_skeleton(c).name);
-    for (const ObjectClass& objects : object_classes()) all.push_back(objects.name);
-    return all;
-  }();
-  return names;
+/// A class of the generator.
+struct GeneratedClass {
+  std::string name;
+  std::vector<std::string> parts;  ///< by label
+
+  /// Makes a function that draws a model of about so many faces.
+  std::function<std::function<SolidMesh(RandomNumbers&)>(int faces)> prepare;
+};
+
+/// Individuals of a skeleton in random poses.
+GeneratedClass articulated_class(std::size_t index) {
+  const Skeleton skeleton = class_skeleton(index);
+  std::vector<std::string> parts;
+  for (const Limb& limb : skeleton.limbs) parts.push_back(part_name(limb));
+  return {skeleton.name, std::move(parts), [skeleton](int faces) {
+            return [body = make_body(skeleton, faces)](RandomNumbers& random) {
+              return SolidMesh{draw_model(body, random), body.labels};
+            };
+          }};
 }
 
-/// Draws objects of a class until one can be meshed.
-SolidMesh draw_object(const ObjectClass& objects, int faces, RandomNumbers& random) {
-  constexpr int attempts = 10;
-  for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (std::optional<SolidMesh> mesh = mesh_solid(objects.draw(random), faces)) return *std::move(mesh);
-  }
-  throw std::runtime_error(
-      fmt::format("no object of the generated class {} can be meshed; raise the number of faces", objects.name));
+/// Rigid objects: drawn until one can be meshed.
+GeneratedClass class_of_objects(const ObjectClass& objects) {
+  return {objects.name, objects.parts, [&objects](int faces) {
+            return [&objects, faces](RandomNumbers& random) {
+              constexpr int attempts = 10;
+              for (int attempt = 0; attempt < attempts; ++attempt) {
+                if (std::optional<SolidMesh> mesh = mesh_solid(objects.draw(random), faces)) return *std::move(mesh);
+              }
+              throw std::runtime_error(fmt::format(
+                  "no object of the generated class {} can be meshed; raise the number of faces", objects.name));
+            };
+          }};
+}
+
+/// All classes in their order: articulated bodies, then objects.
+const std::vector<GeneratedClass>& generated_classes() {
+  static const std::vector<GeneratedClass> classes = [] {
+    std::vector<GeneratedClass> all;
+    for (std::size_t c = 0; c < class_count(); ++c) all.push_back(articulated_class(c));
+    for (const ObjectClass& objects : object_classes()) all.push_back(class_of_objects(objects));
+    return all;
+  }();
+  return classes;
 }
 
 /// Draws the models of a class, each with its own random stream.
 class ClassModels {
  public:
   ClassModels(std::size_t class_index, int faces, std::uint64_t seed)
-      : class_index_(class_index), faces_(faces), seed_(seed) {
-    if (class_index < class_count()) body_ = make_body(class_skeleton(class_index), faces);
-  }
+      : class_index_(class_index), seed_(seed), draw_(generated_classes()[class_index].prepare(faces)) {}
 
-  /// Draws an individual in a pose, or an object.
   [[nodiscard]] SolidMesh draw(std::size_t model) const {
     RandomNumbers random(seed_, (class_index_ << 32U) + model);
-    if (body_) return {draw_model(*body_, random), body_->labels};
-    return draw_object(object_classes()[class_index_ - class_count()], faces_, random);
+    return draw_(random);
   }
 
  private:
   std::size_t class_index_;
-  int faces_;
   std::uint64_t seed_;
-  std::optional<ArticulatedBody> body_;
+  std::function<SolidMesh(RandomNumbers&)> draw_;
 };
-
-/// Returns the names of a class's parts, by label.
-std::vector<std::string> part_names(std::size_t class_index) {
-  if (class_index >= class_count()) return object_classes()[class_index - class_count()].parts;
-  std::vector<std::string> names;
-  for (const Limb& limb : class_skeleton(class_index).limbs) names.push_back(part_name(limb));
-  return names;
-}
 
 void check_options(const GeneratorOptions& options) {
   require_in_bounds("the number of classes", options.classes,
-                    {.low = 1, .high = static_cast<double>(class_names().size())});
+                    {.low = 1, .high = static_cast<double>(generated_classes().size())});
   require_in_bounds("the number of models of each class", options.models_per_class, {.low = 1, .high = most_models});
   require_in_bounds("the number of faces", options.faces, faces_parameter.bounds);
 }
@@ -182,7 +196,7 @@ void write_class(std::size_t class_index, const Models& models, const GeneratorO
 
 void write_parts(const std::filesystem::path& folder, std::size_t classes) {
   nlohmann::ordered_json parts;
-  for (std::size_t c = 0; c < classes; ++c) parts[class_names()[c]] = part_names(c);
+  for (const GeneratedClass& one : std::span(generated_classes()).first(classes)) parts[one.name] = one.parts;
   write_file_atomically(folder / "parts.json", parts.dump(2) + '\n');
 }
 
@@ -191,7 +205,7 @@ Classification classification_of(const std::vector<int>& numbers, const Generato
   auto number = numbers.begin();
   for (int c = 0; c < options.classes; ++c) {
     ModelClass model_class;
-    model_class.name = class_names()[static_cast<std::size_t>(c)];
+    model_class.name = generated_classes()[static_cast<std::size_t>(c)].name;
     for (int m = 0; m < options.models_per_class; ++m) model_class.models.push_back(std::to_string(*number++));
     classification.classes.push_back(std::move(model_class));
   }
@@ -206,7 +220,7 @@ std::span<const Parameter> generator_parameters() {
       {.name = "classes",
        .kind = ParameterKind::integer,
        .default_value = std::int64_t{usual.classes},
-       .bounds = {.low = 1, .high = static_cast<double>(class_names().size())},
+       .bounds = {.low = 1, .high = static_cast<double>(generated_classes().size())},
        .description = "Number of classes."},
       {.name = "models_per_class",
        .kind = ParameterKind::integer,
@@ -219,7 +233,11 @@ std::span<const Parameter> generator_parameters() {
 }
 
 std::span<const Parameter> generated_model_parameters() {
-  static const std::vector<std::string_view> names(class_names().begin(), class_names().end());
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const GeneratedClass& one : generated_classes()) all.emplace_back(one.name);
+    return all;
+  }();
   static const std::vector<Parameter> parameters{
       {.name = "class", .kind = ParameterKind::choice, .choices = names, .description = "Name of the class."},
       {.name = "model",
@@ -233,13 +251,13 @@ std::span<const Parameter> generated_model_parameters() {
 }
 
 Shape generate_model(const GeneratedModel& wanted) {
-  const auto found = std::ranges::find(class_names(), wanted.model_class);
-  if (found == class_names().end()) {
+  const auto found = std::ranges::find(generated_classes(), wanted.model_class, &GeneratedClass::name);
+  if (found == generated_classes().end()) {
     throw InputError(fmt::format("unknown class \"{}\" of generated models", wanted.model_class));
   }
   require_in_bounds("the number of the model", wanted.model, {.low = 0, .high = most_models - 1});
   require_in_bounds("the number of faces", wanted.faces, faces_parameter.bounds);
-  const auto class_index = static_cast<std::size_t>(found - class_names().begin());
+  const auto class_index = static_cast<std::size_t>(found - generated_classes().begin());
   return ClassModels(class_index, wanted.faces, wanted.seed).draw(static_cast<std::size_t>(wanted.model)).mesh;
 }
 

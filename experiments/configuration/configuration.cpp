@@ -90,8 +90,9 @@ std::span<const Parameter> histogram_parameters() {
       Parameter{.name = "smoothing_bins",
                 .default_value = HistogramOptions{}.smoothing_bins,
                 .bounds = {.low = 0, .high = 1000},
-                .description = "Standard deviation, in bins, of a Gaussian that smooths the histogram; at most the "
-                               "number of bins; 0: none."}};
+                .description = "Standard deviation of a Gaussian that smooths the histogram; at most the number of "
+                               "bins; 0: none.",
+                .unit = "bins"}};
   return parameters;
 }
 

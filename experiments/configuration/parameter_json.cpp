@@ -89,14 +89,15 @@ std::string markdown_values(const Parameter& parameter) {
     case ParameterKind::choice:
       return words;
     case ParameterKind::integer:
-      return "integer " + to_string(parameter.bounds);
+      return "integer " + to_string(parameter.bounds) + unit_phrase(parameter);
     case ParameterKind::integers:
-      return fmt::format("integer {}, a list of 1 to {} of them{}", to_string(parameter.bounds), IntegerList::most,
-                         parameter.choices.empty() ? "" : ", or " + words);
+      return fmt::format("integer {}{}, a list of 1 to {} of them{}", to_string(parameter.bounds),
+                         unit_phrase(parameter), IntegerList::most, parameter.choices.empty() ? "" : ", or " + words);
     case ParameterKind::number:
       break;
   }
-  return "number " + to_string(parameter.bounds) + (parameter.choices.empty() ? "" : ", or " + words);
+  return "number " + to_string(parameter.bounds) + unit_phrase(parameter) +
+         (parameter.choices.empty() ? "" : ", or " + words);
 }
 
 std::string default_text(const Parameter& parameter) {
@@ -145,7 +146,9 @@ OrderedJson with_words(const OrderedJson& words, const OrderedJson& other) {
 }  // namespace
 
 OrderedJson schema_of(const Parameter& parameter) {
-  OrderedJson schema{{"description", parameter.description}};
+  OrderedJson schema{{"description", parameter.unit.empty()
+                                         ? std::string(parameter.description)
+                                         : fmt::format("{} Unit: {}.", parameter.description, parameter.unit)}};
   const OrderedJson words(std::vector<std::string_view>(parameter.choices.begin(), parameter.choices.end()));
   if (parameter.kind == ParameterKind::boolean) {
     schema["type"] = "boolean";

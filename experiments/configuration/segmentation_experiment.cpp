@@ -101,7 +101,8 @@ std::span<const Parameter> segmentation_method_parameters() {
       Parameter{.name = "border_width",
                 .default_value = usual.border_width,
                 .bounds = {.low = 0, .high = 1},
-                .description = "best: how far borders may move when they are smoothed, in square roots of the area."},
+                .description = "best: how far borders may move when they are smoothed.",
+                .unit = "square roots of the area"},
       Parameter{.name = "field",
                 .kind = ParameterKind::choice,
                 .default_value = fields[0],
@@ -110,7 +111,8 @@ std::span<const Parameter> segmentation_method_parameters() {
       Parameter{.name = "offset",
                 .default_value = usual.offset,
                 .bounds = OffsetSdfOptions::offset_bounds,
-                .description = "paper: of the offset surface, a fraction of the bounding box's diagonal."}};
+                .description = "paper: of the offset surface.",
+                .unit = bounding_box_diagonals}};
   return parameters;
 }
 

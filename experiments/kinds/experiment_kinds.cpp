@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "shapegauge/experiments/collections/run_collection.h"
-#include "shapegauge/experiments/comparison/write_shape_comparison.h"
+#include "shapegauge/experiments/multi_dataset/run_multi_dataset.h"
 #include "shapegauge/experiments/retrieval/write_results.h"
 #include "shapegauge/experiments/segmentation/write_segmentation.h"
+#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
 
 namespace shapegauge {
 
@@ -20,8 +20,9 @@ void check_kind(const ExperimentKind& kind) {
 }  // namespace
 
 Registry<ExperimentKind>& experiment_kinds() {
-  static Registry<ExperimentKind> all(
-      "kind of experiment", {retrieval_kind(), comparison_kind(), segmentation_kind(), collection_kind()}, check_kind);
+  static Registry<ExperimentKind> all("kind of experiment",
+                                      {retrieval_kind(), comparison_kind(), segmentation_kind(), multi_dataset_kind()},
+                                      check_kind);
   return all;
 }
 

@@ -13,6 +13,7 @@ from . import _native
 from ._arguments import (array_of, finite_number, matrix_of, number_of_threads, ordered, plain, square_matrix, switch, warn,
                          whole_number, with_article, word, words)
 from ._native import InputError
+from ._settings import listing_of_all, with_settings
 
 if TYPE_CHECKING:
     import matplotlib.axes
@@ -349,8 +350,8 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
          threads: int = 0) -> _numpy.ndarray:
     """Sums distances of the same models, without labels. The result is n x n.
 
-    distances: a list of n x n distances. weight: a number for each (default: 1). scale: what each is divided by first,
-    "median", "mean", "none", "local" (each model's mean distance to its ten nearest) or "local_spread" (the same, then
+    distances: a list of n x n distances. weight: a number for each; none: all count alike. scale: what each is divided by
+    first, "median", "mean", "none", "local" (each model's mean distance to its ten nearest) or "local_spread" (the same, then
     the interquartile range of the result). weights: what the weights are multiplied by, "given" (nothing) or
     "agreement" (of the nearest models with those of the other distances, and with their own nearest).
 
@@ -367,11 +368,11 @@ def fuse(distances: Any, weight: Optional[Iterable[float]] = None, *, scale: str
     return _native.fuse(matrices, _json.dumps(settings), number_of_threads(threads))
 
 
+@with_settings([("Methods and their settings", listing_of_all("rerank"))])
 def rerank(distances: Any, method: str = "diffusion", *, threads: int = 0, **settings: Any) -> _numpy.ndarray:
     """Re-ranks distances, unsupervised, using the whole set. The result is n x n.
 
-    method: "diffusion" (neighbours, damping, tie), "k_reciprocal" or "query_expansion". neighbours is a number, a list
-    of numbers, over which the mean is taken, or "auto".
+    method, and its settings: below.
 
     >>> better = sg.rerank(distances, neighbours="auto")
     """

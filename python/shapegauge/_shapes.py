@@ -11,6 +11,7 @@ from . import _native
 from ._arguments import (PathLike, ShapeArrays, number_of_threads, path_and_shape_function, path_of, plain,
                          shape_function, warn, with_article, word)
 from ._native import InputError
+from ._settings import REGISTERED, listing, listing_of_all, settings_of, with_settings
 
 Sites = Union[str, Mapping[str, int]]
 
@@ -73,12 +74,13 @@ def write(path: PathLike, shape: ShapeArrays, normals: Any = None) -> None:
     _native.write(path_of(path, "path"), *shape)
 
 
+@with_settings([("Types and their settings", listing_of_all("fields"))])
 @shape_function
 def field(shape: ShapeArrays, type: str = "offset_sdf", *, at: Sites = "faces", normals: Any = None, threads: int = 0,
           **settings: Any) -> ScalarField:
     """A scalar field of any type that configurations know (docs/reference/configuration.md), in the units of the input.
 
-    at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type.
+    at: "faces", "vertices" or {"surface": n}; a cloud has its values at its points. settings: those of the type, below.
     Returns a ScalarField, which unpacks as values and weights.
 
     >>> values, weights = sg.field(mesh, "centricity", sources=24)
@@ -104,8 +106,12 @@ _SDF_SETTINGS = {
     "offset": {"offset": "offset", "accuracy": "accuracy"},
     "cone": {"rays": "rays", "opening_angle": "opening_angle_degrees", "engine": "engine"},
 }
+_SDF_DEFAULTS = REGISTERED["defaults"]["sdf"]
 
 
+@with_settings([(f'Settings of method="{method}"',
+                 listing(settings_of("fields", f"{method}_sdf", names), _SDF_DEFAULTS))
+                for method, names in _SDF_SETTINGS.items()])
 @shape_function
 def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, str] = None, *,
         accuracy: Optional[str] = None, at: Sites = "faces", rays: Optional[int] = None,
@@ -114,10 +120,8 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
     """The shape diameter function, in the units of the input.
 
     method: "offset" (of the offset surface: noise, cracks and point clouds do no harm) or "cone" (the conventional one,
-    closed meshes). Of the offset method: offset, a fraction of the diagonal of the bounding box, or "auto" (default:
-    0.05); accuracy, "fast", "standard" (default) or "fine", how fine its grid is. Of the cone: rays (default: 25),
-    opening_angle in degrees (default: 60) and engine, "embree" (default) or "cgal". Returns a ScalarField, which
-    unpacks as values and weights; its `offset` is the one that "auto" chose.
+    closed meshes); each has settings of its own, below. Returns a ScalarField, which unpacks as values and weights; its
+    `offset` is the one that "auto" chose.
 
     >>> values, weights = sg.sdf(vertices, faces, method="offset", offset=0.05, at="faces")
     >>> sg.sdf(points, offset="auto").offset
@@ -135,7 +139,7 @@ def sdf(shape: ShapeArrays, method: str = "offset", offset: Union[None, float, s
             other = "cone" if method == "offset" else "offset"
             raise InputError(f'{name} requires method="{other}", not "{method}"')
     if method == "offset":
-        given.setdefault("offset", 0.05)
+        given = {**_SDF_DEFAULTS, **given}
     try:
         found = _field(shape, f"{method}_sdf", at, {own[name]: value for name, value in given.items()}, threads)
     except InputError as error:
@@ -167,13 +171,14 @@ def _with_settings(function: str, own: Mapping[str, str], settings: Mapping[str,
     return _json.dumps({**{name: plain(value, name) for name, value in settings.items()}, **own})
 
 
+@with_settings([("Settings", listing({
+    name: setting for name, setting in settings_of("sections", "segmentation_method").items() if name != "method"}))])
 @shape_function
 def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, threads: int = 0,
             **settings: Any) -> _numpy.ndarray:
     """Cuts a shape into parts: int32 numbers of parts from 0 on, one a face, or a point of a cloud.
 
-    method: "best", or the paper's pipeline, "paper". settings: those of a method in a configuration
-    (docs/reference/configuration.md, "Segmentation"), as parts=3: how many are wanted.
+    method: "best", or the paper's pipeline, "paper". settings: below, as parts=3: how many are wanted.
 
     >>> labels = sg.segment(vertices, faces)
     >>> labels = sg.segment(vertices, faces, "paper", field="cone", parts=4)
@@ -185,6 +190,7 @@ def segment(shape: ShapeArrays, method: str = "best", *, normals: Any = None, th
     return labels
 
 
+@with_settings([("Descriptors and their settings", listing_of_all("descriptors"))])
 @shape_function
 def describe(shape: ShapeArrays, descriptor: str = "light_field", *, normals: Any = None, threads: int = 0,
              **settings: Any) -> _numpy.ndarray:

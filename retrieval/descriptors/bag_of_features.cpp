@@ -21,9 +21,9 @@ namespace {
 constexpr std::array table = {
     option_of<&BagOfFeaturesOptions::words>("words", {.low = 1, .high = 10'000}, "Words of the codebook."),
     option_of<&BagOfFeaturesOptions::soft>("soft", "Count a sample for all words by Gaussian weights."),
-    option_of<&BagOfFeaturesOptions::softness>(
-        "softness", {.low = 0.01, .high = 100},
-        "Width of the Gaussian, in mean distances of a word from the nearest other."),
+    measured_in(
+        "mean distances of a word from the nearest other",
+        option_of<&BagOfFeaturesOptions::softness>("softness", {.low = 0.01, .high = 100}, "Width of the Gaussian.")),
     option_of<&BagOfFeaturesOptions::standardise>("standardise",
                                                   "Divide each field by its standard deviation over the data set."),
     option_of<&BagOfFeaturesOptions::samples_per_shape>("samples_per_shape", {.low = 1, .high = 100'000},

@@ -16,7 +16,8 @@ constexpr std::array table = {
     option_of<&D2Options::points>("points", {.low = 2, .high = 10'000},
                                   "Places on the surface, all pairs of which count."),
     option_of<&D2Options::bins>("bins", {.low = 1, .high = 10'000}, "Bins of the histogram of distances."),
-    option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "The end of the last bin, in mean distances."),
+    measured_in("mean distances",
+                option_of<&D2Options::longest>("longest", {.low = 0.1, .high = 100}, "The end of the last bin.")),
 };
 constexpr auto parameters = parameters_of(table);
 

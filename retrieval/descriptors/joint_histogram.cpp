@@ -22,8 +22,9 @@ namespace {
 constexpr std::string_view name = "joint_histogram";
 constexpr std::array table = {
     option_of<&JointAxis::bins>("bins", {.low = 1, .high = 1000}, "Bins of the axis."),
-    option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
-                                          "Standard deviation of a Gaussian that smooths along the axis, in bins."),
+    measured_in("bins",
+                option_of<&JointAxis::smoothing_bins>("smoothing_bins", {.low = 0, .high = 1000},
+                                                      "Standard deviation of a Gaussian that smooths along the axis.")),
     option_of<&JointAxis::divide_by_mean>("divide_by_mean", "Divide the values by their mean first."),
     option_of<&JointAxis::low>("low", {.low = -1e9, .high = 1e9}, "Lower end of the range."),
     option_of<&JointAxis::high>("high", {.low = -1e9, .high = 1e9}, "Upper end of the range."),

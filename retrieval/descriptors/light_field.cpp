@@ -28,7 +28,8 @@ namespace shapegauge {
 namespace {
 
 constexpr std::array table = {
-    option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024}, "Pixels of a silhouette's side."),
+    measured_in("pixels",
+                option_of<&LightFieldOptions::pixels>("pixels", {.low = 16, .high = 1024}, "Side of a silhouette.")),
 };
 constexpr auto parameters = parameters_of(table);
 

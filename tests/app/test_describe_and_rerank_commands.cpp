@@ -128,6 +128,7 @@ TEST_F(DescribeCommand, ListsTheDescriptorsAndTheirSettings) {
   EXPECT_EQ(outcome.status, 0);
   for (const Descriptor& one : descriptors().entries()) EXPECT_THAT(outcome.output, HasSubstr(std::string(one.name)));
   EXPECT_THAT(outcome.output, HasSubstr("axes.N.smoothing_bins"));
+  EXPECT_THAT(outcome.output, HasSubstr("in pixels")) << "the unit of the light field's setting";
 }
 
 TEST_F(DescribeCommand, EvaluateComparesFeaturesByTheirDescriptorsDistance) {

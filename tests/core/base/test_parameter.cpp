@@ -112,6 +112,14 @@ TEST(ParameterValues, RejectEverythingElse) {
   EXPECT_EQ(values.integer("rays"), 25) << "a rejected value leaves the old one";
 }
 
+TEST(LegalValues, NumbersHaveTheirUnit) {
+  constexpr Parameter angle{
+      .name = "angle", .bounds = {.high = 90}, .choices = words, .description = "", .unit = "gon"};
+  EXPECT_EQ(legal_values(angle), "a number at most 90, in gon, or auto, none");
+  constexpr Parameter size{.name = "size", .kind = ParameterKind::integer, .description = "", .unit = "pixels"};
+  EXPECT_EQ(legal_values(size), "a finite whole number, in pixels");
+}
+
 TEST(ParseValue, ReadsWhatTextsSpell) {
   EXPECT_EQ(parse_value(parameters[0], "2e-1"), ParameterValue(0.2));
   EXPECT_EQ(parse_value(parameters[0], "auto"), ParameterValue("auto"));

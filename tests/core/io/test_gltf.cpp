@@ -131,6 +131,35 @@ TEST_F(Gltf, ReadsStripsFansAndPoints) {
   EXPECT_EQ(cloud.vertices.rows(), 4);
 }
 
+TEST_F(Gltf, NormalisedWholeNumbersAreFractions) {
+  // The tetrahedron in bytes, of which 127 is 1; -127 and -128 are both -1.
+  test::write_text(folder_.path() / "tetrahedron.bin",
+                   bytes_of<std::int8_t>({0, 0, 0, 127, 0, -128, 0, 127, -127, 0, 0, 127}) + std::string(36, '\0') +
+                       bytes_of<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
+  const Shape shape = read(with_change(document(R"({"mesh": 0})"), R"("componentType": 5126, )",
+                                       R"("componentType": 5120, "normalized": true, )"));
+  ASSERT_EQ(shape.vertices.rows(), 4);
+  EXPECT_EQ(shape.vertices.row(1), Eigen::RowVector3d(1, 0, -1));
+  EXPECT_EQ(shape.vertices.row(2), Eigen::RowVector3d(0, 1, -1));
+  EXPECT_EQ(shape.vertices.row(3), Eigen::RowVector3d(0, 0, 1));
+}
+
+TEST_F(Gltf, SparseAccessorsReplacePositions) {
+  // Vertex 2 moves to (7, 8, 9): an index and a position behind the tetrahedron.
+  test::write_text(folder_.path() / "tetrahedron.bin",
+                   tetrahedron_bytes() + bytes_of<std::uint32_t>({2}) + bytes_of<float>({7, 8, 9}));
+  std::string json = with_change(document(R"({"mesh": 0})"), R"("type": "VEC3")",
+                                 R"("type": "VEC3", "sparse": {"count": 1,
+      "indices": {"bufferView": 2, "componentType": 5125}, "values": {"bufferView": 3}})");
+  json = with_change(json, R"({"buffer": 0, "byteOffset": 48, "byteLength": 24})",
+                     R"({"buffer": 0, "byteOffset": 48, "byteLength": 24},
+      {"buffer": 0, "byteOffset": 72, "byteLength": 4}, {"buffer": 0, "byteOffset": 76, "byteLength": 12})");
+  const Shape shape = read(with_change(json, R"("byteLength": 72})", R"("byteLength": 88})"));
+  ASSERT_EQ(shape.vertices.rows(), 4);
+  EXPECT_EQ(shape.vertices.row(1), Eigen::RowVector3d(1, 0, 0));
+  EXPECT_EQ(shape.vertices.row(2), Eigen::RowVector3d(7, 8, 9));
+}
+
 TEST_F(Gltf, RefusesWhatDoesNotFit) {
   const std::string whole = document(R"({"mesh": 0})");
   EXPECT_THAT(error_of(with_change(whole, R"("count": 4)", R"("count": 5)")), HasSubstr("buffer view 0"));

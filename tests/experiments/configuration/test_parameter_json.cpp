@@ -11,6 +11,7 @@ namespace shapegauge {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 using Json = nlohmann::json;
 
 constexpr std::array<std::string_view, 2> colours{"red", "blue"};
@@ -88,6 +89,13 @@ TEST(ParameterJson, TheSchemaSaysTypesBoundsChoicesAndDefaults) {
             Json::parse(R"({"description": "O.", "type": "boolean", "default": true})"));
   EXPECT_EQ(Json(schema_of(parameters[3])),
             Json::parse(R"({"description": "Of the lid.", "enum": ["red", "blue"], "default": "blue"})"));
+}
+
+TEST(ParameterJson, SchemaAndTableNameTheUnit) {
+  const std::vector<Parameter> angle{{.name = "angle", .bounds = {.low = 0}, .description = "A.", .unit = "turns"}};
+  EXPECT_EQ(Json(schema_of(angle[0])).at("description"), "A. Unit: turns.");
+  EXPECT_THAT(markdown_table(angle), HasSubstr("| `angle` | A. (number at least 0, in turns) |"));
+  EXPECT_THAT(markdown_table(parameters), Not(HasSubstr(", in ")));
 }
 
 TEST(ParameterJson, TheTableSaysThemInWords) {

@@ -48,6 +48,23 @@ std::string message_without(const std::string& parent, const std::string& key) {
   return test::input_error_of([&] { check_against_schema(document, "x.json"); });
 }
 
+TEST(ParameterGroups, AnglesAndOffsetsHaveTheirUnits) {
+  std::size_t angles = 0;
+  std::size_t offsets = 0;
+  for (const ParameterGroup& field : field_groups()) {
+    for (const Parameter& parameter : field.parameters) {
+      const bool angle = parameter.name.ends_with("_degrees");
+      const bool offset = parameter.name == "offset";
+      angles += angle;
+      offsets += offset;
+      EXPECT_EQ(parameter.unit == "degrees", angle) << field.name << ' ' << parameter.name;
+      EXPECT_EQ(parameter.unit == bounding_box_diagonals, offset) << field.name << ' ' << parameter.name;
+    }
+  }
+  EXPECT_GE(angles, 2);
+  EXPECT_GE(offsets, 1);
+}
+
 TEST(SchemaCheck, AcceptsAValidConfiguration) { EXPECT_NO_THROW(check_against_schema(valid(), "x.json")); }
 
 TEST(SchemaCheck, UnknownKeysWithTheNearestKnownOne) {

@@ -54,7 +54,7 @@ class ExperimentKinds : public testing::Test {
   }
 
   /// Retrieval on three data sets, one of them missing.
-  [[nodiscard]] Json collection() const {
+  [[nodiscard]] Json multi_dataset() const {
     Json document = retrieval();
     Json dataset = document["dataset"];
     document.erase("dataset");
@@ -88,11 +88,11 @@ class ExperimentKinds : public testing::Test {
 };
 
 TEST_F(ExperimentKinds, AreToldByTheirDocuments) {
-  EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "collection"));
+  EXPECT_THAT(experiment_kinds().names(), ElementsAre("retrieval", "comparison", "segmentation", "multi_dataset"));
   EXPECT_TRUE(read_experiment(retrieval(), "test.json", at("")).inputs);
   EXPECT_EQ(read_experiment(comparison(), "test.json", at("")).configuration["shapes"].size(), 2U);
   EXPECT_EQ(read_experiment(segmentation(), "test.json", at("")).name, "parts");
-  EXPECT_EQ(read_experiment(collection(), "test.json", at("")).configuration["datasets"].size(), 3U);
+  EXPECT_EQ(read_experiment(multi_dataset(), "test.json", at("")).configuration["datasets"].size(), 3U);
   EXPECT_THAT(test::input_error_of([&] {
                 read_experiment(Json{{"nmae", "x"}}, "test.json", at(""));
               }),
@@ -103,7 +103,7 @@ TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
   for (const auto& [name, document] : {std::pair{"retrieval", retrieval()},
                                        {"comparison", comparison()},
                                        {"segmentation", segmentation()},
-                                       {"collection", collection()}}) {
+                                       {"multi_dataset", multi_dataset()}}) {
     SCOPED_TRACE(name);
     const std::string alone = std::string(name) + "/alone";
     Cache none;
@@ -124,7 +124,7 @@ TEST_F(ExperimentKinds, GiveTheSameBytesOnSeveralProcesses) {
 
 TEST_F(ExperimentKinds, GoOnFromTheCacheAfterAnInterruption) {
   for (const auto& [name, document] :
-       {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}, {"collection", collection()}}) {
+       {std::pair{"retrieval", retrieval()}, {"segmentation", segmentation()}, {"multi_dataset", multi_dataset()}}) {
     SCOPED_TRACE(name);
     const std::string place = name;
     Cache none;

@@ -42,7 +42,11 @@ TEST(LeaderboardTables, AsJsonHaveFractionsSettingsAndRefusals) {
   small.add("bad.csv", "0,1\n1,0\n");
   small.add("good.json", R"({"authors": "A"})");
   const JudgingOptions options = small.options();
-  const auto json = leaderboard_json(small.judged(), options);
+  Leaderboard board = small.judged();
+  board.macro[0][1].average = 0.125;  // the classes are of one size
+  const auto json = leaderboard_json(board, options);
+  EXPECT_EQ(json["submissions"][1]["macro"]["NN"]["average"], 0.125);
+  EXPECT_EQ(json["submissions"][1]["micro"]["NN"]["average"], board.micro[0][1].average);
   EXPECT_EQ(json["submissions"][0]["micro"]["mAP"]["average"], 1.0);
   EXPECT_EQ(json["submissions"][0]["authors"], "A");
   EXPECT_EQ(json["submissions"][1]["macro"]["NN"]["rank"], 2);

@@ -66,6 +66,8 @@ TEST(CurveChart, DrawsEachCurveWhereItsValuesAre) {
   EXPECT_DOUBLE_EQ(curves[0].points[1][0], (curves[0].points[0][0] + curves[0].points[2][0]) / 2);
   EXPECT_DOUBLE_EQ(curves[0].points[1][1], (curves[0].points[0][1] + curves[0].points[2][1]) / 2);
   EXPECT_DOUBLE_EQ(curves[1].points[2][1], curves[0].points[0][1]);
+  EXPECT_LT(curves[0].points[0][1], curves[0].points[2][1]) << "1 is above 0, and y points down";
+  EXPECT_LT(curves[0].points[0][0], curves[0].points[2][0]);
   EXPECT_NE(curves[0].stroke, curves[1].stroke);
 }
 

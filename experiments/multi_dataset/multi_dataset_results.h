@@ -1,0 +1,72 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/datasets/files/table.h"
+#include "shapegauge/experiments/evaluation/method_scores.h"
+#include "shapegauge/metrics/bootstrap.h"
+#include "shapegauge/metrics/friedman_test.h"
+
+namespace shapegauge {
+
+/// A data set that was used.
+struct EvaluatedDataset {
+  std::string name;
+  std::string folder;  ///< of its results, below those of the experiment
+  bool has_report = false;
+  std::size_t models = 0;
+  std::vector<MethodScores> scores;  ///< by method and protocol
+};
+
+/// Methods by data sets under one protocol, measure and average.
+struct MultiDatasetTable {
+  std::string protocol;
+  Average average = Average::micro;
+  std::string measure;
+  Eigen::MatrixXd values;  ///< data sets x methods, fractions
+  RankComparison ranks;
+};
+
+/// Results of methods on several data sets.
+struct MultiDatasetResults {
+  std::string name;
+  std::string description;
+  std::vector<std::string> methods;
+  std::vector<EvaluatedDataset> datasets;
+  std::vector<MultiDatasetTable> tables;  ///< by protocol, average, measure
+  std::string main_measure;               ///< mAP, or the first measure where that is not among them
+  double alpha = 0.05;
+  std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
+};
+
+/// Compares the methods on all data sets, which all have the same methods, protocols and measures.
+std::vector<MultiDatasetTable> multi_dataset_tables(std::span<const EvaluatedDataset> datasets, double alpha);
+
+/// The table of the first protocol, average and main measure: that which summaries show.
+const MultiDatasetTable& main_table(const MultiDatasetResults& results);
+
+/// A row for each method, the best mean rank first: its value on each data set in percent, their mean, the mean rank
+/// and the letters of the groups that do not differ significantly. The best of each data set is bold.
+Table multi_dataset_summary(const MultiDatasetResults& results, const MultiDatasetTable& table, int decimals = 2);
+
+/// For files: the rows of all tables, with protocol, average and measure in front.
+Table multi_dataset_csv_table(const MultiDatasetResults& results);
+
+/// For files: a row for each table and pair of methods: difference of the mean ranks, p of Nemenyi's test, data sets
+/// won, tied and lost.
+Table multi_dataset_pairs_table(const MultiDatasetResults& results);
+
+/// All of it as JSON, in fractions.
+nlohmann::ordered_json multi_dataset_json(const MultiDatasetResults& results);
+
+/// Friedman's test and the critical difference in a sentence or two.
+std::string test_words(const MultiDatasetResults& results, const MultiDatasetTable& table);
+
+/// The page of the experiment as one HTML file.
+std::string multi_dataset_html(const MultiDatasetResults& results);
+
+}  // namespace shapegauge

@@ -1,0 +1,269 @@
+#include "shapegauge/experiments/multi_dataset/run_multi_dataset.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <utility>
+
+#include "shapegauge/core/base/error.h"
+#include "shapegauge/core/base/stopwatch.h"
+#include "shapegauge/core/io/file_bytes.h"
+#include "shapegauge/experiments/configuration/dataset_files.h"
+#include "shapegauge/experiments/configuration/json_document.h"
+#include "shapegauge/experiments/configuration/schema.h"
+#include "shapegauge/experiments/distributed/agreement.h"
+#include "shapegauge/experiments/engine/result_folder.h"
+#include "shapegauge/experiments/multi_dataset/multi_dataset_results.h"
+#include "shapegauge/experiments/retrieval/write_results.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// One data set of the experiment: its experiment, or why it cannot be read.
+struct DatasetPart {
+  std::string name;
+  std::string folder;
+  Json dataset;  ///< as the configuration has it
+  Experiment experiment{};
+  std::string error{};
+};
+
+struct MultiDatasetExperiment {
+  std::string name;
+  std::string description;
+  std::vector<DatasetPart> parts;
+};
+
+// The retrieval experiment on one of the data sets.
+Json document_of(Json common, Json dataset, const std::string& name) {
+  common.erase("datasets");
+  dataset.erase("name");
+  common["dataset"] = std::move(dataset);
+  common["name"] = fmt::format("{}: {}", common.at("name").get<std::string>(), name);
+  return common;
+}
+
+std::vector<std::string> names_of_datasets(const Json& datasets, const std::string& source) {
+  std::vector<std::string> names;
+  for (const Json& dataset : datasets) {
+    names.push_back(dataset.at("name"));
+    if (std::ranges::count(names, names.back()) > 1) {
+      throw InputError(fmt::format("{}: datasets: two data sets have the name {}", source, names.back()));
+    }
+  }
+  return names;
+}
+
+// Reads all data sets. One that cannot be read, as a variable is not set, is kept with its error. Throws InputError
+// where all cannot.
+MultiDatasetExperiment read_parts(const Json& document, const std::string& source, const fs::path& folder) {
+  MultiDatasetExperiment experiment{.name = document.at("name"), .description = {}, .parts = {}};
+  if (document.contains("description")) experiment.description = document.at("description");
+  const std::vector<std::string> names = names_of_datasets(document.at("datasets"), source);
+  const std::vector<std::string> folders = file_safe_names(names);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    DatasetPart part{.name = names[i], .folder = folders[i], .dataset = document.at("datasets")[i]};
+    try {
+      part.experiment = retrieval_kind().read(document_of(document, part.dataset, part.name), source, folder);
+    } catch (const InputError& error) {
+      // Without the source: a replay of the run has another one, and the same results.
+      const std::string message = error.what();
+      part.error = message.starts_with(source + ": ") ? message.substr(source.size() + 2) : message;
+    }
+    experiment.parts.push_back(std::move(part));
+  }
+  const auto readable = [](const DatasetPart& part) { return part.error.empty(); };
+  if (std::ranges::none_of(experiment.parts, readable)) {
+    throw InputError(fmt::format("{}: {}", source, experiment.parts.front().error));
+  }
+  return experiment;
+}
+
+// With all defaults, and absolute paths of the data sets that could be read.
+Json configuration_of(const MultiDatasetExperiment& experiment) {
+  Json configuration;
+  for (const DatasetPart& part : experiment.parts) {
+    if (part.error.empty() && configuration.is_null()) configuration = part.experiment.configuration;
+  }
+  configuration.erase("dataset");
+  configuration["name"] = experiment.name;
+  configuration["datasets"] = Json::array();
+  for (const DatasetPart& part : experiment.parts) {
+    Json dataset = part.error.empty() ? part.experiment.configuration.at("dataset") : part.dataset;
+    dataset["name"] = part.name;
+    configuration["datasets"].push_back(std::move(dataset));
+  }
+  return configuration;
+}
+
+// The inputs of a data set among those of the experiment.
+void add_inputs(const Json& inputs, const std::string& name, Json& all) {
+  const Json models = inputs.value("models", Json::object());
+  for (const auto& [model, hash] : models.items()) {
+    all["models"][fmt::format("{}: {}", name, model)] = hash;
+  }
+  if (inputs.contains("classification")) {
+    all["models"][fmt::format("{}: classification", name)] = inputs.at("classification");
+  }
+}
+
+Json inputs_of_parts(const MultiDatasetExperiment& experiment, int threads) {
+  Json inputs{{"models", Json::object()}};
+  for (const DatasetPart& part : experiment.parts) {
+    if (!part.error.empty() || !part.experiment.inputs) continue;
+    try {
+      add_inputs(part.experiment.inputs(threads), part.name, inputs);
+    } catch (const InputError&) {
+      continue;  // the run says what is wrong with the data set
+    }
+  }
+  return inputs;
+}
+
+// A run of the experiment. Rank 0 has the outcome and the results.
+class MultiDatasetRun {
+ public:
+  MultiDatasetRun(const MultiDatasetExperiment& experiment, const RunContext& context)
+      : experiment_(&experiment), context_(&context) {
+    results_.name = experiment.name;
+    results_.description = experiment.description;
+  }
+
+  RunOutcome run() {
+    outcome_.manifest = {{"inputs", {{"models", Json::object()}}}, {"data_sets", Json::object()}};
+    outcome_.noun = "input";
+    const Stopwatch stopwatch;
+    for (const DatasetPart& part : experiment_->parts) run_part(part);
+    on_all_ranks(context_->ranks, [&] {
+      if (context_->ranks.rank() != 0) return;
+      if (results_.datasets.empty()) throw InputError(no_data_set());
+      write();
+    });
+    return std::move(outcome_);
+  }
+
+ private:
+  // A failure that all ranks know of leaves the data set out; others end the run.
+  void run_part(const DatasetPart& part) {
+    if (!part.error.empty()) return leave_out(part, part.error);
+    const fs::path folder = context_->results / part.folder;
+    try {
+      on_all_ranks(context_->ranks, [&] {
+        if (context_->ranks.rank() == 0) make_folder(folder);
+      });
+      RunOutcome outcome = part.experiment.run({.control = context_->control,
+                                                .cache = context_->cache,
+                                                .ranks = context_->ranks,
+                                                .generated = context_->generated / part.folder,
+                                                .results = folder});
+      on_all_ranks(context_->ranks, [&] {
+        if (context_->ranks.rank() == 0) add(part, folder, outcome);
+      });
+    } catch (const SharedError& error) {
+      leave_out(part, error.what());
+    } catch (const InputError& error) {
+      if (context_->ranks.size() > 1) throw;
+      leave_out(part, error.what());
+    }
+  }
+
+  void leave_out(const DatasetPart& part, const std::string& reason) {
+    results_.failures.emplace_back(part.name, reason);
+    outcome_.left_out.push_back({.id = part.name, .message = reason});
+  }
+
+  void add(const DatasetPart& part, const fs::path& folder, const RunOutcome& outcome) {
+    const auto manifest = manifest_of(part.experiment.configuration, outcome, folder);
+    write_file_atomically(folder / manifest_name, manifest.dump(2) + "\n");
+    results_.datasets.push_back({.name = part.name,
+                                 .folder = part.folder,
+                                 .has_report = std::ranges::find(outcome.files, report_name) != outcome.files.end(),
+                                 .models = outcome.used,
+                                 .scores = read_method_scores(folder / "per_query.csv")});
+    for (const std::string& file : outcome.files) outcome_.files.push_back(part.folder + "/" + file);
+    outcome_.files.push_back(fmt::format("{}/{}", part.folder, manifest_name));
+    for (const std::string& note : outcome.notes) outcome_.notes.push_back(fmt::format("{}: {}", part.name, note));
+    for (const std::string& warning : outcome.warnings) {
+      outcome_.warnings.push_back(fmt::format("{}: {}", part.name, warning));
+    }
+    for (const LeftOutShape& shape : outcome.left_out) {
+      outcome_.left_out.push_back({.id = fmt::format("{}, model {}", part.name, shape.id), .message = shape.message});
+    }
+    outcome_.used += outcome.used;
+    outcome_.cache = outcome.cache;  // counts all so far
+    add_inputs(outcome.manifest.at("inputs"), part.name, inputs_);
+    auto entries = outcome.manifest;
+    entries.erase("inputs");
+    outcome_.manifest["data_sets"][part.name] = std::move(entries);
+    outcome_.execution[part.name] = outcome.execution;
+  }
+
+  [[nodiscard]] std::string no_data_set() const {
+    std::string message = "no data set can be used";
+    for (const auto& [name, reason] : results_.failures) message += fmt::format("; {}: {}", name, reason);
+    return message;
+  }
+
+  void write() {
+    results_.methods.clear();
+    const std::vector<MethodScores>& scores = results_.datasets.front().scores;
+    for (const MethodScores& one : scores) {
+      if (one.protocol == scores.front().protocol) results_.methods.push_back(one.method);
+    }
+    const std::vector<std::string>& measures = scores.front().measures;
+    const bool has_map = std::ranges::find(measures, "mAP") != measures.end();
+    results_.main_measure = has_map ? "mAP" : measures.front();
+    results_.tables = multi_dataset_tables(results_.datasets, results_.alpha);
+    const MultiDatasetTable& main = main_table(results_);
+    const Table summary = multi_dataset_summary(results_, main);
+    const std::vector<std::pair<std::string, std::string>> files{
+        {"summary.csv", to_csv(multi_dataset_csv_table(results_))},
+        {"summary.json", multi_dataset_json(results_).dump(2) + "\n"},
+        {"summary.md", to_markdown(summary)},
+        {"summary.tex", to_latex(summary)},
+        {"pairs.csv", to_csv(multi_dataset_pairs_table(results_))},
+        {std::string(report_name), multi_dataset_html(results_)}};
+    for (const auto& [name, text] : files) {
+      write_file_atomically(context_->results / name, text);
+      outcome_.files.push_back(name);
+    }
+    outcome_.manifest["inputs"] = inputs_;
+    for (const auto& [name, reason] : results_.failures) outcome_.manifest["failed_data_sets"][name] = reason;
+    outcome_.summary = fmt::format("{} ({}, {}), percent\n{}\n{}\n", main.measure, main.protocol, name_of(main.average),
+                                   to_plain_text(summary), test_words(results_, main));
+  }
+
+  const MultiDatasetExperiment* experiment_;
+  const RunContext* context_;
+  MultiDatasetResults results_;
+  RunOutcome outcome_;
+  Json inputs_{{"models", Json::object()}};
+};
+
+bool has_datasets(const Json& document) { return document.contains("datasets"); }
+
+Experiment read_multi_dataset(const Json& given, const std::string& source, const fs::path& folder) {
+  Json document = given;
+  read_dataset_files(document, source, folder);
+  check_against_schema(document, source);
+  const auto experiment = std::make_shared<const MultiDatasetExperiment>(read_parts(document, source, folder));
+  return {.name = experiment->name,
+          .configuration = configuration_of(*experiment),
+          .inputs = [experiment](int threads) { return inputs_of_parts(*experiment, threads); },
+          .run = [experiment](const RunContext& context) { return MultiDatasetRun(*experiment, context).run(); }};
+}
+
+}  // namespace
+
+ExperimentKind multi_dataset_kind() {
+  return {.name = "multi_dataset",
+          .description = "One retrieval experiment on several data sets: methods by data sets, ranks and their tests.",
+          .describes = has_datasets,
+          .read = read_multi_dataset};
+}
+
+}  // namespace shapegauge

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "shapegauge/experiments/engine/experiment.h"
+#include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
+
+namespace shapegauge {
+
+/// Returns the entry for experiment_kinds().
+ExperimentKind comparison_kind();
+
+/// Writes all result files of a comparison into the folder, as write_results() does.
+void write_shape_comparison(const std::filesystem::path& destination, const ShapeComparisonResults& results);
+
+/// Formats the summary of a comparison for a terminal: distances, errors, normals, timings.
+std::string summary_text(const ShapeComparisonResults& results);
+
+}  // namespace shapegauge

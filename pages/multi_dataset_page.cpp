@@ -1,0 +1,68 @@
+#include "shapegauge/pages/multi_dataset_page.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "shapegauge/core/version.h"
+#include "shapegauge/pages/html_page.h"
+#include "shapegauge/pages/score_json.h"
+
+namespace shapegauge {
+
+namespace {
+
+using PageJson = nlohmann::ordered_json;
+
+PageJson page_table_json(const MultiDatasetPageTable& table) {
+  PageJson groups = PageJson::array();
+  for (const HomogeneousGroup& group : table.ranks->groups) groups.push_back({group.first, group.last});
+  PageJson pairs = PageJson::array();
+  for (const RankDifference& pair : table.ranks->pairs) {
+    pairs.push_back({{"first", pair.first},
+                     {"second", pair.second},
+                     {"p", rounded(pair.p, score_digits)},
+                     {"counts", {pair.data_sets.wins, pair.data_sets.ties, pair.data_sets.losses}}});
+  }
+  return {{"protocol", table.protocol},
+          {"average", name_of(table.average)},
+          {"measure", table.measure},
+          {"values", rounded_rows(table.values)},
+          {"mean_ranks", rounded_scores(table.ranks->mean_ranks)},
+          {"order", table.ranks->order},
+          {"groups", std::move(groups)},
+          {"letters", table.letters},
+          {"critical_difference", rounded(table.ranks->critical_difference, score_digits)},  // null: none
+          {"pairs", std::move(pairs)},
+          {"words", table.words}};
+}
+
+PageJson multi_dataset_page_json(const MultiDatasetPage& page) {
+  PageJson datasets = PageJson::array();
+  for (const MultiDatasetPageDataset& dataset : page.datasets) {
+    datasets.push_back(
+        {{"name", dataset.name}, {"page", dataset.page}, {"models", dataset.models}, {"queries", dataset.queries}});
+  }
+  PageJson tables = PageJson::array();
+  for (const MultiDatasetPageTable& table : page.tables) tables.push_back(page_table_json(table));
+  return {{"version", version()},
+          {"title", page.title},
+          {"description", page.description},
+          {"methods", page.methods},
+          {"datasets", std::move(datasets)},
+          {"main_measure", page.main_measure},
+          {"tables", std::move(tables)},
+          {"failures", page.failures}};
+}
+
+}  // namespace
+
+std::string multi_dataset_page(const MultiDatasetPage& page) {
+  return scripted_page(page_files::multi_dataset_page(),
+                       {.title = page.title,
+                        .styles = {page_files::report_style(), page_files::multi_dataset_style()},
+                        .libraries = {page_files::chart_library()},
+                        .data = multi_dataset_page_json(page),
+                        .script = page_files::multi_dataset_script()});
+}
+
+}  // namespace shapegauge

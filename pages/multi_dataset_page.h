@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/metrics/bootstrap.h"
+#include "shapegauge/metrics/friedman_test.h"
+
+namespace shapegauge {
+
+/// A data set on the page of a multi-dataset experiment.
+struct MultiDatasetPageDataset {
+  std::string name;
+  std::string page;  ///< relative address of its report; empty: none
+  std::size_t models = 0;
+  std::size_t queries = 0;
+};
+
+/// Methods by data sets under one protocol, measure and average.
+struct MultiDatasetPageTable {
+  std::string protocol;
+  Average average = Average::micro;
+  std::string measure;
+  Eigen::MatrixXd values;                 ///< data sets x methods, fractions
+  const RankComparison* ranks = nullptr;  ///< must outlive the page
+  std::vector<std::string> letters;       ///< by position in the order of the ranks
+  std::string words;                      ///< about the tests
+};
+
+/// Contents of the page of a multi-dataset experiment.
+struct MultiDatasetPage {
+  std::string title;
+  std::string description;
+  std::vector<std::string> methods;
+  std::vector<MultiDatasetPageDataset> datasets;
+  std::vector<MultiDatasetPageTable> tables;  ///< every combination of the protocols, averages and measures
+  std::string main_measure;                   ///< shown first
+  std::vector<std::pair<std::string, std::string>> failures;  ///< data sets left out, and why
+};
+
+/// The page as one HTML file that needs nothing else; it leads to the reports of the data sets.
+std::string multi_dataset_page(const MultiDatasetPage& page);
+
+}  // namespace shapegauge

@@ -1,0 +1,218 @@
+#include <atomic>
+#include <gmock/gmock.h>
+
+#include "shapegauge/core/io/off.h"
+#include "shapegauge/datasets/files/csv.h"
+#include "shapegauge/experiments/configuration/read_configuration.h"
+#include "shapegauge/experiments/configuration/shape_comparison.h"
+#include "shapegauge/experiments/shape_comparison/run_shape_comparison.h"
+#include "shapegauge/experiments/shape_comparison/write_shape_comparison.h"
+#include "tests/support/test_files.h"
+#include "tests/support/test_shapes.h"
+
+namespace shapegauge {
+
+namespace {
+
+namespace fs = std::filesystem;
+using test::text_of;
+using test::write_text;
+using testing::HasSubstr;
+using Json = nlohmann::json;
+
+/// A sphere, a copy of its file under another name, and a noisy sphere.
+class RunComparison : public testing::Test {
+ protected:
+  void SetUp() override {
+    Shape sphere = test::sphere(10, 3);
+    sphere.vertices.rowwise() += Eigen::RowVector3d(5, 0, 1);  // another scale and position
+    write_off(path("sphere.off"), sphere);
+  }
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder_.path() / name; }
+  [[nodiscard]] static Json document() {
+    return Json::parse(R"({
+      "name": "spheres",
+      "shapes": [
+        {"name": "noisy", "file": "sphere.off", "perturbations": [{"type": "vertex_noise", "amplitude": 0.01}]},
+        {"name": "clean", "file": "sphere.off"},
+        {"name": "again", "file": "sphere.off"}
+      ],
+      "reference": "clean",
+      "signatures": [
+        {"name": "offset", "field": {"type": "offset_sdf", "offset": 0.03},
+         "histogram": {"bins": 10, "range": {"fixed": [0, 0.6]}}},
+        {"name": "cone", "field": {"type": "cone_sdf"}, "histogram": {"bins": 10, "range": "dataset"}},
+        {"name": "vertices", "field": {"type": "offset_sdf", "offset": 0.03, "at": "vertices"},
+         "histogram": {"bins": 10, "range": "per-shape"}}
+      ]})");
+  }
+  [[nodiscard]] ShapeComparisonResults run(const Json& changed = document(), const RunControl& control = {}) const {
+    return run_shape_comparison(comparison_from_json(changed, "test.json", folder_.path()), control);
+  }
+
+ private:
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RunComparison, AShapeIsNoDistanceFromItself) {
+  const ShapeComparisonResults results = run();
+  ASSERT_EQ(results.shapes.size(), 3U);
+  EXPECT_EQ(results.shapes[2].name, "again");
+  for (const SignatureResults& signature : results.signatures) {
+    EXPECT_GT(signature.distances[0], 0);
+    EXPECT_EQ(signature.distances[1], 0);
+    EXPECT_EQ(signature.distances[2], 0);
+  }
+  for (const std::size_t shape : {1U, 2U}) {
+    for (const FieldMeasurement& field : results.shapes[shape].fields) {
+      EXPECT_EQ(field.errors->percentile_90, 0);
+      EXPECT_EQ(field.errors->relative_percentile_90, 0);
+    }
+    // At the centroids of a convex mesh the offset normal is that of the triangle, up to rounding.
+    EXPECT_LT(results.shapes[shape].fields[0].offset_normals->percentile_90, 1e-4);
+    EXPECT_FALSE(results.shapes[shape].fields[1].offset_normals) << "the cone estimates no normals";
+  }
+}
+
+TEST_F(RunComparison, NoiseMakesErrorsInTheReferencesUnits) {
+  const ShapeComparisonResults results = run();
+  for (const FieldMeasurement& field : results.shapes[0].fields) {
+    // The noise is 1 % of the diagonal on either side of a diameter of 58 % of it.
+    EXPECT_GT(field.errors->median, 1e-4);
+    EXPECT_LT(field.errors->percentile_90, 0.04);
+    EXPECT_NEAR(field.errors->relative_median * 20 / 34.6, field.errors->median, 0.1 * field.errors->median);
+  }
+}
+
+TEST_F(RunComparison, AFieldWithoutADimensionIsNoFurtherOffForNoiseInTheArea) {
+  // A heat kernel that is 1 everywhere. Noise makes the area larger, which is scaled to 1 again.
+  Json changed = document();
+  changed["shapes"][0]["perturbations"][0]["amplitude"] = 0.03;
+  changed["signatures"] = Json::parse(R"([
+    {"name": "heat", "field": {"type": "heat_kernel", "time": 100, "eigenvalues": 10, "at": "vertices"},
+     "histogram": {"range": "dataset"}}])");
+  const ShapeComparisonResults results = run(changed);
+  EXPECT_GT(results.shapes[0].report.area, 1.1 * results.shapes[1].report.area);
+  EXPECT_NEAR(results.shapes[0].fields[0].errors->relative_percentile_90, 0, 1e-6);
+  EXPECT_NEAR(results.shapes[0].fields[0].errors->percentile_90, 0, 1e-6);
+}
+
+TEST_F(RunComparison, NormalsAreMeasuredAgainstTheReferencesTriangles) {
+  const ShapeComparisonResults results = run();
+  const FieldMeasurement& noisy = results.shapes[0].fields[0];
+  const FieldMeasurement& clean = results.shapes[1].fields[0];
+  EXPECT_LT(clean.own_normals->mean, 1e-5);
+  EXPECT_LT(clean.offset_normals->mean, 1e-5);
+  EXPECT_GT(noisy.own_normals->mean, 1);
+  EXPECT_GT(noisy.offset_normals->mean, 1);
+  EXPECT_GT(noisy.own_normals->percentile_90, noisy.own_normals->median);
+}
+
+TEST_F(RunComparison, TheSameBytesForAnyNumberOfThreads) {
+  for (const int threads : {1, 3}) {
+    RunControl control;
+    control.threads = threads;
+    write_shape_comparison(path(std::to_string(threads)), run(document(), control));
+  }
+  for (const char* file :
+       {"summary.md", "histograms.csv", "distances.csv", "errors.csv", "normals.csv", "shapes.csv"}) {
+    EXPECT_NE(text_of(path("1") / file), "") << file;
+    EXPECT_TRUE(text_of(path("1") / file) == text_of(path("3") / file)) << file;
+  }
+  Json one = Json::parse(text_of(path("1") / "manifest.json"));
+  Json three = Json::parse(text_of(path("3") / "manifest.json"));
+  one.erase("execution");
+  three.erase("execution");
+  EXPECT_EQ(one, three);
+  EXPECT_EQ(one["inputs"]["shapes"]["clean"].get<std::string>().size(), 64U);
+}
+
+TEST_F(RunComparison, TheFilesHaveARowForEachSignatureAndShape) {
+  write_shape_comparison(path("out"), run());
+  const auto rows = [&](const char* file) { return parse_csv(text_of(path("out") / file), file); };
+  EXPECT_EQ(rows("distances.csv").size(), 1 + 9U);
+  EXPECT_EQ(rows("errors.csv").size(), 1 + 9U);
+  EXPECT_EQ(rows("normals.csv").size(), 1 + 6U);
+  EXPECT_EQ(rows("timings.csv").size(), 1 + 9U);
+  EXPECT_EQ(rows("histograms.csv").size(), 1 + 90U);
+  EXPECT_EQ(rows("shapes.csv").size(), 1 + 3U);
+  EXPECT_EQ(rows("distances.csv")[1].cells[0], "offset");
+  EXPECT_EQ(rows("distances.csv")[1].cells[1], "noisy");
+  EXPECT_EQ(rows("distances.csv")[1].cells[2], "clean");
+  EXPECT_THAT(text_of(path("out") / "summary.md"), HasSubstr("## Normals"));
+}
+
+TEST_F(RunComparison, ShapesOfOtherPosesAndShapesWithoutAReferenceHaveNoErrors) {
+  Json poses = document();
+  poses["registered"] = false;
+  EXPECT_FALSE(run(poses).shapes[0].fields[0].errors);
+  EXPECT_EQ(run(poses).signatures[0].distances.size(), 3U);
+  Json alone = document();
+  alone.erase("reference");
+  write_shape_comparison(path("out"), run());
+  write_shape_comparison(path("out"), run(alone));
+  EXPECT_FALSE(fs::exists(path("out") / "errors.csv")) << "of the earlier run";
+  EXPECT_FALSE(fs::exists(path("out") / "distances.csv"));
+  EXPECT_TRUE(fs::exists(path("out") / "timings.csv"));
+}
+
+TEST_F(RunComparison, ABadShapeStopsItOrIsLeftOut) {
+  write_text(path("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n");
+  Json changed = document();
+  changed["shapes"][2]["file"] = "flat.off";
+  changed["shapes"].push_back({{"name", "absent"}, {"file", "absent.off"}});
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("shape \"absent\": "));
+  changed["on_error"] = "skip";
+  const ShapeComparisonResults results = run(changed);
+  ASSERT_EQ(results.failures.size(), 2U);
+  EXPECT_EQ(results.failures[0].id, "again");
+  EXPECT_THAT(results.failures[0].message, HasSubstr("area"));
+  EXPECT_EQ(results.shapes.size(), 2U);
+  EXPECT_EQ(results.signatures[0].distances[1], 0);
+  changed["reference"] = "again";
+  EXPECT_THAT(test::input_error_of([&] { static_cast<void>(run(changed)); }), HasSubstr("it is the reference"));
+}
+
+TEST_F(RunComparison, AnInterruptionStopsIt) {
+  std::atomic<int> asked = 0;
+  RunControl control;
+  control.interrupted = [&] { return ++asked > 2; };
+  EXPECT_THROW(static_cast<void>(run(document(), control)), Interrupted);
+}
+
+TEST_F(RunComparison, ACloudIsComparedWithAMesh) {
+  Json changed = document();
+  changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
+  changed["signatures"].erase(1);
+  changed["signatures"][0]["field"]["offset"] = 0.1;  // well above the points' spacing
+  const ShapeComparisonResults results = run(changed);
+  const FieldMeasurement& cloud = results.shapes[0].fields[0];
+  EXPECT_EQ(cloud.samples, 642U);
+  EXPECT_LT(cloud.errors->percentile_90, 0.02);
+  EXPECT_LT(cloud.offset_normals->percentile_90, 8);
+}
+
+/// The orientation of normals of an unoriented cloud is arbitrary: compares lines only.
+TEST_F(RunComparison, TheSidesOfACloudsOwnNormalsCountWhereTheFileHasThem) {
+  Json changed = document();
+  changed["shapes"][0]["perturbations"] = Json::parse(R"([{"type": "vertex_cloud"}])");
+  changed["signatures"].erase(1);
+  changed["signatures"][0]["field"]["offset"] = 0.1;
+  const ShapeComparisonResults results = run(changed);
+  EXPECT_LT(results.shapes[0].fields[0].own_normals->percentile_90, 8);
+}
+
+TEST(GeneratedComparison, RunsWithoutData) {
+  const fs::path file = fs::path(SHAPEGAUGE_CONFIGS_FOLDER) / "generated_comparison.json";
+  Json document = read_configuration_document(file);
+  document["shapes"].erase(document["shapes"].begin() + 2, document["shapes"].end());
+  for (Json& shape : document["shapes"]) shape["generate"] = {{"class", "snake"}, {"faces", 1000}};
+  const ShapeComparisonResults results = run_shape_comparison(comparison_from_json(document, file.string(), ""), {});
+  EXPECT_EQ(results.shapes.size(), 2U);
+  EXPECT_TRUE(results.failures.empty());
+  EXPECT_EQ(results.signatures[0].distances[0], 0);
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,30 @@
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import { MultiDatasetState, contests } from '../../pages/multi_dataset/multi_dataset_state.mjs';
+import { namePlaces } from '../../pages/multi_dataset/critical_difference.mjs';
+
+function sampleMultiDataset() {
+  const tables = ['psb', 'paper'].flatMap((protocol) => ['micro', 'macro'].flatMap((average) =>
+    ['NN', 'mAP'].map((measure) => ({ protocol, average, measure }))));
+  return { methods: ['a', 'b'], main_measure: 'mAP', tables };
+}
+
+test('the table is that of the chosen protocol, average and measure', () => {
+  const state = new MultiDatasetState(sampleMultiDataset());
+  assert.deepEqual(state.table, { protocol: 'psb', average: 'micro', measure: 'mAP' });
+  state.change({ protocol: 1, average: 'macro', measure: 0 });
+  assert.deepEqual(state.table, { protocol: 'paper', average: 'macro', measure: 'NN' });
+});
+
+test('a contest is seen from both sides', () => {
+  const rows = contests({ pairs: [{ first: 0, second: 2, p: 0.04, counts: [3, 1, 2] }] }, 3);
+  assert.deepEqual(rows[0][2], { text: '3 / 1 / 2', wins: 3, significant: true });
+  assert.deepEqual(rows[2][0], { text: '2 / 1 / 3', wins: 2, significant: true });
+  assert.equal(rows[0][1], null);
+});
+
+test('names of the diagram stand in two columns without crossing lines', () => {
+  assert.deepEqual(namePlaces(5).map(({ left, line }) => [left, line]),
+    [[true, 0], [true, 1], [true, 2], [false, 1], [false, 0]]);
+});

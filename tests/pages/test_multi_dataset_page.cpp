@@ -1,0 +1,65 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "shapegauge/pages/multi_dataset_page.h"
+#include "tests/pages/sample_multi_dataset.h"
+
+namespace shapegauge {
+
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::size_t times_in(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+  return found;
+}
+
+TEST(MultiDatasetPage, NoNameCanBreakThePage) {
+  const std::string page = multi_dataset_page(test_multi_dataset::sample_multi_dataset().page);
+  EXPECT_EQ(times_in(page, "</script>"), 3U) << "the library, the data, the scripts";
+  EXPECT_EQ(times_in(page, "</title>"), 1U);
+  EXPECT_THAT(page, HasSubstr("default-src 'none'"));
+  EXPECT_THAT(page, Not(HasSubstr("{{")));
+}
+
+TEST(MultiDatasetPage, HasTheValuesRanksAndGroupsOfEachTable) {
+  const auto& sample = test_multi_dataset::sample_multi_dataset();
+  const std::string page = multi_dataset_page(sample.page);
+  const std::string opening = R"(id="multi-dataset-data">)";
+  const std::size_t begin = page.find(opening) + opening.size();
+  const auto json = nlohmann::ordered_json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  ASSERT_EQ(json["tables"].size(), 8U);
+  const auto& table = json["tables"][5];
+  EXPECT_EQ(table["average"], "micro");
+  EXPECT_NEAR(table["values"][3][2].get<double>(), sample.page.tables[5].values(3, 2), 1e-5);
+  EXPECT_NEAR(table["mean_ranks"][4].get<double>(), sample.ranks[5].mean_ranks[4], 1e-4);
+  EXPECT_EQ(table["groups"].size(), sample.ranks[5].groups.size());
+  EXPECT_EQ(table["pairs"].size(), 66U);
+  EXPECT_EQ(json["failures"][0][1], "no such folder </script>");
+}
+
+TEST(MultiDatasetPage, HasNoCriticalDifferenceOfOneDataSet) {
+  const RankComparison ranks = compare_by_ranks((Eigen::MatrixXd(1, 2) << 1, 0).finished());
+  const MultiDatasetPage one{.title = "one",
+                             .description = {},
+                             .methods = {"a", "b"},
+                             .datasets = {{.name = "set", .page = {}, .models = 2, .queries = 2}},
+                             .tables = {{.protocol = "psb",
+                                         .average = Average::micro,
+                                         .measure = "NN",
+                                         .values = (Eigen::MatrixXd(1, 2) << 1, 0).finished(),
+                                         .ranks = &ranks,
+                                         .letters = {"a", "a"},
+                                         .words = {}}},
+                             .main_measure = "NN",
+                             .failures = {}};
+  EXPECT_THAT(multi_dataset_page(one), HasSubstr("\"critical_difference\":null"));
+}
+
+}  // namespace
+
+}  // namespace shapegauge

@@ -1,0 +1,71 @@
+"""Defaults of signatures and docstrings are those of the registries."""
+
+import inspect
+import json
+
+import numpy as np
+import pytest
+from support import bumpy_torus
+
+import shapegauge as sg
+from shapegauge import _native
+
+REGISTERED = json.loads(_native.settings())
+
+
+def section(name):
+    return {key: setting["default"] for key, setting in REGISTERED["sections"][name]["settings"].items()}
+
+
+@pytest.mark.parametrize("function, registered", [
+    (sg.evaluate, {**section("evaluation"), **{key: REGISTERED["defaults"]["compare"][key]
+                                               for key in ("blocks", "resamples", "seed")}}),
+    (sg.compare, {**section("evaluation"), **REGISTERED["defaults"]["compare"]}),
+    (sg.fuse, {key: value for key, value in section("signature").items() if key != "score"}),
+    (sg.segment, {"method": section("segmentation_method")["method"]}),
+    (sg.rerank, {"method": next(iter(REGISTERED["rerank"]))}),
+    (sg.field, {"type": next(iter(REGISTERED["fields"]))}),
+], ids=lambda value: getattr(value, "__name__", ""))
+def test_defaults_of_a_signature_are_the_registered_ones(function, registered):
+    parameters = inspect.signature(function).parameters
+    assert {name: parameters[name].default for name in registered} == registered
+
+
+def test_distances_without_weight_are_fused_with_the_registered_one():
+    distances = [np.abs(np.subtract.outer(x, x)) for x in (np.arange(6.0) ** 2, np.arange(6.0)[::-1] ** 1.5)]
+    weight = section("sum_term")["weight"]
+    assert (sg.fuse(distances) == sg.fuse(distances, weight=[weight, weight])).all()
+    assert (sg.fuse(distances) != sg.fuse(distances, weight=[weight, 2 * weight])).any()
+
+
+def test_sdf_takes_the_registered_defaults():
+    vertices, faces = bumpy_torus()
+    cone = {name: setting["default"] for name, setting in REGISTERED["fields"]["cone_sdf"]["settings"].items()}
+    given = sg.sdf(vertices, faces, "cone", rays=cone["rays"], opening_angle=cone["opening_angle_degrees"],
+                   engine=cone["engine"])
+    assert (given.values == sg.sdf(vertices, faces, "cone").values).all()
+    offset = REGISTERED["defaults"]["sdf"]["offset"]
+    assert sg.sdf(vertices, faces).offset == offset
+    accuracy = REGISTERED["fields"]["offset_sdf"]["settings"]["accuracy"]["default"]
+    assert (sg.sdf(vertices, faces).values == sg.sdf(vertices, faces, offset=offset, accuracy=accuracy).values).all()
+
+
+@pytest.mark.parametrize("function, kind", [(sg.field, "fields"), (sg.describe, "descriptors"), (sg.rerank, "rerank")],
+                         ids=lambda value: getattr(value, "__name__", value))
+def test_docstrings_list_every_entry_with_its_settings(function, kind):
+    lines = inspect.getdoc(function).splitlines()
+    for name, entry in REGISTERED[kind].items():
+        begin = next(i for i, line in enumerate(lines) if line.strip().startswith(f'"{name}": '))
+        end = next((i for i in range(begin, len(lines)) if not lines[i].strip()), len(lines))
+        text = " ".join(line.strip() for line in lines[begin:end])
+        for setting, known in entry["settings"].items():
+            default = "required" if known["default"] is None else f"default: {json.dumps(known['default'])}"
+            assert f" {setting}: {known['meaning'].rstrip('.')} ({known['values']}; {default})" in text
+
+
+def test_the_docstring_of_sdf_has_its_own_names_and_the_offset():
+    text = inspect.getdoc(sg.sdf)
+    cone = REGISTERED["fields"]["cone_sdf"]["settings"]
+    assert f"opening_angle: {cone['opening_angle_degrees']['meaning'].rstrip('.')}" in text
+    assert f"default: {json.dumps(REGISTERED['defaults']['sdf']['offset'])}" in text
+    assert "opening_angle_degrees" not in text and "postprocess" not in text

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shapegauge/datasets/files/csv.h"
+#include "tests/support/test_files.h"
+
+/// Tables that programs write, read back by the names of their columns.
+namespace shapegauge::test {
+
+/// The rows of a CSV file, each by column.
+inline std::vector<std::map<std::string, std::string>> csv_records(const std::filesystem::path& file) {
+  const std::vector<CsvRow> rows = parse_csv(text_of(file), file.string());
+  std::vector<std::map<std::string, std::string>> records;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    auto& record = records.emplace_back();
+    for (std::size_t k = 0; k < rows[i].cells.size(); ++k) record[rows[0].cells.at(k)] = rows[i].cells[k];
+  }
+  return records;
+}
+
+/// The cells of the only row that has these texts under these columns. Throws std::out_of_range where there is none or
+/// several.
+inline std::map<std::string, std::string> csv_record(
+    const std::filesystem::path& file, std::initializer_list<std::pair<std::string, std::string>> wanted) {
+  std::vector<std::map<std::string, std::string>> found;
+  for (const auto& record : csv_records(file)) {
+    bool fits = true;
+    for (const auto& [column, text] : wanted) fits &= record.at(column) == text;
+    if (fits) found.push_back(record);
+  }
+  if (found.size() != 1) throw std::out_of_range(std::to_string(found.size()) + " rows in " + file.string());
+  return found.front();
+}
+
+/// The numbers of that row under columns, in their order.
+inline std::vector<double> csv_numbers(const std::map<std::string, std::string>& record,
+                                       std::initializer_list<std::string> columns) {
+  std::vector<double> numbers;
+  for (const std::string& column : columns) numbers.push_back(std::stod(record.at(column)));
+  return numbers;
+}
+
+}  // namespace shapegauge::test
