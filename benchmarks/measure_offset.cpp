@@ -82,10 +82,10 @@ Case read_case(const std::string& path, int cut) {
   return {path.substr(path.rfind('/') + 1), std::move(shape), std::move(faces)};
 }
 
-OffsetAnswers answers(const Shape& shape, const Points& points, const Points& normals, double offset,
+OffsetResults answers(const Shape& shape, const Points& points, const Points& normals, double offset,
                       double cells_per_offset = 3, bool parallel = false) {
-  return answer_by_grid(shape, points, normals,
-                        {.offset = offset, .cells_per_offset = cells_per_offset, .parallel = parallel});
+  return solve_on_grid(shape, points, normals,
+                       {.offset = offset, .cells_per_offset = cells_per_offset, .parallel = parallel});
 }
 
 double processor_seconds() {
@@ -117,7 +117,7 @@ void measure_times(const Case& one, const Settings& settings) {
   const double cone = least_seconds(processor_seconds, [&] { cone_sdf(one.shape, one.faces, {.parallel = false}); });
   fmt::print("| {} | {} | {:.1f} |", one.name, one.faces.points.rows(), 1e3 * cone);
   for (const double offset : settings.offsets) {
-    OffsetAnswers found;
+    OffsetResults found;
     const double seconds = least_seconds(
         processor_seconds, [&] { found = answers(one.shape, one.faces.points, one.faces.normals, offset); });
     const auto undecided = std::count(found.outcomes.begin(), found.outcomes.end(), OffsetOutcome::undecided);
@@ -143,7 +143,7 @@ void measure_threads(const Case& one, const Settings& settings) {
 }
 
 /// Percentages of values that differ by more than 1 % and 10 % of r.
-std::string difference(const OffsetAnswers& a, const OffsetAnswers& b, double offset) {
+std::string difference(const OffsetResults& a, const OffsetResults& b, double offset) {
   const Eigen::ArrayXd change = (a.values - b.values).array().abs() / offset;
   const auto percent = [&](double limit) {
     return 100.0 * static_cast<double>((change > limit).count()) / static_cast<double>(change.size());
@@ -161,7 +161,7 @@ void measure_turned(const Case& one, const Settings& settings) {
   for (double& coordinate : noisy.vertices.reshaped()) coordinate += random.uniform(-1e-3, 1e-3);
   const Samples noisy_faces = sample_shape(noisy, SampleSite::faces);
   for (const double offset : settings.offsets) {
-    const OffsetAnswers found = answers(one.shape, points, normals, offset);
+    const OffsetResults found = answers(one.shape, points, normals, offset);
     fmt::print("| {}, {:g} % | turned {} | cells half as large {} | 0.1 % noise {} |\n", one.name, 100 * offset,
                difference(found, answers(turned, points * back, normals * back, offset), offset),
                difference(found, answers(one.shape, points, normals, offset, 6), offset),
@@ -195,7 +195,7 @@ void measure_exactness(const Case& one, const Settings& settings) {
   for (const double r : settings.offsets) {
     ProvenOffsetSdf proven(one.shape, r);
     const test::RaisedSamples raised_samples(one.shape, r);
-    const OffsetAnswers found = answers(one.shape, one.faces.points, one.faces.normals, r);
+    const OffsetResults found = answers(one.shape, one.faces.points, one.faces.normals, r);
     Exactness exactness;
     for (Eigen::Index i = 0; i < one.faces.points.rows(); i += settings.every) {
       if (found.outcomes[static_cast<std::size_t>(i)] == OffsetOutcome::missing) continue;

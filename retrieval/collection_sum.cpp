@@ -73,7 +73,7 @@ class PassUpdate {
     return earlier_.places[static_cast<std::size_t>(model)];
   }
 
-  /// Takes the first of the entries, which must include all of the nearest.
+  /// Keeps the first of the entries, which must include all of the nearest.
   void take_nearest(Eigen::Index model, std::vector<Entry>& entries) {
     std::ranges::partial_sort(entries, entries.begin() + count_);
     for (Eigen::Index n = 0; n < count_; ++n) {
@@ -83,7 +83,7 @@ class PassUpdate {
     }
   }
 
-  /// Requests the model's row, and takes its nearest and their mean from it.
+  /// Requests the model's row and computes its nearest models and their mean distance.
   DistanceMatrix whole_row(Eigen::Index model) {
     DistanceMatrix row = rows_(model, 1);
     std::vector<Entry> entries;
@@ -95,8 +95,8 @@ class PassUpdate {
     return row;
   }
 
-  /// Takes the model's nearest and their mean from its earlier nearest and the new models, and returns true, if these
-  /// suffice.
+  /// Computes the model's nearest models and their mean distance from its earlier nearest and the new models. Returns
+  /// false if these do not suffice.
   bool follows_from_earlier(Eigen::Index model) {
     std::vector<Entry> entries;
     for (Eigen::Index n = 0; n < before_.indices.cols(); ++n) {
@@ -107,7 +107,7 @@ class PassUpdate {
     for (std::size_t k = 0; k < new_models_.size(); ++k) entries.emplace_back(new_rows_[k](0, model), new_models_[k]);
     if (std::ssize(entries) < count_) return false;
     take_nearest(model, entries);
-    constexpr std::ptrdiff_t averaged = 10;  // by mean_distance_to_nearest()
+    constexpr std::ptrdiff_t averaged = 10;  // number of models averaged by mean_distance_to_nearest()
     const auto distances = found_.nearest.distances.row(model);
     if (count_ < models_ - 1 && (distances.array() > 0).count() < averaged) return false;
     found_.means[model] = mean_distance_to_nearest({distances.data(), static_cast<std::size_t>(count_)});
@@ -119,7 +119,7 @@ class PassUpdate {
   const EarlierSum& earlier_;
   const NearestModels& before_;
   Eigen::Index count_;
-  std::vector<std::int32_t> now_of_;  ///< by model then its index now; -1: it is gone
+  std::vector<std::int32_t> now_of_;  ///< by earlier model: present index; -1 if removed
   std::vector<std::int32_t> new_models_;
   std::vector<DistanceMatrix> new_rows_;
   TermPass found_;

@@ -178,7 +178,7 @@ void add_scores(const DistanceMatrix& matrix, Eigen::Index row, double weight, R
   std::ranges::stable_sort(order, {}, [&](Eigen::Index column) { return matrix(row, column); });
   Eigen::Index rank = 0;
   for (const Eigen::Index column : order) {
-    if (std::isinf(matrix(row, column))) break;  // so are all behind it
+    if (std::isinf(matrix(row, column))) break;  // and all that follow
     sums(row, column) += weight * score_of(++rank, matrix.cols(), score);
   }
 }
@@ -257,7 +257,8 @@ std::vector<double> sum_weights(std::span<const NearestModels> nearest, std::spa
   for (const NearestModels& one : nearest) models = std::max(models, one.indices.rows());
   const auto positive = std::ranges::count_if(weights, [](double weight) { return weight > 0; });
   std::vector<int> counts = neighbour_counts({});
-  std::erase_if(counts, [&](int count) { return count >= models - 1; });  // all others: nothing is seen
+  std::erase_if(counts,
+                [&](int count) { return count >= models - 1; });  // the set of all others carries no information
   if (positive < 2 || counts.empty()) return found;
   std::vector<std::vector<NearestSets>> sets(nearest.size());
   for (std::size_t k = 0; k < nearest.size(); ++k) {

@@ -27,10 +27,10 @@ struct LocalScales {
   [[nodiscard]] double root_of(double mean) const;
 };
 
-/// Interquartile range of a collection's distances, each divided by both models' roots, from the rows of 64 models (of
-/// all, where there are fewer) to all others. The 64 are evenly spread over the models in the order of their means, so
-/// that the order of the models does not matter but where means are equal. Infinite distances do not count. 1 where the
-/// range is 0 or there is no distance.
+/// Estimates the interquartile range of a collection's locally scaled distances from the rows of 64 models, or of all
+/// models if there are fewer. The 64 are evenly spaced in the order of mean distances; the result therefore depends on
+/// the order of models only if means are equal. Ignores infinite distances. Returns 1 if the range is 0 or there are no
+/// distances.
 double spread_of_scaled(const Eigen::VectorXd& means, const LocalScales& scales, const RowSource& rows);
 
 }  // namespace shapegauge

@@ -1,4 +1,4 @@
-// The loops over many points, compiled once for each instruction set that Highway knows of.
+// Loops over points, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/offset/block_distances.cpp"
@@ -18,12 +18,12 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The point that distances are measured from.
+/// Query point of distances.
 template <typename D>
-struct Place {
-  Place(D d, const Eigen::Vector3f& at) : x(hn::Set(d, at.x())), y(hn::Set(d, at.y())), z(hn::Set(d, at.z())) {}
+struct QueryPoint {
+  QueryPoint(D d, const Eigen::Vector3f& at) : x(hn::Set(d, at.x())), y(hn::Set(d, at.y())), z(hn::Set(d, at.z())) {}
 
-  /// Squared distances to a vector of points.
+  /// Computes the squared distances to a vector of points.
   [[nodiscard]] HWY_INLINE hn::Vec<D> squared(D d, const float* px, const float* py, const float* pz) const {
     const auto dx = hn::Sub(hn::LoadU(d, px), x);
     const auto dy = hn::Sub(hn::LoadU(d, py), y);
@@ -38,7 +38,7 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
                            float* squared) {
   const hn::CappedTag<float, grid_padding> d;
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const Place<decltype(d)> place(d, from);
+  const QueryPoint<decltype(d)> place(d, from);
   auto smallest = infinite;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
     const auto sum = place.squared(d, x + i, y + i, z + i);
@@ -48,14 +48,14 @@ float squared_distances_to(const float* x, const float* y, const float* z, std::
   return hn::GetLane(hn::MinOfLanes(d, smallest));
 }
 
-/// The places from 0 to n, in their order, for which is_chosen(i) says so of the vector that begins at i; returns how
-/// many.
+/// Writes the selected indices below n, ascending, and returns their number. is_selected(i) is the mask of the vector
+/// that begins at i.
 template <typename IsChosen>
-HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_chosen, std::uint32_t* indices) {
+HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_selected, std::uint32_t* indices) {
   const hn::CappedTag<float, grid_padding> d;
   std::size_t count = 0;
   for (std::size_t i = 0; i < n; i += hn::Lanes(d)) {
-    const auto chosen = hn::And(hn::FirstN(d, n - i), is_chosen(i));
+    const auto chosen = hn::And(hn::FirstN(d, n - i), is_selected(i));
     if (hn::AllFalse(d, chosen)) continue;
     std::array<std::uint8_t, 8> bytes{};
     hn::StoreMaskBits(d, chosen, bytes.data());
@@ -66,18 +66,18 @@ HWY_INLINE std::size_t indices_where(std::size_t n, const IsChosen& is_chosen, s
   return count;
 }
 
-std::size_t indices_of(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
+std::size_t indices_up_to(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
   const hn::CappedTag<float, grid_padding> d;
   const auto most = hn::Set(d, limit);
   return indices_where(
       n, [&](std::size_t i) HWY_ATTR { return hn::Le(hn::LoadU(d, numbers + i), most); }, indices);
 }
 
-/// Of the points of a run, at given squared distances from a block's centre, those that may be the nearest to one of
-/// its cells' centres. c + e is no farther from p than from the point a nearest to c where |c - p|^2 - |c - a|^2 <=
-/// 2 e (p - a), and no part of e exceeds 3 / 2.
-std::size_t rivals_of(const GridPoints& points, GridPoints::Run run, const float* squared, const Eigen::Vector3f& a,
-                      float smallest, std::uint32_t* indices) {
+/// Selects the points of a run that may be the nearest to the centre of one of a block's cells, given their squared
+/// distances from the block's centre c. A cell's centre c + e is no farther from p than from a, the point nearest to c,
+/// if |c - p|^2 - |c - a|^2 <= 2 e (p - a), and no coordinate of e exceeds 3 / 2.
+std::size_t candidates_in(const GridPoints& points, GridPoints::Run run, const float* squared, const Eigen::Vector3f& a,
+                          float smallest, std::uint32_t* indices) {
   const hn::CappedTag<float, grid_padding> d;
   constexpr float rounding = 1e-3F;  // of squared distances up to a hundred or two
   const auto x = hn::Set(d, a.x());
@@ -85,19 +85,19 @@ std::size_t rivals_of(const GridPoints& points, GridPoints::Run run, const float
   const auto z = hn::Set(d, a.z());
   const auto least = hn::Set(d, smallest + rounding);
   const auto edge = hn::Set(d, static_cast<float>(block_edge - 1));
-  const auto is_rival = [&](std::size_t i) HWY_ATTR {
+  const auto is_candidate = [&](std::size_t i) HWY_ATTR {
     const auto apart = hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.x[run.begin + i]), x)),
                                hn::Add(hn::Abs(hn::Sub(hn::LoadU(d, &points.y[run.begin + i]), y)),
                                        hn::Abs(hn::Sub(hn::LoadU(d, &points.z[run.begin + i]), z))));
     return hn::Le(hn::LoadU(d, squared + i), hn::MulAdd(edge, apart, least));
   };
-  return indices_where(run.end - run.begin, is_rival, indices);
+  return indices_where(run.end - run.begin, is_candidate, indices);
 }
 
-/// The points of the runs whose squared distance exceeds the smallest by no more than the margin: the nearest of them,
-/// in the order of their distances.
-void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
-                     float margin, NearestPoints& nearest) {
+/// Collects the points of the runs whose squared distance exceeds the smallest by at most the margin; keeps the
+/// nearest.
+void nearest_candidates(const GridPoints& points, const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from,
+                        float margin, NearestPoints& nearest) {
   const hn::CappedTag<float, grid_padding> d;
   const std::size_t lanes = hn::Lanes(d);
   std::size_t vectors = 0;
@@ -105,7 +105,7 @@ void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run
   if (nearest.squared.size() < vectors * lanes) nearest.squared.resize(vectors * lanes);
   if (nearest.first.size() < vectors) nearest.first.resize(vectors);
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const Place<decltype(d)> place(d, from);
+  const QueryPoint<decltype(d)> place(d, from);
   auto smallest = infinite;
   vectors = 0;
   for (const auto& [begin, end] : runs) {
@@ -132,13 +132,13 @@ void nearest_in_runs(const GridPoints& points, const std::vector<GridPoints::Run
   }
 }
 
-/// The triangle of the nearest point of the runs, the first of those as near; -1 where they are empty.
-std::int32_t nearest_of_runs(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
-                             const Eigen::Vector3f& from) {
+/// Returns the triangle of the nearest point of the runs (ties: the first); -1 if they are empty.
+std::int32_t nearest_in(const GridPoints& points, const std::vector<GridPoints::Run>& runs,
+                        const Eigen::Vector3f& from) {
   const hn::CappedTag<float, grid_padding> d;
   const hn::RebindToSigned<decltype(d)> di;
   const auto infinite = hn::Set(d, std::numeric_limits<float>::infinity());
-  const Place<decltype(d)> place(d, from);
+  const QueryPoint<decltype(d)> place(d, from);
   const auto lanes = static_cast<std::uint32_t>(hn::Lanes(d));
   const auto numbers = hn::Iota(di, 0);
   auto best = infinite;
@@ -160,8 +160,8 @@ std::int32_t nearest_of_runs(const GridPoints& points, const std::vector<GridPoi
   return first == std::numeric_limits<std::int32_t>::max() ? -1 : points.triangle[static_cast<std::size_t>(first)];
 }
 
-/// For each of the 64 cells whose first centre is given the triangle of the nearest of the points; returns which cells
-/// are farther than r from all. A layer of 16 cells at once, the four layers sharing what they have in common.
+/// Computes the triangle of the nearest point for each of a block's 64 cells, given the centre of the first, and
+/// returns the cells farther than r from all points. The four layers of 16 cells share the distances in the plane.
 std::uint64_t nearest_of_cells(const NearbyPoints& points, const Eigen::Vector3f& first, float r2,
                                std::int32_t* triangles) {
   const hn::CappedTag<float, 16> d;
@@ -225,28 +225,28 @@ HWY_AFTER_NAMESPACE();
 namespace shapegauge {
 
 HWY_EXPORT(squared_distances_to);
-HWY_EXPORT(nearest_in_runs);
+HWY_EXPORT(nearest_candidates);
 HWY_EXPORT(nearest_of_cells);
-HWY_EXPORT(nearest_of_runs);
-HWY_EXPORT(indices_of);
-HWY_EXPORT(rivals_of);
+HWY_EXPORT(nearest_in);
+HWY_EXPORT(indices_up_to);
+HWY_EXPORT(candidates_in);
 
 namespace {
 
-/// From the centre of a block to the centre of its farthest cell.
+/// Distance from the centre of a block to the centre of its farthest cell.
 const double block_radius = std::sqrt(3.0) * (block_edge - 1) / 2;
 const double cell_diagonal = std::sqrt(3.0);
 
-/// The point nearest to a block's centre.
+/// Point nearest to a block's centre.
 struct Nearest {
   float squared = std::numeric_limits<float>::infinity();
-  std::size_t run = 0;    ///< that it is of
-  std::size_t place = 0;  ///< of the run's first point, among those of all runs
+  std::size_t run = 0;    ///< its run
+  std::size_t place = 0;  ///< index of the run's first point among those of all runs
 };
 
-/// Collects the points of the rows, with squared distances from the block's centre.
+/// Collects the runs of the neighbourhood and the squared distances of their points from the block's centre.
 Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3i& block,
-                const BlockSurroundings& around, NearbyPoints& nearby) {
+                const BlockNeighbourhood& around, NearbyPoints& nearby) {
   auto& runs = nearby.runs;
   runs.clear();
   std::size_t count = 0;
@@ -277,8 +277,8 @@ Nearest collect(const BlockGrid& grid, const GridSurface& surface, const Eigen::
   return nearest;
 }
 
-/// Keeps the points that may be the nearest to one of the cells' centres, once one is nearest to the block's.
-void keep_rivals(const GridSurface& surface, const Nearest& nearest, NearbyPoints& nearby) {
+/// Keeps the points that may be the nearest to a cell's centre, given the point nearest to the block's centre.
+void keep_candidates(const GridSurface& surface, const Nearest& nearest, NearbyPoints& nearby) {
   const GridPoints& points = surface.points;
   const float* squared_of_run = nearby.squared.data();
   const float* found =
@@ -290,8 +290,8 @@ void keep_rivals(const GridSurface& surface, const Nearest& nearest, NearbyPoint
     const auto& [begin, end] = run;
     const std::size_t count = end - begin;
     if (nearby.index.size() < count) nearby.index.resize(count);
-    const std::size_t kept =
-        HWY_DYNAMIC_DISPATCH(rivals_of)(points, run, squared_of_run, place_of_a, nearest.squared, nearby.index.data());
+    const std::size_t kept = HWY_DYNAMIC_DISPATCH(candidates_in)(points, run, squared_of_run, place_of_a,
+                                                                 nearest.squared, nearby.index.data());
     for (std::vector<float>* values : {&nearby.x, &nearby.y, &nearby.z}) values->resize(place + kept);
     nearby.triangle.resize(place + kept);
     for (std::size_t i = 0; i < kept; ++i, ++place) {
@@ -313,19 +313,19 @@ float squared_distances(const float* x, const float* y, const float* z, std::siz
 }
 
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices) {
-  return HWY_DYNAMIC_DISPATCH(indices_of)(numbers, n, limit, indices);
+  return HWY_DYNAMIC_DISPATCH(indices_up_to)(numbers, n, limit, indices);
 }
 
-std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
-                                    double reach, const Eigen::Vector3d& x) {
+std::int32_t closest_triangle_near(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+                                   double reach, const Eigen::Vector3d& x) {
   thread_local std::vector<GridPoints::Run> runs;
   surface.points.find_runs(grid, place, reach, runs);
-  if (surface.hidden == 0) return HWY_DYNAMIC_DISPATCH(nearest_of_runs)(surface.points, runs, x.cast<float>());
+  if (surface.squared_margin == 0) return HWY_DYNAMIC_DISPATCH(nearest_in)(surface.points, runs, x.cast<float>());
   thread_local NearestPoints nearest;
-  HWY_DYNAMIC_DISPATCH(nearest_in_runs)
-  (surface.points, runs, x.cast<float>(), static_cast<float>(surface.hidden), nearest);
+  HWY_DYNAMIC_DISPATCH(nearest_candidates)
+  (surface.points, runs, x.cast<float>(), static_cast<float>(surface.squared_margin), nearest);
   if (nearest.count < 2) return nearest.count == 0 ? -1 : nearest.list.front().triangle;
-  std::array<std::int32_t, NearestPoints::most> triangles;
+  std::array<std::int32_t, NearestPoints::capacity> triangles;
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     triangles[i] = nearest.list[i < nearest.count ? i : 0].triangle;
   }
@@ -335,9 +335,8 @@ std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& su
                                             vectors.squared.begin())];
 }
 
-BlockSurroundings::BlockSurroundings(double within) : distance(within) {
-  // How many blocks away one may be whose points are within the distance of a block, if along the other axes they are
-  // so far apart already (squared).
+BlockNeighbourhood::BlockNeighbourhood(double within) : distance(within) {
+  // Number of blocks along an axis within the distance, given the squared distance along the other axes.
   const auto blocks_within = [&](double squared_apart) {
     const double rest2 = distance * distance - squared_apart;
     return rest2 < 0 ? -1 : static_cast<int>(std::floor(std::sqrt(rest2) / block_edge)) + 1;
@@ -352,14 +351,14 @@ BlockSurroundings::BlockSurroundings(double within) : distance(within) {
   }
 }
 
-BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
-                        const BlockSurroundings& around, NearbyPoints& nearby, BoundaryBlock& found) {
+BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
+                         const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found) {
   const Eigen::Vector3i place = grid.block_at(block);
   const Nearest nearest = collect(grid, surface, place, around, nearby);
   const double distance = std::sqrt(static_cast<double>(nearest.squared));
   if (distance > around.distance + block_radius) return BlockKind::free;
   if (distance + block_radius + cell_diagonal < grid.r) return BlockKind::covered;
-  keep_rivals(surface, nearest, nearby);
+  keep_candidates(surface, nearest, nearby);
   const Eigen::Vector3f first = (place.cast<float>().array() * block_edge + 0.5F).matrix();
   found.index = block;
   found.free =

@@ -10,7 +10,7 @@
 
 namespace shapegauge {
 
-/// Which points are near; kept from block to block so as not to allocate anew.
+/// Points near a block, with scratch buffers.
 struct NearbyPoints {
   std::vector<float> x, y, z, squared;
   std::vector<std::int32_t> triangle;
@@ -18,57 +18,57 @@ struct NearbyPoints {
   std::vector<GridPoints::Run> runs;
 };
 
-/// The nearest points of a few, sorted, and room to find them in.
+/// The nearest of a set of points, by ascending distance, with scratch buffers.
 struct NearestPoints {
-  static constexpr std::size_t most = TriangleTable::at_once;
+  static constexpr std::size_t capacity = TriangleTable::batch_size;
   struct Candidate {
     float squared;
     std::int32_t triangle;
   };
-  std::array<Candidate, most> list;
+  std::array<Candidate, capacity> list;
   std::size_t count = 0;
-  std::vector<float> squared;        ///< of vectors of points
-  std::vector<std::uint32_t> first;  ///< of each vector's points
+  std::vector<float> squared;        ///< scratch: squared distances, by vector of points
+  std::vector<std::uint32_t> first;  ///< scratch: first point of each vector
 
   void add(float distance2, std::int32_t triangle) {
-    if (count == most && distance2 >= list.back().squared) return;
-    std::size_t at = count < most ? count++ : most - 1;
+    if (count == capacity && distance2 >= list.back().squared) return;
+    std::size_t at = count < capacity ? count++ : capacity - 1;
     for (; at > 0 && list[at - 1].squared > distance2; --at) list[at] = list[at - 1];
     list[at] = {distance2, triangle};
   }
 };
 
-/// Rows of blocks, as seen from one in their middle, that hold all points within a distance of its cells.
-struct BlockSurroundings {
+/// Rows of blocks around a central one that contain all points within a distance of its cells.
+struct BlockNeighbourhood {
   struct Row {
-    int j, k;   ///< along y and z
-    int along;  ///< so many blocks to each side
+    int j, k;   ///< offsets along y and z
+    int along;  ///< number of blocks along x on either side
   };
   double distance;
   std::vector<Row> rows;
 
-  explicit BlockSurroundings(double within);
+  explicit BlockNeighbourhood(double within);
 };
 
-/// Looks at the distances of the centres of a block's cells to the surface's points, of which only those in the rows
-/// around the block matter: they reach as far as r + band. Where they are mixed, fills in which are free, and the
-/// triangle nearest to each.
-BlockKind look_at_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
-                        const BlockSurroundings& around, NearbyPoints& nearby, BoundaryBlock& found);
+/// Classifies a block by the distances between its cells' centres and the points in its neighbourhood, which
+/// extends to r + band. For a mixed block, sets the free cells and the triangle nearest to each cell.
+BlockKind classify_block(const BlockGrid& grid, const GridSurface& surface, std::uint32_t block,
+                         const BlockNeighbourhood& around, NearbyPoints& nearby, BoundaryBlock& found);
 
-/// How far, in cells, the closest triangle's points are looked for around a place near it.
+/// Search radius of closest_triangle_near(), in cells, about a point close to the closest triangle.
 inline constexpr double closest_reach = 0.5;
 
-/// The triangle closest to x of those with points in the octants within reach of a place on the surface; -1 where there
-/// is none. Of triangles much smaller than the points' spacing, one that is hardly farther.
-std::int32_t closest_triangle_about(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
-                                    double reach, const Eigen::Vector3d& x);
+/// Returns the triangle closest to x among those with points in the octants within `reach` of a place on the surface;
+/// -1 if there is none. The result is approximate for triangles much smaller than the spacing of the points.
+std::int32_t closest_triangle_near(const BlockGrid& grid, const GridSurface& surface, const Eigen::Vector3d& place,
+                                   double reach, const Eigen::Vector3d& x);
 
-/// The smallest squared distance from x to the n points, and how far away each is. Both are padded.
+/// Computes the squared distances from a position to n points, and returns the smallest. All arrays are padded.
 float squared_distances(const float* x, const float* y, const float* z, std::size_t n, const Eigen::Vector3f& from,
                         float* squared);
 
-/// The places of the n numbers that do not exceed the limit, in their order; returns how many. The numbers are padded.
+/// Writes the indices of those of n numbers that do not exceed the limit, ascending, and returns their number. The
+/// numbers are padded.
 std::size_t indices_within(const float* numbers, std::size_t n, float limit, std::uint32_t* indices);
 
 }  // namespace shapegauge

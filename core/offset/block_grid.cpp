@@ -5,7 +5,7 @@
 namespace shapegauge {
 
 BlockGrid::BlockGrid(const Eigen::AlignedBox3d& bounds, double offset, double h) : cell(h), r(offset / h) {
-  // Two cells above r are as far as anybody looks for points, and whole blocks are looked at.
+  // Points are searched up to two cells beyond r, by whole blocks.
   const double margin = block_edge * h * (std::ceil((r + 2) / block_edge) + 1);
   origin = bounds.min() - Eigen::Vector3d::Constant(margin);
   const Eigen::Vector3d extent = bounds.sizes() + Eigen::Vector3d::Constant(2 * margin);
@@ -19,7 +19,7 @@ std::size_t BlockGrid::block_count() const {
 
 namespace {
 
-/// Calls visit(i, j) for all blocks i and j = i + 1 along an axis, in the order of i.
+/// Calls visit(i, j) for all pairs of adjacent blocks along an axis, in ascending order.
 template <typename Visit>
 void for_each_pair_along(const BlockGrid& grid, int axis, const Visit& visit) {
   const std::size_t stride = axis == 0 ? 1 : grid.block_index(Eigen::Vector3i::Unit(axis));

@@ -9,19 +9,19 @@
 
 namespace shapegauge {
 
-/// Cells of a block along each axis. A block's 64 cells are the bits of a word: bit x + 4 y + 16 z.
+/// Number of cells of a block along each axis. The 64 cells are the bits of a word: bit x + 4 y + 16 z.
 inline constexpr int block_edge = 4;
 inline constexpr int cells_per_block = block_edge * block_edge * block_edge;
 
-/// A grid of cubic cells around a shape, in blocks of 4 x 4 x 4. Points are given in *cells*: coordinates that count
-/// cells from the grid's corner, so that cell (i, j, k) is [i, i + 1] x [j, j + 1] x [k, k + 1]. r is 2 to 8 in them.
+/// Grid of cubic cells around a shape, in blocks of 4 x 4 x 4. Points are in *cell coordinates*, in which cells are
+/// unit cubes with integer corners. r is 2 to 8 cells.
 struct BlockGrid {
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< the corner, in the shape's coordinates
-  double cell = 1;                                   ///< a cell's edge h, in the shape's coordinates
-  double r = 0;                                      ///< the offset, in cells
-  Eigen::Vector3i blocks = Eigen::Vector3i::Zero();  ///< along each axis
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  ///< corner of the grid, in the shape's coordinates
+  double cell = 1;                                   ///< edge h of a cell, in the shape's units
+  double r = 0;                                      ///< offset, in cells
+  Eigen::Vector3i blocks = Eigen::Vector3i::Zero();  ///< number along each axis
 
-  /// The grid for an offset of r over cells of edge h; the outermost blocks hold no point within r of the box.
+  /// Makes the grid for an offset and cells of edge h. The outermost blocks are farther than the offset from the box.
   BlockGrid(const Eigen::AlignedBox3d& bounds, double offset, double h);
 
   [[nodiscard]] Eigen::Vector3d to_cells(const Eigen::Vector3d& x) const { return (x - origin) / cell; }
@@ -40,25 +40,26 @@ struct BlockGrid {
     const auto y = static_cast<std::size_t>(blocks.y());
     return {static_cast<int>(index % x), static_cast<int>(index / x % y), static_cast<int>(index / (x * y))};
   }
-  /// The block around a point of the grid. Just below the grid it is 0 as well: to cut off is faster than to round.
+  /// Returns the block that contains a point of the grid. Truncates, which is faster than rounding down: coordinates
+  /// just below 0 give block 0.
   [[nodiscard]] Eigen::Vector3i block_of(const Eigen::Vector3d& x) const { return (x / block_edge).cast<int>(); }
 };
 
-/// The cells of a block near the boundary of the offset solid.
+/// Cells of a block near the boundary of the offset solid.
 struct BoundaryBlock {
-  std::uint64_t free = 0;                               ///< the cells whose centres lie outside of O(r)
-  std::array<std::int32_t, cells_per_block> nearest{};  ///< the triangle closest to each cell's centre, about
-  std::uint32_t index = 0;                              ///< the block's, in the grid
+  std::uint64_t free = 0;                               ///< bits of the cells whose centres lie outside O(r)
+  std::array<std::int32_t, cells_per_block> nearest{};  ///< by cell: triangle closest to its centre, approximately
+  std::uint32_t index = 0;                              ///< index of the block in the grid
 };
 
-/// Whether the centres of a block's cells are all free and farther from the surface than the band, all covered and by
-/// more than a cell's diagonal, or neither.
+/// Classification of a block. `free`: the centres of all cells are farther from the surface than r plus the band.
+/// `covered`: they are nearer than r by more than a cell's diagonal. `mixed`: all other blocks.
 enum class BlockKind : std::uint8_t { free, covered, mixed };
 
-/// Marks all blocks within so many blocks of a marked one, along each axis.
+/// Marks all blocks within `reach` blocks of a marked one, along each axis.
 void dilate(const BlockGrid& grid, std::vector<std::uint8_t>& marked, int reach);
 
-/// Marks all blocks from which one step up along some of the axes leads to a marked one.
+/// Marks all blocks whose neighbour by one step up along any subset of the axes is marked.
 void dilate_down(const BlockGrid& grid, std::vector<std::uint8_t>& marked);
 
 }  // namespace shapegauge

@@ -23,7 +23,7 @@ constexpr Cells high_y = low_y << 12U;
 constexpr Cells low_z = 0x000000000000FFFF;
 constexpr Cells high_z = low_z << 48U;
 
-/// Spreads cells through the free ones of their block, across faces.
+/// Flood-fills the free cells of a block from some cells, across faces.
 Cells fill(Cells cells, Cells free) {
   cells &= free;
   while (true) {
@@ -35,7 +35,7 @@ Cells fill(Cells cells, Cells free) {
   }
 }
 
-/// The cells of the neighbour on side 0 to 5 (-x, +x, -y, +y, -z, +z) that touch cells of a block.
+/// Returns the cells of the neighbour on a side (0 to 5: -x, +x, -y, +y, -z, +z) that touch cells of a block.
 Cells across(Cells cells, int side) {
   switch (side) {
     case 0:
@@ -61,7 +61,7 @@ Eigen::Vector3i neighbour(const Eigen::Vector3i& block, int side) {
 
 constexpr std::int32_t unknown = -3;
 
-/// Rows of blocks along x as bits, for whole rows to be flooded at once.
+/// Rows of blocks along x as bits, which are flood-filled a row at a time.
 class BlockRows {
  public:
   using Word = std::uint64_t;
@@ -82,7 +82,7 @@ class BlockRows {
   std::vector<Word> rows_;
 };
 
-/// Spreads bits through the open ones of their word, in both directions.
+/// Flood-fills the open bits of a word, in both directions.
 BlockRows::Word spread(BlockRows::Word reached, BlockRows::Word open) {
   reached &= open;
   BlockRows::Word up = open;
@@ -98,7 +98,7 @@ BlockRows::Word spread(BlockRows::Word reached, BlockRows::Word open) {
   return left | right;
 }
 
-/// Spreads the bits of a row through its open ones.
+/// Flood-fills the open bits of a row.
 void spread_row(BlockRows::Word* reached, const BlockRows::Word* open, std::size_t words) {
   for (std::size_t i = 0; i < words; ++i) {
     if (i > 0) reached[i] |= reached[i - 1] >> (BlockRows::bits - 1);
@@ -110,8 +110,8 @@ void spread_row(BlockRows::Word* reached, const BlockRows::Word* open, std::size
   }
 }
 
-/// The blocks that a way through blocks that are not near the surface joins to the grid's border. A row of blocks has
-/// the index y + z * (number of blocks along y).
+/// Blocks connected to the border of the grid through blocks that are not near the surface. A row of blocks has the
+/// index y + z * (number of blocks along y).
 class FarBlocks {
  public:
   FarBlocks(const BlockGrid& grid, const std::vector<std::uint8_t>& near_surface)
@@ -135,7 +135,7 @@ class FarBlocks {
     return (far_.row(row)[x / BlockRows::bits] >> (x % BlockRows::bits) & 1U) != 0;
   }
 
-  /// The cells of a block that touch far blocks.
+  /// Returns the cells of a block that touch far blocks.
   [[nodiscard]] Cells touching(std::size_t row, std::size_t x) const {
     Cells cells = 0;
     if (x > 0 && contain(row, x - 1)) cells |= low_x;
@@ -147,7 +147,7 @@ class FarBlocks {
   }
 
  private:
-  /// Calls visit(row, cells) for the rows beside a row and the cells of its blocks that touch theirs.
+  /// Calls visit(row, cells) for each adjacent row, with the cells of a block of this row that touch it.
   template <typename Visit>
   void for_each_side(std::size_t row, const Visit& visit) const {
     const std::size_t y = row % size_y_;
@@ -157,7 +157,7 @@ class FarBlocks {
     if (row + size_y_ < rows_) visit(row + size_y_, high_z);
   }
 
-  /// From the first block, which is at the border.
+  /// Flood-fills from the first block, which is at the border.
   void flood() {
     std::vector<std::size_t> waiting{0};
     far_.set(0, 0);
@@ -166,13 +166,13 @@ class FarBlocks {
       const std::size_t row = waiting.back();
       waiting.pop_back();
       for_each_side(row, [&](std::size_t next, Cells /*side*/) {
-        if (pass_on(row, next)) waiting.push_back(next);
+        if (spread_to_row(row, next)) waiting.push_back(next);
       });
     }
   }
 
-  /// Spreads a row to one beside it; false where nothing is new there.
-  bool pass_on(std::size_t row, std::size_t next) {
+  /// Spreads a row to an adjacent one. Returns true if that one changed.
+  bool spread_to_row(std::size_t row, std::size_t next) {
     bool is_new = false;
     for (std::size_t i = 0; i < open_.words(); ++i) {
       const BlockRows::Word added = far_.row(row)[i] & open_.row(next)[i] & ~far_.row(next)[i];
@@ -192,7 +192,8 @@ class FarBlocks {
 
 }  // namespace
 
-/// From the grid's border through the blocks that are not near the surface. Returns the others that it touches.
+/// Flood-fills from the grid's border through the blocks that are not near the surface. Returns the blocks near the
+/// surface that are adjacent to them.
 std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vector<std::uint8_t>& near_surface) {
   const FarBlocks far(grid_, near_surface);
   std::vector<Reached> touched;
@@ -210,30 +211,30 @@ std::vector<ExteriorGrid::Reached> ExteriorGrid::flood_far_blocks(const std::vec
   return touched;
 }
 
-/// Looks at blocks; those that are mixed are found at their places after the boundary()'s as it was before.
-std::vector<BlockKind> ExteriorGrid::look_at(const std::vector<Reached>& blocks, double band, bool parallel) {
+/// Classifies blocks. Appends one entry per block to boundary(), which is set for mixed blocks only.
+std::vector<BlockKind> ExteriorGrid::classify(const std::vector<Reached>& blocks, double band, bool parallel) {
   const std::size_t first = boundary_.size();
   boundary_.resize(first + blocks.size());
   std::vector<BlockKind> kinds(blocks.size());
-  const BlockSurroundings around(grid_.r + band);
-  const auto look = [&](const tbb::blocked_range<std::size_t>& range) {
+  const BlockNeighbourhood around(grid_.r + band);
+  const auto classify_range = [&](const tbb::blocked_range<std::size_t>& range) {
     thread_local NearbyPoints nearby;
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
       check_interruption();
-      kinds[i] = look_at_block(grid_, surface_, blocks[i].block, around, nearby, boundary_[first + i]);
+      kinds[i] = classify_block(grid_, surface_, blocks[i].block, around, nearby, boundary_[first + i]);
     }
   };
   const tbb::blocked_range<std::size_t> all(0, blocks.size(), 8);
   if (parallel) {
-    parallel_for_parts(all, look);
+    parallel_for_parts(all, classify_range);
   } else {
-    look(all);
+    classify_range(all);
   }
   return kinds;
 }
 
-/// In rounds: blocks near the surface that were reached for the first time are looked at, all at once, then the
-/// exterior spreads until it reaches others. What is exterior in the end does not depend on the order.
+/// Flood fill in rounds: blocks near the surface that were newly reached are classified in parallel, then the exterior
+/// spreads until it reaches further ones. The result does not depend on the order.
 class ExteriorGrid::Flood {
  public:
   Flood(ExteriorGrid& exterior, const std::vector<std::uint8_t>& near_surface)
@@ -243,9 +244,9 @@ class ExteriorGrid::Flood {
 
   void run(double band, bool parallel) {
     exterior_.boundary_.reserve(static_cast<std::size_t>(std::count(near_surface_.begin(), near_surface_.end(), 1)));
-    while (!passing_.empty() || !reached_.empty()) {
-      look_at_reached(band, parallel);
-      while (!passing_.empty() || !spreading_.empty()) {
+    while (!free_queue_.empty() || !reached_.empty()) {
+      classify_reached(band, parallel);
+      while (!free_queue_.empty() || !seeded_queue_.empty()) {
         check_();
         spread_one();
       }
@@ -253,21 +254,21 @@ class ExteriorGrid::Flood {
   }
 
  private:
-  /// The state of the k-th block that was reached, until it has been looked at.
+  /// State of the k-th reached block until it is classified.
   static std::int32_t state_of_reached(std::size_t k) { return unknown - 1 - static_cast<std::int32_t>(k); }
 
-  void look_at_reached(double band, bool parallel) {
+  void classify_reached(double band, bool parallel) {
     const std::vector<Reached> blocks = std::move(reached_);
     reached_.clear();
     std::vector<BoundaryBlock>& boundary = exterior_.boundary_;
     const std::size_t first = boundary.size();
     std::size_t next = first;
-    const std::vector<BlockKind> kinds = exterior_.look_at(blocks, band, parallel);
+    const std::vector<BlockKind> kinds = exterior_.classify(blocks, band, parallel);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       std::int32_t& state = exterior_.state_[blocks[i].block];
       if (kinds[i] == BlockKind::free) {
         state = all_exterior;
-        passing_.push_back(blocks[i].block);
+        free_queue_.push_back(blocks[i].block);
       } else if (kinds[i] == BlockKind::covered) {
         state = none_exterior;
       } else {
@@ -275,7 +276,7 @@ class ExteriorGrid::Flood {
         state = static_cast<std::int32_t>(next);
         exterior_.exterior_.push_back(0);
         seeds_.push_back(blocks[i].seeds & boundary[next].free);
-        if (seeds_.back() != 0) spreading_.push_back(state);
+        if (seeds_.back() != 0) seeded_queue_.push_back(state);
         ++next;
       }
     }
@@ -283,23 +284,23 @@ class ExteriorGrid::Flood {
   }
 
   void spread_one() {
-    if (!passing_.empty()) {
-      const std::uint32_t index = passing_.back();
-      passing_.pop_back();
-      return pass_on(index, all_cells);
+    if (!free_queue_.empty()) {
+      const std::uint32_t index = free_queue_.back();
+      free_queue_.pop_back();
+      return spread_to_neighbours(index, all_cells);
     }
-    const auto place = static_cast<std::size_t>(spreading_.back());
-    spreading_.pop_back();
+    const auto place = static_cast<std::size_t>(seeded_queue_.back());
+    seeded_queue_.pop_back();
     Cells& cells = exterior_.exterior_[place];
     const Cells wider = fill(cells | seeds_[place], exterior_.boundary_[place].free);
     const Cells added = wider & ~cells;
     seeds_[place] = 0;
     cells = wider;
-    pass_on(exterior_.boundary_[place].index, added);
+    spread_to_neighbours(exterior_.boundary_[place].index, added);
   }
 
-  /// Tells a block's neighbours of exterior cells.
-  void pass_on(std::uint32_t index, Cells cells) {
+  /// Spreads exterior cells of a block to its neighbours.
+  void spread_to_neighbours(std::uint32_t index, Cells cells) {
     const BlockGrid& grid = exterior_.grid_;
     const Eigen::Vector3i block = grid.block_at(index);
     for (int side = 0; side < 6; ++side) {
@@ -310,20 +311,20 @@ class ExteriorGrid::Flood {
     }
   }
 
-  /// Cells of a block touch what is exterior.
+  /// Seeds the cells of a block that touch exterior ones.
   void reach(std::uint32_t index, Cells touched) {
     std::int32_t& state = exterior_.state_[index];
     if (state == all_exterior || state == none_exterior) return;
     if (state >= 0) {
       const auto place = static_cast<std::size_t>(state);
       const Cells added = touched & exterior_.boundary_[place].free & ~exterior_.exterior_[place];
-      if (added != 0 && seeds_[place] == 0) spreading_.push_back(state);
+      if (added != 0 && seeds_[place] == 0) seeded_queue_.push_back(state);
       seeds_[place] |= added;
     } else if (state < unknown) {
       reached_[static_cast<std::size_t>(unknown - 1 - state)].seeds |= touched;
     } else if (near_surface_[index] == 0) {
       state = all_exterior;
-      passing_.push_back(index);
+      free_queue_.push_back(index);
     } else {
       state = state_of_reached(reached_.size());
       reached_.push_back({index, touched});
@@ -333,15 +334,15 @@ class ExteriorGrid::Flood {
   ExteriorGrid& exterior_;
   const std::vector<std::uint8_t>& near_surface_;
   std::vector<Reached> reached_;
-  std::vector<std::uint32_t> passing_;   ///< exterior blocks whose neighbours have not been told
-  std::vector<Cells> seeds_;             ///< of each boundary block, that have not spread
-  std::vector<std::int32_t> spreading_;  ///< boundary blocks that have seeds
+  std::vector<std::uint32_t> free_queue_;   ///< exterior blocks whose neighbours have not been visited
+  std::vector<Cells> seeds_;                ///< by boundary block: cells that have not spread yet
+  std::vector<std::int32_t> seeded_queue_;  ///< boundary blocks with seeds
   SparseInterruptionCheck check_;
 };
 
 namespace {
 
-/// The cells of a block that touch its neighbour in a direction, whose parts are -1, 0 or 1.
+/// Returns the cells of a block that touch its neighbour in a direction, whose coordinates are -1, 0 or 1.
 Cells touching(const Eigen::Vector3i& direction) {
   constexpr std::array<Cells, 3> lowest{low_x, low_y, low_z};
   constexpr std::array<Cells, 3> highest{high_x, high_y, high_z};
@@ -353,7 +354,7 @@ Cells touching(const Eigen::Vector3i& direction) {
   return cells;
 }
 
-/// Directions to the neighbours across edges and corners.
+/// Returns the directions to the neighbours across edges and corners.
 std::vector<Eigen::Vector3i> diagonals() {
   std::vector<Eigen::Vector3i> result;
   for (int i = 0; i < 27; ++i) {
@@ -365,9 +366,10 @@ std::vector<Eigen::Vector3i> diagonals() {
 
 }  // namespace
 
-/// The flood goes across faces. Blocks that touch exterior cells across an edge or a corner only are covered, but
-/// places between are asked for their nearest triangles as well.
-void ExteriorGrid::look_across_edges(const std::vector<std::uint8_t>& near_surface, double band, bool parallel) {
+/// The flood fill passes faces only. Blocks adjacent to exterior cells only across an edge or a corner have no exterior
+/// cells, but points between them and those cells need their nearest triangles.
+void ExteriorGrid::classify_diagonal_neighbours(const std::vector<std::uint8_t>& near_surface, double band,
+                                                bool parallel) {
   std::vector<std::pair<Eigen::Vector3i, Cells>> directions;
   for (const Eigen::Vector3i& direction : diagonals()) directions.emplace_back(direction, touching(direction));
   std::vector<Reached> reached;
@@ -384,7 +386,7 @@ void ExteriorGrid::look_across_edges(const std::vector<std::uint8_t>& near_surfa
     }
   }
   const std::size_t first = boundary_.size();
-  const std::vector<BlockKind> kinds = look_at(reached, band, parallel);
+  const std::vector<BlockKind> kinds = classify(reached, band, parallel);
   std::size_t next = first;
   for (std::size_t i = 0; i < reached.size(); ++i) {
     if (kinds[i] != BlockKind::mixed) continue;
@@ -402,7 +404,7 @@ ExteriorGrid::ExteriorGrid(const BlockGrid& grid, const GridSurface& surface, do
     near_surface[i] = surface.points.first[i] != surface.points.first[i + 1];
   dilate(grid, near_surface, static_cast<int>(std::ceil((grid.r + band) / block_edge)));
   Flood(*this, near_surface).run(band, parallel);
-  look_across_edges(near_surface, band, parallel);
+  classify_diagonal_neighbours(near_surface, band, parallel);
   near_.resize(state_.size());
   for (std::size_t i = 0; i < state_.size(); ++i) {
     if (state_[i] == unknown) state_[i] = none_exterior;
@@ -427,7 +429,7 @@ CellsAround cells_around(const ExteriorGrid& exterior, const Eigen::Vector3d& x)
   CellsAround result;
   bool touches = false;
   std::size_t count = 0;
-  // The two cells along x are mostly in one block, and then one after the other.
+  // The two cells along x are usually in the same block, as adjacent bits.
   const std::size_t blocks_along_x = blocks[0][0] == blocks[0][1] ? 1 : 2;
   const unsigned cells_at_once = blocks_along_x == 1 ? 3 : 1;  // as bits
   for (std::size_t row = 0; row < 4; ++row) {

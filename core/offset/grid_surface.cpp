@@ -14,26 +14,27 @@ namespace shapegauge {
 
 namespace {
 
-/// Edge of the cubes of which one small triangle each is kept, in parts of r.
-constexpr double finest = 1.0 / 16;
+/// Edge of the cubes in each of which one small triangle is kept, in units of r.
+constexpr double cube_edge = 1.0 / 16;
 
-/// How many parts no longer than that a length has; faster than to round up by the library.
-int parts_of(double length, double at_most) {
-  const double exact = length / at_most;
+/// Returns the number of parts of at most max_length in a length. Faster than std::ceil.
+int part_count(double length, double max_length) {
+  const double exact = length / max_length;
   const int whole = static_cast<int>(exact);
   return std::max(1, whole < exact ? whole + 1 : whole);
 }
 
-/// Columns of points on a triangle, across its longest edge: each point stands for a part no larger than the spacing.
+/// Columns of points on a triangle, perpendicular to its longest edge. Each point represents a part no larger than the
+/// spacing.
 struct Columns {
   Eigen::Vector3d from, along;  ///< the longest edge
   Eigen::Vector3d up;           ///< from the foot of the apex to the apex
-  double foot;                  ///< where on the edge that is, as a part of it
-  double longest = 0;           ///< that edge's length
+  double foot;                  ///< position of the foot on the edge, from 0 to 1
+  double longest = 0;           ///< length of that edge
   double height, spacing;
   int count;
 
-  Columns(const Triangle& t, double at_most) : spacing(at_most) {
+  Columns(const Triangle& t, double max_length) : spacing(max_length) {
     const std::array<Eigen::Vector3d, 3> corners{t.a, t.b, t.c};
     std::size_t first = 0;
     double longest2 = -1;
@@ -50,7 +51,7 @@ struct Columns {
     foot = longest2 > 0 ? std::clamp(along.dot(across) / longest2, 0.0, 1.0) : 0;
     up = across - foot * along;
     height = up.norm();
-    count = parts_of(longest, spacing);
+    count = part_count(longest, spacing);
   }
 
   template <typename Visit>
@@ -58,7 +59,7 @@ struct Columns {
     for (int column = 0; column < count; ++column) {
       const double at = (column + 0.5) / count;
       const double part = at < foot ? at / foot : (1 - at) / (1 - foot);  // of the height
-      const int points = parts_of(part * height, spacing);
+      const int points = part_count(part * height, spacing);
       for (int i = 0; i < points; ++i) visit(from + at * along + (i + 0.5) / points * part * up);
     }
   }
@@ -69,12 +70,12 @@ struct Point {
   std::int32_t triangle;
   std::uint32_t block;
   std::uint8_t octant;
-  bool is_small;  ///< its triangle; others may stand for it
+  bool is_small;  ///< its triangle is small enough to be represented by another
 };
 
-/// The points of the triangles from begin to end, whose records are set.
-std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double spacing, std::size_t begin,
-                             std::size_t end, TriangleTable& triangles) {
+/// Samples the triangles from begin to end, and sets their records.
+std::vector<Point> sampled_points(const BlockGrid& grid, const Shape& shape, double spacing, std::size_t begin,
+                                  std::size_t end, TriangleTable& triangles) {
   std::vector<Point> points;
   points.reserve(2 * (end - begin));
   for (std::size_t f = begin; f < end; ++f) {
@@ -87,7 +88,7 @@ std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double s
     }
     triangles.set(f, t.a.cast<float>(), t.b.cast<float>(), t.c.cast<float>());
     const Columns columns(t, spacing);
-    const bool is_small = columns.longest <= finest * grid.r;
+    const bool is_small = columns.longest <= cube_edge * grid.r;
     const std::size_t own = points.size();
     columns.for_each_point([&](const Eigen::Vector3d& at) {
       const Eigen::Vector3i octant = (at / GridPoints::octant_edge).cast<int>();
@@ -103,61 +104,63 @@ std::vector<Point> points_on(const BlockGrid& grid, const Shape& shape, double s
   return points;
 }
 
-/// Which of a block's points stands for which.
-class Cubes {
+/// Selection of the points of a block that represent others.
+class CubeRepresentatives {
  public:
-  explicit Cubes(const BlockGrid& grid)
-      : edge_(finest * grid.r), along_(static_cast<std::size_t>(std::ceil(block_edge / edge_)) + 1) {
-    holders_.assign(along_ * along_ * along_, nobody);
+  explicit CubeRepresentatives(const BlockGrid& grid)
+      : edge_(cube_edge * grid.r), cubes_along_(static_cast<std::size_t>(std::ceil(block_edge / edge_)) + 1) {
+    representatives_.assign(cubes_along_ * cubes_along_ * cubes_along_, none);
   }
 
-  /// Marks those of the points that another in their cube stands for, the one nearest to its middle, which gets their
-  /// area.
-  void leave_out(const BlockGrid& grid, std::span<Point> points, std::span<std::uint8_t> is_left_out) {
+  /// Keeps the point nearest to the centre of each cube, which receives the area of the others, and marks these as
+  /// omitted.
+  void omit(const BlockGrid& grid, std::span<Point> points, std::span<std::uint8_t> is_omitted) {
     const Eigen::Vector3f corner = (block_edge * grid.block_at(points.front().block)).cast<float>();
     cubes_.resize(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].is_small) continue;
       const Eigen::Vector3f place =
           (Eigen::Vector3f(points[i].x, points[i].y, points[i].z) - corner) / static_cast<float>(edge_);
-      // Rounding may put a point just out of its block.
-      const Eigen::Array3i cube = place.cast<int>().array().max(0).min(static_cast<int>(along_) - 1);
+      // Rounding may move a point just outside its block.
+      const Eigen::Array3i cube = place.cast<int>().array().max(0).min(static_cast<int>(cubes_along_) - 1);
       cubes_[i].off_centre = (place.array() - cube.cast<float>() - 0.5F).matrix().squaredNorm();
-      cubes_[i].number = (static_cast<std::size_t>(cube.z()) * along_ + static_cast<std::size_t>(cube.y())) * along_ +
-                         static_cast<std::size_t>(cube.x());
-      std::uint32_t& holder = holders_[cubes_[i].number];
-      if (holder == nobody || cubes_[i].off_centre < cubes_[holder].off_centre) holder = static_cast<std::uint32_t>(i);
+      cubes_[i].number =
+          (static_cast<std::size_t>(cube.z()) * cubes_along_ + static_cast<std::size_t>(cube.y())) * cubes_along_ +
+          static_cast<std::size_t>(cube.x());
+      std::uint32_t& representative = representatives_[cubes_[i].number];
+      if (representative == none || cubes_[i].off_centre < cubes_[representative].off_centre)
+        representative = static_cast<std::uint32_t>(i);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (!points[i].is_small) continue;
-      const std::uint32_t holder = holders_[cubes_[i].number];
-      if (holder == i) continue;
-      is_left_out[i] = 1;
-      points[holder].area += points[i].area;
+      const std::uint32_t representative = representatives_[cubes_[i].number];
+      if (representative == i) continue;
+      is_omitted[i] = 1;
+      points[representative].area += points[i].area;
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (points[i].is_small) holders_[cubes_[i].number] = nobody;
+      if (points[i].is_small) representatives_[cubes_[i].number] = none;
     }
   }
 
  private:
-  static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   struct Cube {
     std::size_t number;
     float off_centre;  ///< squared
   };
   double edge_;
-  std::size_t along_;
-  std::vector<std::uint32_t> holders_;
+  std::size_t cubes_along_;
+  std::vector<std::uint32_t> representatives_;
   std::vector<Cube> cubes_;
 };
 
-/// Those of the points, sorted by blocks, that are left out, or those that are not. begins: of the blocks that have
-/// points, and one past the last's.
-GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const std::vector<std::size_t>& begins,
-                  const std::vector<std::uint8_t>& is_left_out, std::uint8_t which) {
+/// Returns the omitted points, or the others. The points are sorted by block; `begins` has the first of each block with
+/// points, and one more entry at the end.
+GridPoints selected(const BlockGrid& grid, const std::vector<Point>& points, const std::vector<std::size_t>& begins,
+                    const std::vector<std::uint8_t>& is_omitted, std::uint8_t which) {
   GridPoints result;
-  const auto count = static_cast<std::size_t>(std::count(is_left_out.begin(), is_left_out.end(), which));
+  const auto count = static_cast<std::size_t>(std::count(is_omitted.begin(), is_omitted.end(), which));
   if (count == 0) return result;
   for (std::vector<float>* values : {&result.x, &result.y, &result.z, &result.area}) {
     values->resize(count + grid_padding);
@@ -173,7 +176,7 @@ GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const
     while (next_block <= block) result.first[next_block++] = end;
     std::array<std::uint32_t, 9> octants{end};
     for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
-      if (is_left_out[i] == which) ++octants[points[i].octant + 1U];
+      if (is_omitted[i] == which) ++octants[points[i].octant + 1U];
     }
     std::partial_sum(octants.begin(), octants.end(), octants.begin());
     if (octants.back() == end) continue;
@@ -181,7 +184,7 @@ GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const
     result.octants_of[block] = static_cast<std::uint32_t>(result.octants.size());
     result.octants.push_back(octants);
     for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
-      if (is_left_out[i] != which) continue;
+      if (is_omitted[i] != which) continue;
       const std::uint32_t place = octants[points[i].octant]++;
       result.x[place] = points[i].x;
       result.y[place] = points[i].y;
@@ -194,7 +197,7 @@ GridPoints chosen(const BlockGrid& grid, const std::vector<Point>& points, const
   return result;
 }
 
-/// All chunks' points, sorted by blocks.
+/// Returns the points of all chunks, sorted by block.
 std::vector<Point> sorted_by_blocks(const std::vector<std::vector<Point>>& chunks, std::size_t blocks) {
   std::vector<std::uint32_t> first(blocks + 1);
   for (const auto& chunk : chunks) {
@@ -258,26 +261,26 @@ GridSurface::GridSurface(const BlockGrid& grid, const Shape& shape, double apart
   std::vector<std::vector<Point>> chunks((n + chunk_size - 1) / chunk_size);
   for_each(chunks.size(), [&](std::size_t chunk) {
     chunks[chunk] =
-        points_on(grid, shape, spacing, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size), triangles);
+        sampled_points(grid, shape, spacing, chunk * chunk_size, std::min(n, (chunk + 1) * chunk_size), triangles);
   });
   std::vector<Point> all = sorted_by_blocks(chunks, grid.block_count());
   chunks.clear();
-  // A triangle's own points are no farther than this from any place on it.
-  if (all.size() > 2 * n) hidden = 0.5 * spacing * spacing;
-  std::vector<std::size_t> begins;  // of the blocks that have points
+  // No point of a triangle is farther than this from the nearest of its samples.
+  if (all.size() > 2 * n) squared_margin = 0.5 * spacing * spacing;
+  std::vector<std::size_t> begins;  // first point of each block with points
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i == 0 || all[i].block != all[i - 1].block) begins.push_back(i);
   }
   begins.push_back(all.size());
-  std::vector<std::uint8_t> is_left_out(all.size(), 0);
-  tbb::enumerable_thread_specific<Cubes> cubes([&] { return Cubes(grid); });
+  std::vector<std::uint8_t> is_omitted(all.size(), 0);
+  tbb::enumerable_thread_specific<CubeRepresentatives> cubes([&] { return CubeRepresentatives(grid); });
   for_each(begins.size() - 1, [&](std::size_t block) {
     const std::size_t count = begins[block + 1] - begins[block];
     if (count < 2) return;
-    cubes.local().leave_out(grid, {&all[begins[block]], count}, {&is_left_out[begins[block]], count});
+    cubes.local().omit(grid, {&all[begins[block]], count}, {&is_omitted[begins[block]], count});
   });
-  points = chosen(grid, all, begins, is_left_out, 0);
-  left_out = chosen(grid, all, begins, is_left_out, 1);
+  points = selected(grid, all, begins, is_omitted, 0);
+  omitted = selected(grid, all, begins, is_omitted, 1);
 }
 
 }  // namespace shapegauge

@@ -13,64 +13,65 @@
 
 namespace shapegauge {
 
-/// Padded arrays go on for so many more numbers: loops take as many at once.
+/// Number of padding entries of padded arrays; no vector is wider.
 inline constexpr std::size_t grid_padding = 16;
 
-/// Points on triangles, sorted by the blocks of a grid, and within a block by its octants.
+/// Points on triangles, sorted by block of a grid, and within a block by octant.
 struct GridPoints {
   std::vector<float> x, y, z;          ///< in cells; padded
-  std::vector<float> area;             ///< of the surface that each stands for; padded
-  std::vector<std::int32_t> triangle;  ///< that each lies on
-  std::vector<std::uint32_t> first;    ///< of each block's points, and one past the last's
+  std::vector<float> area;             ///< area represented by each; padded
+  std::vector<std::int32_t> triangle;  ///< triangle that contains each
+  std::vector<std::uint32_t> first;    ///< by block: index of its first point; one more entry at the end
   static constexpr int octant_edge = block_edge / 2;
-  /// Of blocks that have points, the first of each octant's (bit x, y, z of its number) and one past the last's.
+  /// By block with points: index of each octant's first point (the octant's number has bits x, y, z), and one entry at
+  /// the end.
   std::vector<std::array<std::uint32_t, 9>> octants;
-  std::vector<std::uint32_t> octants_of;  ///< by block: where they are; no_octants where it has no points
+  std::vector<std::uint32_t> octants_of;  ///< by block: index into `octants`; no_octants for a block without points
   static constexpr std::uint32_t no_octants = 0xFFFFFFFF;
 
   [[nodiscard]] bool empty() const { return triangle.empty(); }
 
-  /// Points from begin to end.
+  /// Range of points.
   struct Run {
     std::uint32_t begin, end;
   };
-  /// The points of all octants within reach of a place, along each axis.
+  /// Collects the points of all octants within `reach` of a place along each axis.
   void find_runs(const BlockGrid& grid, const Eigen::Vector3d& place, double reach, std::vector<Run>& runs) const;
 };
 
-/// The surface in a grid: its triangles in cells (a cloud's points as triangles of no size), and points on them no
-/// farther apart than a spacing, which say quickly which triangle is closest.
+/// Surface in cell coordinates: its triangles (degenerate ones for the points of a cloud), and points sampled on them
+/// at most `spacing` apart, which give the closest triangle quickly.
 ///
-/// Of triangles so small that many are in a cube of edge r/16, one in each such cube stands for the others: the rest of
-/// the grid costs no more than for a coarser surface. None is farther than the cube's diagonal from the one that
-/// stands for it, and so at a distance of r nearer by less than 0.006 r.
+/// Triangles much smaller than a cube of edge r/16 are represented by one triangle per cube, which limits the cost of
+/// fine meshes. An omitted triangle is at most the diagonal of the cube away from its representative; at a distance of
+/// r this is an error of less than 0.006 r.
 struct GridSurface {
   TriangleTable triangles;
   GridPoints points;
-  /// What others stand for: only samples are looked for on them.
-  GridPoints left_out;
+  /// Points of the omitted triangles, used only to locate samples.
+  GridPoints omitted;
   double spacing;  ///< of the points, in cells
-  /// How much farther, squared, than the nearest point one may be whose triangle is the closest: nothing where most
-  /// triangles have one point.
-  double hidden = 0;
+  /// Maximum difference of squared distances between the nearest point and the nearest point of the closest triangle; 0
+  /// if most triangles have one point.
+  double squared_margin = 0;
 
-  /// The points are so many cells apart.
+  /// Samples points at a spacing of `apart` cells.
   GridSurface(const BlockGrid& grid, const Shape& shape, double apart, bool parallel);
 };
 
-/// A triangle of the shape in cells.
+/// Returns a triangle of the shape in cell coordinates.
 Triangle triangle_in_cells(const BlockGrid& grid, const Shape& shape, Eigen::Index triangle);
 
-/// How much surface there is, in the shape's unit.
+/// Size of a surface, in the shape's units.
 struct SurfaceExtent {
   explicit SurfaceExtent(const Shape& shape);
 
-  double pieces = 0;   ///< triangles or points
-  double lengths = 0;  ///< of the triangles' longest edges
+  double pieces = 0;   ///< number of triangles or points
+  double lengths = 0;  ///< sum of the triangles' longest edges
   double area = 0;
 
-  /// No fewer than the points of a GridSurface of this spacing.
-  [[nodiscard]] double most_points(double spacing) const {
+  /// Returns an upper bound of the number of points of a GridSurface of this spacing.
+  [[nodiscard]] double max_points(double spacing) const {
     return pieces + 2 * lengths / spacing + area / (spacing * spacing);
   }
 };

@@ -1,4 +1,4 @@
-// The loop over points, compiled once for each instruction set that Highway knows of.
+// Loop over points, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/offset/mean_normals.cpp"
@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Arrays of three coordinates.
 using Coordinates = std::array<const float*, 3>;
 
-/// Adds area n n^T of the runs' points, weighted by how near they are, to sixteen sums for each of its six entries: as
-/// many whatever the processor, so that all round alike.
+/// Accumulates area n n^T over the points of the runs, weighted by proximity. Each of the six entries has sixteen
+/// partial sums, whatever the vector width: the same bits on every machine.
 void add_normals(const Coordinates& points, const Coordinates& normals, const float* area,
                  const std::vector<GridPoints::Run>& runs, const Eigen::Vector3f& from, float inverse_reach2,
                  std::array<std::array<float, grid_padding>, 6>& sums) {
@@ -94,7 +94,7 @@ MeanNormals::MeanNormals(const BlockGrid& grid, const Shape& shape, const GridSu
 }
 
 Eigen::Vector3d MeanNormals::at(const Eigen::Vector3d& p, const Eigen::Vector3d& n) const {
-  constexpr double radius = 0.5;  // in parts of r
+  constexpr double radius = 0.5;  // in units of r
   if (x_.empty()) return n;
   const double reach = radius * grid_.r;
   std::array<std::array<float, grid_padding>, 6> sums;

@@ -7,9 +7,9 @@
 
 namespace shapegauge {
 
-/// The point of E(r) nearest to p about a site near it (in cells), or nothing where the site is of no use: p is
-/// projected onto the half-spaces that the triangles nearest to the result leave free, again and again. Nothing, too,
-/// where it leads to one that is known already.
+/// Computes the point of E(r) nearest to p in the neighbourhood of a site, in cells: iterates projections of p onto the
+/// half-spaces tangent to the balls about the triangles nearest to the current point, starting with `triangle` at the
+/// site. Returns nothing if the iteration fails or approaches a known result.
 std::optional<Eigen::Vector3d> nearest_offset_point(const ExteriorGrid& exterior, const Eigen::Vector3d& p,
                                                     const Eigen::Vector3d& site, std::int32_t triangle,
                                                     const std::optional<Eigen::Vector3d>& known);

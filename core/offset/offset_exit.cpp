@@ -12,21 +12,22 @@ namespace shapegauge {
 
 namespace {
 
-/// A ray through the cubes between the cells' centres: places in cells from the first centre.
+/// Ray through the cubes between the cells' centres, in cells relative to the first centre.
 struct Ray {
   Eigen::Vector3d origin, direction, inverse;
 
   [[nodiscard]] Eigen::Vector3d at(double t) const { return origin + t * direction; }
 };
 
-/// How far from x the ray leaves the cube of a lattice of that edge which holds x, whose coordinates are not negative.
+/// Returns the distance from x at which the ray leaves the cube, of a lattice with this edge, that contains x. The
+/// coordinates of x are not negative.
 template <int edge>
-double leave_cube(const Eigen::Vector3d& x, const Ray& ray) {
+double distance_to_cube_exit(const Eigen::Vector3d& x, const Ray& ray) {
   constexpr double inverse_edge = 1.0 / edge;
   double least = std::numeric_limits<double>::infinity();
   for (int k = 0; k < 3; ++k) {
     const double place = x[k] * inverse_edge;
-    // The conversion rounds as floor does, from -1 on by one less, which leads on as well.
+    // Truncation equals floor except between -1 and 0, where the ray still advances.
     const double low = static_cast<int>(place);
     const double way = ray.inverse[k] > 0 ? low + 1 - place : low - place;
     least = std::min(least, way * edge * ray.inverse[k]);
@@ -34,8 +35,8 @@ double leave_cube(const Eigen::Vector3d& x, const Ray& ray) {
   return std::max(least, 0.0) + 1e-6;
 }
 
-/// Of the cubes between the centres of a block's cells and of those next to them, the ones that have an exterior
-/// corner. Each is the bit of its lowest cell.
+/// Returns the cubes between the centres of a block's cells and their neighbours that have an exterior corner. Each is
+/// the bit of its lowest cell.
 std::uint64_t cubes_at_exterior(const ExteriorGrid& exterior, const Eigen::Vector3i& block) {
   constexpr std::uint64_t low_x = 0x1111111111111111;
   constexpr std::uint64_t low_y = 0x000F000F000F000F;
@@ -56,7 +57,7 @@ std::uint64_t cubes_at_exterior(const ExteriorGrid& exterior, const Eigen::Vecto
   return own | own >> 16U | along_y(1) << 48U;
 }
 
-/// The cubes of a block that the box from a to b meets, both relative to its corner.
+/// Returns the cubes of a block that intersect the box from a to b, both relative to its corner.
 std::uint64_t cubes_along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   constexpr std::array<std::uint64_t, 3> every{0x1111111111111111, 0x0001000100010001, 1};
   std::uint64_t cubes = ~std::uint64_t{0};
@@ -71,33 +72,35 @@ std::uint64_t cubes_along(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return cubes;
 }
 
-/// From t on, where the ray comes to a cube that has an exterior corner, or leaves the grid.
-double next_at_exterior(const ExteriorGrid& exterior, const Ray& ray, double t) {
+/// Returns the parameter, from t on, at which the ray enters a cube with an exterior corner or leaves the grid.
+double next_exterior_cube(const ExteriorGrid& exterior, const Ray& ray, double t) {
   const BlockGrid& grid = exterior.grid();
   while (true) {
     const Eigen::Vector3d x = ray.at(t);
     const Eigen::Vector3i block = (x / block_edge).cast<int>();
     if (!grid.has_block(block)) return t;
-    const double end = t + leave_cube<block_edge>(x, ray);
+    const double end = t + distance_to_cube_exit<block_edge>(x, ray);
     if (exterior.is_near_exterior(grid.block_index(block))) {
       const Eigen::Vector3d corner = (block_edge * block).cast<double>();
-      const std::uint64_t wanted = cubes_at_exterior(exterior, block) & cubes_along(x - corner, ray.at(end) - corner);
-      while (wanted != 0 && t < end) {
+      const std::uint64_t candidates =
+          cubes_at_exterior(exterior, block) & cubes_along(x - corner, ray.at(end) - corner);
+      while (candidates != 0 && t < end) {
         const Eigen::Vector3d from = ray.at(t);
         const Eigen::Vector3i cube = (from - corner).cast<int>().cwiseMax(0).cwiseMin(block_edge - 1);
-        if ((wanted >> static_cast<unsigned>(cube.x() + 4 * cube.y() + 16 * cube.z()) & 1U) != 0) return t;
-        t += leave_cube<1>(from, ray);
+        if ((candidates >> static_cast<unsigned>(cube.x() + 4 * cube.y() + 16 * cube.z()) & 1U) != 0) return t;
+        t += distance_to_cube_exit<1>(from, ray);
       }
     }
     t = end;
   }
 }
 
-/// How far along the ray the balls of radius r about the ends of the vectors cover it; 0 where none does.
+/// Returns the end of the part of a ray covered by the balls of radius r about the triangles' closest points; 0 if none
+/// covers its origin.
 double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d& direction, double r) {
   const double outside = r * (1 + 1e-4);
   double end = 0;
-  for (std::size_t i = 0; i < TriangleTable::at_once; ++i) {
+  for (std::size_t i = 0; i < TriangleTable::batch_size; ++i) {
     const auto squared = static_cast<double>(vectors.squared[i]);
     if (squared >= r * r) continue;
     const double along = vectors.vector(i).dot(direction);
@@ -109,36 +112,36 @@ double end_of_balls(const TriangleTable::Vectors& vectors, const Eigen::Vector3d
 }  // namespace
 
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) {
-  constexpr int most_steps = 100000;
-  // After a step so short, in parts of r, the triangles seen from its end are those seen from its beginning.
-  constexpr double nearly = 0.02;
+  constexpr int max_steps = 100000;
+  // After a step below this length, in units of r, the surrounding triangles are the same.
+  constexpr double negligible = 0.02;
   const double r = exterior.grid().r;
   const Ray ray{(origin.array() - 0.5).matrix(), direction, direction.cwiseInverse()};
   TriangleTable::Vectors vectors;
   double t = r;
-  for (int step = 0; step < most_steps; ++step) {
-    t = next_at_exterior(exterior, ray, t);
+  for (int step = 0; step < max_steps; ++step) {
+    t = next_exterior_cube(exterior, ray, t);
     const Eigen::Vector3d x = origin + t * direction;
     const CellsAround around = cells_around(exterior, x);
-    // Balls about the closest points of the triangles around cover a stretch of the ray; the farthest end counts.
+    // The balls about the closest points of the surrounding triangles cover a part of the ray; advance to its end.
     if (!vectors_around(exterior, around, x, vectors)) return t;
     double covered = end_of_balls(vectors, direction, r);
     t += covered;
-    if (covered > nearly * r) continue;
-    // Perhaps a triangle that no cell knows of, near the one that is closest.
+    if (covered > negligible * r) continue;
+    // A triangle that is nearest to none of the cells may be closer; it is near the closest one.
     const auto closest = static_cast<std::size_t>(std::min_element(vectors.squared.begin(), vectors.squared.end()) -
                                                   vectors.squared.begin());
     const std::int32_t triangle =
-        closest_triangle_about(exterior.grid(), exterior.surface(), x - vectors.vector(closest), closest_reach, x);
+        closest_triangle_near(exterior.grid(), exterior.surface(), x - vectors.vector(closest), closest_reach, x);
     const bool is_known =
         std::find(around.triangles.begin(), around.triangles.end(), triangle) != around.triangles.end();
     if (triangle < 0 || is_known) return t;
-    std::array<std::int32_t, TriangleTable::at_once> triangles;
+    std::array<std::int32_t, TriangleTable::batch_size> triangles;
     triangles.fill(triangle);
     exterior.surface().triangles.vectors_to(origin + t * direction, triangles.data(), vectors);
     covered = end_of_balls(vectors, direction, r);
     t += covered;
-    if (covered <= nearly * r) return t;
+    if (covered <= negligible * r) return t;
   }
   return t;
 }

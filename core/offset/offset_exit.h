@@ -6,7 +6,7 @@
 
 namespace shapegauge {
 
-/// How far along the ray (in cells, direction of length 1) E(r) begins, from a point within r of the surface.
+/// Returns the distance (in cells) along a ray with a unit direction, from a point within r of the surface to E(r).
 double offset_exit(const ExteriorGrid& exterior, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction);
 
 }  // namespace shapegauge

@@ -12,12 +12,12 @@ namespace shapegauge {
 
 namespace {
 
-/// The centre of a cell of a block.
+/// Returns the centre of a cell of a block.
 Eigen::Vector3d centre_of(const Eigen::Vector3i& block, int bit) {
   return (block_edge * block + Eigen::Vector3i(bit & 3, (bit >> 2) & 3, bit >> 4)).cast<double>().array() + 0.5;
 }
 
-/// Sites as they are found, block by block.
+/// Accumulates the sites of consecutive blocks.
 struct FoundSites {
   std::vector<float> x, y, z;
   std::vector<std::int32_t> triangle;
@@ -30,18 +30,18 @@ struct FoundSites {
   void add(const ExteriorGrid& exterior, std::size_t number, double band) {
     const BoundaryBlock& block = exterior.boundary()[number];
     const double r = exterior.grid().r;
-    // Most cells are farther: single precision says so.
+    // Most cells are farther; single precision suffices to reject them.
     const auto farthest2 = static_cast<float>(1.0001 * (r + band) * (r + band));
     const Eigen::Vector3i place = exterior.grid().block_at(block.index);
-    constexpr std::size_t most = TriangleTable::at_once;
-    std::array<std::int32_t, most> triangles{};
-    std::array<Eigen::Vector3d, most> centres;
+    constexpr std::size_t batch = TriangleTable::batch_size;
+    std::array<std::int32_t, batch> triangles{};
+    std::array<Eigen::Vector3d, batch> centres;
     TriangleTable::Vectors vectors{};
-    std::uint64_t left = exterior.boundary_cells(number);
-    while (left != 0) {
+    std::uint64_t remaining = exterior.boundary_cells(number);
+    while (remaining != 0) {
       std::size_t count = 0;
-      for (; left != 0 && count < most; left &= left - 1, ++count) {
-        const int bit = std::countr_zero(left);
+      for (; remaining != 0 && count < batch; remaining &= remaining - 1, ++count) {
+        const int bit = std::countr_zero(remaining);
         triangles[count] = block.nearest[static_cast<std::size_t>(bit)];
         centres[count] = centre_of(place, bit);
         vectors.set(count, centres[count]);
@@ -68,12 +68,12 @@ std::size_t cube_index(const OffsetSites& sites, const Eigen::Vector3i& cube) {
          static_cast<std::size_t>(cube.x());
 }
 
-/// A row of blocks along x, or a cube of them, in cells.
+/// Returns the box of a range of blocks, in cells.
 Eigen::AlignedBox3d box_of(const Eigen::Vector3i& low, const Eigen::Vector3i& high) {
   return {(block_edge * low).cast<double>(), (block_edge * high).cast<double>()};
 }
 
-/// As many numbers as there are, without room for more but the padding.
+/// Returns a copy with padding and no spare capacity.
 std::vector<float> padded(const std::vector<float>& values) {
   std::vector<float> result;
   result.reserve(values.size() + grid_padding);
@@ -107,7 +107,7 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const Eigen::Vector3i cube = exterior.grid().block_at(blocks[i].index) / cube_edge;
     std::uint8_t& is_occupied = occupied[cube_index(*this, cube)];
-    const OfBlock sites = of_block(i);
+    const BlockSites sites = sites_of_block(i);
     if (sites.begin == sites.end || is_occupied != 0) continue;
     is_occupied = 1;
     occupied_cubes.push_back(cube);
@@ -116,26 +116,26 @@ OffsetSites::OffsetSites(const ExteriorGrid& exterior, double band, bool paralle
 
 double NearbySites::distance_to_nearest(const Eigen::Vector3d& x) {
   constexpr int edge = OffsetSites::cube_edge;
-  waiting_.clear();
-  double enough = std::numeric_limits<double>::infinity();
+  queue_.clear();
+  double upper_bound2 = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < sites_.occupied_cubes.size(); ++i) {
     const Eigen::Vector3d low = (edge * block_edge * sites_.occupied_cubes[i]).cast<double>();
     const Eigen::Vector3d high = low.array() + edge * block_edge;
     const double nearest2 = (low - x).cwiseMax(x - high).cwiseMax(0).squaredNorm();
-    if (nearest2 > enough) continue;
-    enough = std::min(enough, (x - low).cwiseAbs().cwiseMax((high - x).cwiseAbs()).squaredNorm());
-    waiting_.emplace_back(nearest2, static_cast<std::uint32_t>(i));
+    if (nearest2 > upper_bound2) continue;
+    upper_bound2 = std::min(upper_bound2, (x - low).cwiseAbs().cwiseMax((high - x).cwiseAbs()).squaredNorm());
+    queue_.emplace_back(nearest2, static_cast<std::uint32_t>(i));
   }
-  std::sort(waiting_.begin(), waiting_.end());
+  std::sort(queue_.begin(), queue_.end());
   double best2 = std::numeric_limits<double>::infinity();
-  for (const auto& [nearest2, cube] : waiting_) {
+  for (const auto& [nearest2, cube] : queue_) {
     if (nearest2 >= best2) break;
     best2 = std::min(best2, nearest_in_cube(sites_.occupied_cubes[cube], x, best2));
   }
   return std::sqrt(best2);
 }
 
-/// The squared distance to the nearest site of the cube, if it is less than the limit.
+/// Returns the lesser of the limit and the squared distance to the nearest site of the cube.
 double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Vector3d& x, double limit) {
   constexpr int edge = OffsetSites::cube_edge;
   const BlockGrid& grid = exterior_.grid();
@@ -149,11 +149,11 @@ double NearbySites::nearest_in_cube(const Eigen::Vector3i& cube, const Eigen::Ve
       for (int i = begin.x(); i < end.x(); ++i) {
         const std::int32_t state = exterior_.block(row + static_cast<std::size_t>(i));
         if (state < 0) continue;
-        const auto& [chunk, first, last, number_before] = sites_.of_block(static_cast<std::size_t>(state));
+        const auto& [chunk, first, last, number_before] = sites_.sites_of_block(static_cast<std::size_t>(state));
         if (first == last) continue;
-        if (of_block_.size() < last - first + grid_padding) of_block_.resize(last - first + grid_padding);
+        if (squared_scratch_.size() < last - first + grid_padding) squared_scratch_.resize(last - first + grid_padding);
         limit = std::min(limit, static_cast<double>(squared_distances(&chunk.x[first], &chunk.y[first], &chunk.z[first],
-                                                                      last - first, from, of_block_.data())));
+                                                                      last - first, from, squared_scratch_.data())));
       }
     }
   }
@@ -193,13 +193,13 @@ void NearbySites::collect(const Eigen::AlignedBox3d& box, double reach) {
     values->resize(site_.size() + grid_padding);
 }
 
-/// The sites of the blocks from the first on along x.
+/// Collects the sites of a row of blocks along x.
 void NearbySites::collect_row(const Eigen::Vector3i& begin, int end) {
   const std::size_t index = exterior_.grid().block_index(begin);
   for (int i = 0; i < end - begin.x(); ++i) {
     const std::int32_t state = exterior_.block(index + static_cast<std::size_t>(i));
     if (state < 0) continue;
-    const auto& [chunk, first, last, number_before] = sites_.of_block(static_cast<std::size_t>(state));
+    const auto& [chunk, first, last, number_before] = sites_.sites_of_block(static_cast<std::size_t>(state));
     x_.insert(x_.end(), &chunk.x[first], &chunk.x[last]);
     y_.insert(y_.end(), &chunk.y[first], &chunk.y[last]);
     z_.insert(z_.end(), &chunk.z[first], &chunk.z[last]);
@@ -215,7 +215,8 @@ std::array<double, 2> NearbySites::measure(const std::array<Eigen::Vector3d, 2>&
   return nearest_;
 }
 
-void NearbySites::starts(std::size_t place, double margin, double apart, std::size_t most, std::vector<Site>& found) {
+void NearbySites::start_sites(std::size_t place, double margin, double apart, std::size_t max_count,
+                              std::vector<Site>& found) {
   found.clear();
   const auto limit = static_cast<float>(std::pow(nearest_[place] + margin, 2));
   const std::vector<float>& squared = squared_[place];
@@ -223,7 +224,7 @@ void NearbySites::starts(std::size_t place, double margin, double apart, std::si
   candidates_.resize(site_.size());
   const std::size_t count = indices_within(squared.data(), site_.size(), limit, candidates_.data());
   for (std::size_t i = 0; i < count; ++i) within_margin_.push_back({candidates_[i], squared[candidates_[i]]});
-  while (found.size() < most && !within_margin_.empty()) {
+  while (found.size() < max_count && !within_margin_.empty()) {
     const auto best = std::min_element(within_margin_.begin(), within_margin_.end(),
                                        [](const Site& a, const Site& b) { return a.distance < b.distance; });
     const std::size_t chosen = best->site;

@@ -12,71 +12,73 @@
 
 namespace shapegauge {
 
-/// Points of the outer offset surface, about one for each square of a cell's edge: the centre of every exterior cell
-/// within the band of the offset solid, moved along the line to its closest triangle until that is r away.
+/// Samples of the outer offset surface, about one per squared cell edge: the centre of each exterior cell within the
+/// band around the offset solid, moved towards its closest triangle to a distance of r.
 struct OffsetSites {
-  /// Of so many of the exterior's boundary blocks in a row. Nothing is copied to where all are: with offsets of a few
-  /// thousandths there are millions.
+  /// Sites of consecutive boundary blocks. They are not copied into one array: offsets of a few thousandths have
+  /// millions.
   struct Chunk {
     static constexpr std::size_t blocks = 64;
     std::vector<float> x, y, z;                     ///< padded
-    std::vector<std::int32_t> triangle;             ///< that is r away from each
-    std::array<std::uint16_t, blocks + 1> first{};  ///< of each block's, and one past the last's
+    std::vector<std::int32_t> triangle;             ///< triangle at a distance of r from each
+    std::array<std::uint16_t, blocks + 1> first{};  ///< by block: index of its first site; one more entry at the end
   };
   std::vector<Chunk> chunks;
-  /// Cubes of `cube_edge` blocks along each axis: whether any are in each, and all in which there are.
+  /// Occupancy of cubes of `cube_edge` blocks along each axis, and the list of occupied cubes.
   std::vector<std::uint8_t> occupied;
   std::vector<Eigen::Vector3i> occupied_cubes;
-  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< along each axis
+  Eigen::Vector3i cubes = Eigen::Vector3i::Zero();  ///< number along each axis
   static constexpr int cube_edge = 8;
 
   OffsetSites(const ExteriorGrid& exterior, double band, bool parallel);
 
-  /// A site's number is its chunk's times this, and its place in the chunk.
-  static constexpr std::uint32_t most_in_chunk = Chunk::blocks * cells_per_block;
+  /// A site's number is its chunk's index times this, plus its index in the chunk.
+  static constexpr std::uint32_t max_in_chunk = Chunk::blocks * cells_per_block;
   [[nodiscard]] Eigen::Vector3d place(std::uint32_t site) const {
-    const Chunk& chunk = chunks[site / most_in_chunk];
-    const std::uint32_t i = site % most_in_chunk;
+    const Chunk& chunk = chunks[site / max_in_chunk];
+    const std::uint32_t i = site % max_in_chunk;
     return {static_cast<double>(chunk.x[i]), static_cast<double>(chunk.y[i]), static_cast<double>(chunk.z[i])};
   }
   [[nodiscard]] std::int32_t triangle(std::uint32_t site) const {
-    return chunks[site / most_in_chunk].triangle[site % most_in_chunk];
+    return chunks[site / max_in_chunk].triangle[site % max_in_chunk];
   }
 
-  /// The sites of one of the exterior's boundary blocks.
-  struct OfBlock {
+  /// Sites of a boundary block of the exterior.
+  struct BlockSites {
     const Chunk& chunk;
-    std::size_t begin, end;       ///< in the chunk
-    std::uint32_t number_before;  ///< of the chunk's first site
+    std::size_t begin, end;       ///< indices in the chunk
+    std::uint32_t number_before;  ///< number of the chunk's first site
   };
-  [[nodiscard]] OfBlock of_block(std::size_t block) const {
+  [[nodiscard]] BlockSites sites_of_block(std::size_t block) const {
     const std::size_t c = block / Chunk::blocks;
     const Chunk& chunk = chunks[c];
     const std::size_t i = block % Chunk::blocks;
-    return {chunk, chunk.first[i], chunk.first[i + 1], static_cast<std::uint32_t>(c) * most_in_chunk};
+    return {chunk, chunk.first[i], chunk.first[i + 1], static_cast<std::uint32_t>(c) * max_in_chunk};
   }
 };
 
-/// The sites near a group of samples, each group's in a row.
+/// Sites near a group of samples, in contiguous arrays.
 class NearbySites {
  public:
   NearbySites(const ExteriorGrid& exterior, const OffsetSites& sites) : exterior_(exterior), sites_(sites) {}
 
-  /// The distance from x to the nearest of all sites, however far; infinite where there are none.
+  /// Returns the distance from x to the nearest of all sites; infinite without sites.
   double distance_to_nearest(const Eigen::Vector3d& x);
 
-  /// Collects those within reach of the box.
+  /// Collects the sites within `reach` of the box.
   void collect(const Eigen::AlignedBox3d& box, double reach);
 
   struct Site {
-    std::uint32_t site;  ///< its number
+    std::uint32_t site;  ///< number of the site
     float distance;
   };
-  /// The distances from two places to the nearest of the collected sites, infinite where there is none.
+  /// Computes the distances from two places to all collected sites, and returns those to the nearest; infinite without
+  /// sites.
   std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places);
-  /// Of the sites whose distance from one of the places measured exceeds the nearest one's by less than the margin, in
-  /// the order of their distances: the nearest, then those farther than `apart` from all before, up to so many.
-  void starts(std::size_t place, double margin, double apart, std::size_t most, std::vector<Site>& found);
+  /// Returns starting points for the search from one of the measured places, by ascending distance: sites whose
+  /// distance exceeds the smallest by less than the margin, each farther than `apart` from those before; at most
+  /// max_count.
+  void start_sites(std::size_t place, double margin, double apart, std::size_t max_count, std::vector<Site>& found);
 
  private:
   void collect_row(const Eigen::Vector3i& begin, int end);
@@ -84,12 +86,12 @@ class NearbySites {
 
   const ExteriorGrid& exterior_;
   const OffsetSites& sites_;
-  std::vector<float> x_, y_, z_, of_block_;
-  std::array<std::vector<float>, 2> squared_;  ///< distances from the two places
+  std::vector<float> x_, y_, z_, squared_scratch_;
+  std::array<std::vector<float>, 2> squared_;  ///< squared distances from the two places
   std::array<double, 2> nearest_{};
   std::vector<std::uint32_t> site_, candidates_;
   std::vector<Site> within_margin_;
-  std::vector<std::pair<double, std::uint32_t>> waiting_;  ///< squared distances of cubes and their numbers
+  std::vector<std::pair<double, std::uint32_t>> queue_;  ///< squared distances of cubes, with their indices
 };
 
 }  // namespace shapegauge

@@ -24,41 +24,41 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Exterior cells no farther from O(r) than this, in cells, have a site: every place of the offset surface is within a
-/// cell of one.
+/// Exterior cells up to this distance from O(r), in cells, have a site. Every point of the offset surface is within a
+/// cell of a site.
 constexpr double site_band = 0.9;
-/// A sample's, along its normal and against it.
+/// Sides of a sample: along its normal and against it.
 constexpr std::array<double, 2> sides{1, -1};
-/// The points that say which triangle is closest are this far apart, in parts of r: they are too far by .25^2 / 16 of
-/// r.
+/// Spacing of the points that determine the closest triangle, in units of r. Distances are too large by at most .25^2 /
+/// 16 of r.
 constexpr double point_spacing = 0.25;
-constexpr double widest_spacing = 0.7;
-constexpr double most_points = 6e6;
-constexpr std::size_t most_blocks = std::size_t{1} << 24U;
+constexpr double max_spacing = 0.7;
+constexpr double max_points = 6e6;
+constexpr std::size_t max_blocks = std::size_t{1} << 24U;
 
-/// What a grid needs to be made.
+/// Parameters of a grid.
 struct Layout {
   double offset;
   double cell;
   double spacing;  ///< in cells
 };
 
-/// The cells and points for an offset, or for the least offset above it for which there are not too many.
-Layout lay_out(const Shape& shape, const Eigen::AlignedBox3d& bounds, const OffsetGridOptions& options) {
+/// Returns the parameters for an offset, or for a larger one that keeps within the bounds of memory.
+Layout choose_layout(const Shape& shape, const Eigen::AlignedBox3d& bounds, const OffsetSolverOptions& options) {
   Layout layout{options.offset, options.offset / options.cells_per_offset, point_spacing * options.cells_per_offset};
   const SurfaceExtent extent(shape);
   while (true) {
     const BlockGrid grid(bounds, layout.offset, layout.cell);
     if ((grid.blocks.cast<double>().array() > 1e6).any() ||
-        grid.blocks.cast<double>().prod() > static_cast<double>(most_blocks)) {
-      // First larger cells, then a larger offset.
+        grid.blocks.cast<double>().prod() > static_cast<double>(max_blocks)) {
+      // Enlarges cells first, then the offset.
       layout.cell *= 1.1;
       layout.offset = std::max(layout.offset, 2.5 * layout.cell);
       layout.spacing = point_spacing * layout.offset / layout.cell;
       continue;
     }
-    if (extent.most_points(layout.spacing * layout.cell) <= most_points + 2 * extent.pieces) return layout;
-    if (layout.spacing * 1.2 <= widest_spacing * grid.r) {
+    if (extent.max_points(layout.spacing * layout.cell) <= max_points + 2 * extent.pieces) return layout;
+    if (layout.spacing * 1.2 <= max_spacing * grid.r) {
       layout.spacing *= 1.2;
     } else {
       layout.cell *= 1.1;
@@ -67,16 +67,16 @@ Layout lay_out(const Shape& shape, const Eigen::AlignedBox3d& bounds, const Offs
   }
 }
 
-/// The samples of a block, one after the other in `order`.
+/// Samples of a block: a range of order_.
 struct Group {
   std::size_t begin, end;
 };
 
-/// What all samples have in common.
+/// Solver of all samples, with their shared data.
 class Solver {
  public:
   Solver(const Shape& shape, const ExteriorGrid& exterior, const OffsetSites& sites, const MeanNormals& means,
-         const Points& points, const Points& normals, std::vector<std::int32_t> likely, OffsetAnswers& answers)
+         const Points& points, const Points& normals, std::vector<std::int32_t> likely, OffsetResults& results)
       : shape_(shape),
         exterior_(exterior),
         grid_(exterior.grid()),
@@ -85,19 +85,19 @@ class Solver {
         points_(points),
         normals_(normals),
         likely_(std::move(likely)),
-        answers_(answers) {
+        results_(results) {
     sort();
   }
 
   void solve(bool parallel) {
     if (parallel) {
-      tbb::enumerable_thread_specific<Room> rooms([this] { return Room(*this); });
-      parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { answer(groups_[g], rooms.local()); });
+      tbb::enumerable_thread_specific<Scratch> scratches([this] { return Scratch(*this); });
+      parallel_for(std::size_t{0}, groups_.size(), [&](std::size_t g) { solve_group(groups_[g], scratches.local()); });
     } else {
-      Room room(*this);
+      Scratch scratch(*this);
       for (const Group& group : groups_) {
         check_interruption();
-        answer(group, room);
+        solve_group(group, scratch);
       }
     }
   }
@@ -105,48 +105,49 @@ class Solver {
  private:
   struct Sample {
     Eigen::Vector3d p, normal;
-    std::int32_t triangle;  ///< that it is likely to lie on
+    std::int32_t triangle;  ///< that probably contains it
   };
 
-  /// A sample whose q must be searched: near either of two places, p raised on either side.
+  /// Sample whose q is found by iteration, from p raised on either side.
   struct Search {
     Eigen::Index index;
     Sample sample;
     std::array<Eigen::Vector3d, 2> places;
   };
 
-  /// What a group keeps from sample to sample, and its memory from group to group, without an influence on the answers.
-  struct Room {
-    explicit Room(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
+  /// Scratch data of a group of samples. The buffers are reused by later groups.
+  struct Scratch {
+    explicit Scratch(const Solver& solver) : sites(solver.exterior_, solver.sites_) {}
     NearbySites sites;
     std::vector<Search> searches;
-    Eigen::AlignedBox3d places;  ///< of the searches
-    double reach = 0;            ///< all sites within this of the places have been collected
+    Eigen::AlignedBox3d places;  ///< bounding box of the places of all searches
+    double reach = 0;            ///< sites within this distance of the places have been collected
     std::vector<NearbySites::Site> starts;
     NearbyPoints surface;
   };
 
   void sort();
-  void answer(const Group& group, Room& room) const;
+  void solve_group(const Group& group, Scratch& scratch) const;
   [[nodiscard]] bool is_on_surface(const Sample& sample, NearbyPoints& nearby) const;
   [[nodiscard]] bool is_on_own_triangle(const Sample& sample, double near_enough) const;
-  bool touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough, NearbyPoints& nearby) const;
+  bool is_on_any_triangle(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
+                          NearbyPoints& nearby) const;
   void finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> direct(const Sample& sample,
                                                       std::array<Eigen::Vector3d, 2>& places) const;
   [[nodiscard]] std::optional<double> depth_of(const Eigen::Vector3d& x) const;
-  [[nodiscard]] std::int32_t covering(const Sample& sample, const Eigen::Vector3d& x) const;
+  [[nodiscard]] std::int32_t covering_triangle(const Sample& sample, const Eigen::Vector3d& x) const;
   [[nodiscard]] std::optional<Eigen::Vector3d> refine(const Sample& sample, const Eigen::Vector3d& place,
                                                       std::uint32_t site,
                                                       const std::optional<Eigen::Vector3d>& known) const;
-  Eigen::Vector3d search(const Search& task, Room& room, OffsetOutcome& outcome) const;
-  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, Room& room) const;
+  Eigen::Vector3d search(const Search& task, Scratch& scratch, OffsetOutcome& outcome) const;
+  std::array<double, 2> measure(const std::array<Eigen::Vector3d, 2>& places, Scratch& scratch) const;
 
-  /// A refined point is nearer than its site, by no more than this as a rule, in cells: however fine they are, it may
-  /// be 0.133 r.
+  /// Maximum decrease of the distance, in cells, from a site to its refined point, with few exceptions. With fine cells
+  /// it is up to 0.133 r.
   [[nodiscard]] double gain() const { return std::max(0.4, 0.133 * grid_.r); }
-  /// Where that leads nowhere, sites are tried that are farther than the nearest by so many cells.
-  [[nodiscard]] double farther() const { return 3 * gain(); }
+  /// Margin, in cells, for further sites if the iterations from the first ones fail.
+  [[nodiscard]] double extended_margin() const { return 3 * gain(); }
 
   const Shape& shape_;
   const ExteriorGrid& exterior_;
@@ -155,14 +156,14 @@ class Solver {
   const MeanNormals& means_;
   const Points& points_;
   const Points& normals_;
-  std::vector<std::int32_t> likely_;  ///< triangles that the samples are likely to lie on
-  OffsetAnswers& answers_;
+  std::vector<std::int32_t> likely_;  ///< by sample: triangle that probably contains it
+  OffsetResults& results_;
   std::vector<Eigen::Index> order_;
   std::vector<Group> groups_;
 };
 
-/// For each sample a triangle that it is likely to lie on: its own where all faces are sampled, one of its vertex's
-/// where all vertices are.
+/// Returns for each sample a triangle that probably contains it: its own if all faces are sampled, one of its vertex's
+/// if all vertices are.
 std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samples) {
   std::vector<std::int32_t> likely(static_cast<std::size_t>(samples), 0);
   if (samples == (is_cloud(shape) ? shape.vertices.rows() : shape.triangles.rows())) {
@@ -176,11 +177,11 @@ std::vector<std::int32_t> likely_triangles(const Shape& shape, Eigen::Index samp
   return likely;
 }
 
-/// Sorts the samples by blocks; those that are in none are missing.
+/// Sorts the samples by block. Those outside the grid are missing.
 void Solver::sort() {
   constexpr unsigned index_bits = 40;
-  static_assert(most_blocks <= std::size_t{1} << (64 - index_bits));
-  std::vector<std::uint64_t> places;  // a block and, below it, a sample
+  static_assert(max_blocks <= std::size_t{1} << (64 - index_bits));
+  std::vector<std::uint64_t> places;  // block index in the high bits, sample index in the low ones
   places.reserve(static_cast<std::size_t>(points_.rows()));
   for (Eigen::Index i = 0; i < points_.rows(); ++i) {
     const Eigen::Vector3d p = grid_.to_cells(points_.row(i).transpose());
@@ -198,19 +199,19 @@ void Solver::sort() {
   }
 }
 
-/// By the triangle that it is likely to lie on, then by those of the surface's points near p.
+/// Tests the triangle that probably contains the sample, then those of the surface's points near it.
 bool Solver::is_on_surface(const Sample& sample, NearbyPoints& nearby) const {
   const GridSurface& surface = exterior_.surface();
   const Eigen::Vector3d& p = sample.p;
-  const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // what rounding may have moved a sample by
+  const double near_enough = std::max(1e-3 * grid_.r, 1e-6 / grid_.cell);  // displacement of a sample by rounding
   return surface.triangles.is_over_face(p, sample.triangle, near_enough) ||
          surface.triangles.squared_distance(p, sample.triangle) <= near_enough * near_enough ||
-         is_on_own_triangle(sample, near_enough) || touches(surface.points, p, near_enough, nearby) ||
-         touches(surface.left_out, p, near_enough, nearby);
+         is_on_own_triangle(sample, near_enough) || is_on_any_triangle(surface.points, p, near_enough, nearby) ||
+         is_on_any_triangle(surface.omitted, p, near_enough, nearby);
 }
 
-/// In double precision: single precision loses the middle of a triangle that is a thousand times as long as wide. Where
-/// a triangle is too thin even for double precision, the distances to its edges decide.
+/// Tests in double precision: single precision loses the interior of triangles a thousand times as long as wide. The
+/// edges are tested as well, for triangles too thin for double precision.
 bool Solver::is_on_own_triangle(const Sample& sample, double near_enough) const {
   if (is_cloud(shape_)) return false;
   const auto is_near = [&](const Eigen::Vector3d& x) { return (x - sample.p).norm() <= near_enough; };
@@ -220,12 +221,12 @@ bool Solver::is_on_own_triangle(const Sample& sample, double near_enough) const 
          is_near(closest_point_on_segment(own.c, own.a, sample.p));
 }
 
-bool Solver::touches(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
-                     NearbyPoints& nearby) const {
+bool Solver::is_on_any_triangle(const GridPoints& points, const Eigen::Vector3d& p, double near_enough,
+                                NearbyPoints& nearby) const {
   if (points.empty()) return false;
-  // The apex of an equilateral triangle is as far from the points of its columns as that.
+  // Maximum distance of a point of a triangle from its samples: the apex of an equilateral one.
   const double reach = 1.5 * exterior_.surface().spacing + near_enough;
-  std::array<std::int32_t, TriangleTable::at_once> triangles{};
+  std::array<std::int32_t, TriangleTable::batch_size> triangles{};
   TriangleTable::Vectors vectors;
   points.find_runs(grid_, p, reach, nearby.runs);
   for (const auto& [begin, end] : nearby.runs) {
@@ -248,8 +249,8 @@ bool Solver::touches(const GridPoints& points, const Eigen::Vector3d& p, double 
   return false;
 }
 
-/// How deep a place is inside of O(r), in parts of r, 1 where it is farther inside than the cells around know of;
-/// nothing where it is exterior.
+/// Returns the depth of a place inside O(r), in units of r; 1 if no surrounding cell has a triangle. Returns nothing
+/// for an exterior place.
 std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
   constexpr double slack = 1e-3;
   const CellsAround around = cells_around(exterior_, x);
@@ -261,56 +262,56 @@ std::optional<double> Solver::depth_of(const Eigen::Vector3d& x) const {
   auto squared = static_cast<double>(*closest);
   const double least = (1 - slack) * grid_.r;
   if (squared >= least * least && around.touches_exterior) return std::nullopt;
-  if (squared >= std::pow((1 - shallow) * grid_.r, 2)) {
-    // Shallow: it matters how deep. Perhaps a triangle that no cell knows of is closer.
+  if (squared >= std::pow((1 - blend_depth) * grid_.r, 2)) {
+    // A small depth must be accurate: a triangle that is nearest to no cell may be closer.
     const Eigen::Vector3d place = x - vectors.vector(static_cast<std::size_t>(closest - vectors.squared.begin()));
-    const std::int32_t triangle = closest_triangle_about(grid_, exterior_.surface(), place, closest_reach, x);
+    const std::int32_t triangle = closest_triangle_near(grid_, exterior_.surface(), place, closest_reach, x);
     if (triangle >= 0) squared = std::min(squared, exterior_.surface().triangles.squared_distance(x, triangle));
   }
   return std::max(1 - std::sqrt(squared) / grid_.r, 0.0);
 }
 
-/// The distances from a sample raised on either side to the nearest site, once all that may be asked for have been
-/// collected: those farther by no more than farther() than a distance that exceeds the smaller by no more than gain().
-/// The larger is at least as large as given where it exceeds the smaller by more.
-std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, Room& room) const {
-  constexpr double first_reach = 1.6;  // in parts of r
-  if (room.reach == 0) {
-    room.reach = first_reach * grid_.r;
-    room.sites.collect(room.places, room.reach);
+/// Returns the distances from a sample raised on either side to the nearest site, after collecting all sites that the
+/// search may use: those up to extended_margin() beyond a distance that exceeds the smaller one by at most gain(). If
+/// the larger exceeds the smaller by more, it is a lower bound.
+std::array<double, 2> Solver::measure(const std::array<Eigen::Vector3d, 2>& places, Scratch& scratch) const {
+  constexpr double first_reach = 1.6;  // in units of r
+  if (scratch.reach == 0) {
+    scratch.reach = first_reach * grid_.r;
+    scratch.sites.collect(scratch.places, scratch.reach);
   }
-  std::array<double, 2> distances = room.sites.measure(places);
-  const double beyond = 1.01 * (gain() + farther());
-  if (std::min(distances[0], distances[1]) + beyond < room.reach) return distances;
-  // From the middle of the box none is farther than this; from a place in it by half of its diagonal at most.
-  const double from_middle = room.sites.distance_to_nearest(room.places.center());
-  room.reach = from_middle + room.places.diagonal().norm() / 2 + beyond;
-  room.sites.collect(room.places, room.reach);
-  return room.sites.measure(places);
+  std::array<double, 2> distances = scratch.sites.measure(places);
+  const double beyond = 1.01 * (gain() + extended_margin());
+  if (std::min(distances[0], distances[1]) + beyond < scratch.reach) return distances;
+  // The nearest site of any place in the box is at most half of its diagonal farther than that of its centre.
+  const double from_middle = scratch.sites.distance_to_nearest(scratch.places.center());
+  scratch.reach = from_middle + scratch.places.diagonal().norm() / 2 + beyond;
+  scratch.sites.collect(scratch.places, scratch.reach);
+  return scratch.sites.measure(places);
 }
 
-/// A triangle that covers x, a point that the cells around it took for exterior: the sample's own, or, where none of
-/// those cells is exterior (at the end of a wedge), any. -1 where none does.
-std::int32_t Solver::covering(const Sample& sample, const Eigen::Vector3d& x) const {
+/// Returns a triangle that covers x, a result of the iteration: the sample's own or, if no surrounding cell is exterior
+/// (at the end of a wedge), any. Returns -1 if there is none.
+std::int32_t Solver::covering_triangle(const Sample& sample, const Eigen::Vector3d& x) const {
   constexpr double slack = 1e-3;  // of r
   if ((x - sample.p).norm() < (1 - slack) * grid_.r) return sample.triangle;
   if (cells_around(exterior_, x).touches_exterior) return -1;
-  const std::int32_t closest = closest_triangle_about(grid_, exterior_.surface(), x, grid_.r, x);
+  const std::int32_t closest = closest_triangle_near(grid_, exterior_.surface(), x, grid_.r, x);
   if (closest < 0) return -1;
   const double least = (1 - slack) * grid_.r;
   return exterior_.surface().triangles.squared_distance(x, closest) < least * least ? closest : -1;
 }
 
-/// The point of E(r) nearest to a place of the raised sample, about a site.
+/// Returns the point of E(r) nearest to the raised sample, in the neighbourhood of a site.
 std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen::Vector3d& place, std::uint32_t site,
                                               const std::optional<Eigen::Vector3d>& known) const {
-  constexpr int most_times = 3;
+  constexpr int max_repeats = 3;
   constexpr double nearly_free = 0.8;  // of r
   auto x = nearest_offset_point(exterior_, place, sites_.place(site), sites_.triangle(site), known);
-  for (int i = 0; x && i < most_times; ++i) {
-    const std::int32_t triangle = covering(sample, *x);
+  for (int i = 0; x && i < max_repeats; ++i) {
+    const std::int32_t triangle = covering_triangle(sample, *x);
     if (triangle < 0) break;
-    x = nearest_offset_point(exterior_, place, *x, triangle, known);  // on from there, with it
+    x = nearest_offset_point(exterior_, place, *x, triangle, known);  // continue from there with this triangle
   }
   if (!x) return std::nullopt;
   const double height = (*x - sample.p).norm();
@@ -319,30 +320,30 @@ std::optional<Eigen::Vector3d> Solver::refine(const Sample& sample, const Eigen:
   return x;
 }
 
-/// Of the points of E(r) nearest to p raised on either side, the one for which that is nearer.
-Eigen::Vector3d Solver::search(const Search& task, Room& room, OffsetOutcome& outcome) const {
+/// Returns q: the nearer of the points of E(r) nearest to p raised on either side.
+Eigen::Vector3d Solver::search(const Search& task, Scratch& scratch, OffsetOutcome& outcome) const {
   const auto& [index, sample, places] = task;
   constexpr double apart = 2;
-  constexpr std::size_t most_starts = 3;
+  constexpr std::size_t max_starts = 3;
   constexpr double infinite = std::numeric_limits<double>::infinity();
   double best = infinite;
-  Eigen::Vector3d q = sample.p + grid_.r * Eigen::Vector3d::UnitZ();  // where there are no sites: around no shape
+  Eigen::Vector3d q = sample.p + grid_.r * Eigen::Vector3d::UnitZ();  // if there are no sites
   double nearest_site = infinite;
   Eigen::Vector3d nearest_place = q;
-  // The nearer side first, whichever way the normal points.
-  const std::array<double, 2> distances = measure(places, room);
+  // The nearer side first, whatever the orientation of the normal.
+  const std::array<double, 2> distances = measure(places, scratch);
   const std::size_t first = distances[0] <= distances[1] ? 0 : 1;
   for (const std::size_t side : {first, 1 - first}) {
     const double distance = distances[side];
     if (distance - gain() > std::min(best, nearest_site)) break;
-    room.sites.starts(side, gain(), apart, most_starts, room.starts);
+    scratch.sites.start_sites(side, gain(), apart, max_starts, scratch.starts);
     if (distance < nearest_site) {
       nearest_site = distance;
-      nearest_place = sites_.place(room.starts.front().site);
+      nearest_place = sites_.place(scratch.starts.front().site);
     }
-    std::optional<Eigen::Vector3d> known;  // from this side
+    std::optional<Eigen::Vector3d> known;  // found from this side
     const auto refine_all = [&] {
-      for (const NearbySites::Site& start : room.starts) {
+      for (const NearbySites::Site& start : scratch.starts) {
         const bool is_known = best < infinite && (sites_.place(start.site) - q).norm() < apart;
         if (is_known || static_cast<double>(start.distance) - gain() > best) continue;
         const auto x = refine(sample, places[side], start.site, known);
@@ -354,7 +355,7 @@ Eigen::Vector3d Solver::search(const Search& task, Room& room, OffsetOutcome& ou
     };
     refine_all();
     if (!(best < infinite)) {
-      room.sites.starts(side, farther(), apart / 2, 3 * most_starts, room.starts);
+      scratch.sites.start_sites(side, extended_margin(), apart / 2, 3 * max_starts, scratch.starts);
       refine_all();
     }
     if (places[0] == places[1]) break;
@@ -364,7 +365,7 @@ Eigen::Vector3d Solver::search(const Search& task, Room& room, OffsetOutcome& ou
   return nearest_place;
 }
 
-/// q, where it is p + r n or p - r n; else nothing, and p raised on either side.
+/// Returns q if it is p + r n or p - r n. Otherwise returns nothing and sets `places` to p raised on either side.
 std::optional<Eigen::Vector3d> Solver::direct(const Sample& sample, std::array<Eigen::Vector3d, 2>& places) const {
   const auto& [p, normal, triangle] = sample;
   places = {p, p};
@@ -383,68 +384,68 @@ std::optional<Eigen::Vector3d> Solver::direct(const Sample& sample, std::array<E
   return std::nullopt;
 }
 
-/// The answer that follows from q.
+/// Computes the results that follow from q.
 void Solver::finish(Eigen::Index index, const Eigen::Vector3d& p, const Eigen::Vector3d& q) const {
   const double r = grid_.r;
   const double height = (q - p).norm();
   const Eigen::Vector3d outward = (q - p) / height;
-  answers_.directions.row(index) = outward.transpose();
-  answers_.heights[index] = height * grid_.cell;
-  // Both ends are at least r away from p, up to what single precision loses.
+  results_.directions.row(index) = outward.transpose();
+  results_.heights[index] = height * grid_.cell;
+  // Both ends are at least r away from p, except for rounding in single precision.
   const double exit = offset_exit(exterior_, p, -outward);
-  answers_.values[index] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
+  results_.values[index] = std::max(0.0, (height - r) + (exit - r)) * grid_.cell;
 }
 
-/// First all whose q need not be searched: the sites are collected about the others only.
-void Solver::answer(const Group& group, Room& room) const {
-  room.searches.clear();
-  room.places.setEmpty();
-  room.reach = 0;
+/// Solves the direct samples first; sites are collected around the others only.
+void Solver::solve_group(const Group& group, Scratch& scratch) const {
+  scratch.searches.clear();
+  scratch.places.setEmpty();
+  scratch.reach = 0;
   for (std::size_t k = group.begin; k < group.end; ++k) {
     const Eigen::Index i = order_[k];
     Search task{.index = i,
                 .sample = {grid_.to_cells(points_.row(i).transpose()), normals_.row(i).transpose(),
                            likely_[static_cast<std::size_t>(i)]},
                 .places = {}};
-    if (!is_on_surface(task.sample, room.surface)) continue;
+    if (!is_on_surface(task.sample, scratch.surface)) continue;
     if (const auto q = direct(task.sample, task.places)) {
-      answers_.outcomes[static_cast<std::size_t>(i)] = OffsetOutcome::direct;
+      results_.outcomes[static_cast<std::size_t>(i)] = OffsetOutcome::direct;
       finish(i, task.sample.p, *q);
       continue;
     }
-    for (const Eigen::Vector3d& place : task.places) room.places.extend(place);
-    room.searches.push_back(task);
+    for (const Eigen::Vector3d& place : task.places) scratch.places.extend(place);
+    scratch.searches.push_back(task);
   }
-  for (const Search& task : room.searches) {
-    OffsetOutcome& outcome = answers_.outcomes[static_cast<std::size_t>(task.index)];
+  for (const Search& task : scratch.searches) {
+    OffsetOutcome& outcome = results_.outcomes[static_cast<std::size_t>(task.index)];
     outcome = OffsetOutcome::searched;
-    finish(task.index, task.sample.p, search(task, room, outcome));
+    finish(task.index, task.sample.p, search(task, scratch, outcome));
   }
 }
 
 }  // namespace
 
-OffsetAnswers answer_by_grid(const Shape& shape, const Points& points, const Points& normals,
-                             const OffsetGridOptions& options, const std::vector<std::int32_t>& triangles) {
+OffsetResults solve_on_grid(const Shape& shape, const Points& points, const Points& normals,
+                            const OffsetSolverOptions& options, const std::vector<std::int32_t>& triangles) {
   const Clock::time_point start = Clock::now();
   const Eigen::AlignedBox3d bounds = bounding_box(shape);
-  const Layout layout = lay_out(shape, bounds, options);
+  const Layout layout = choose_layout(shape, bounds, options);
   const BlockGrid grid(bounds, layout.offset, layout.cell);
   const GridSurface surface(grid, shape, layout.spacing, options.parallel);
   const ExteriorGrid exterior(grid, surface, site_band, options.parallel);
   const OffsetSites sites(exterior, site_band, options.parallel);
   const MeanNormals means(grid, shape, surface);
-  OffsetAnswers answers;
-  answers.offset = layout.offset;
-  answers.build_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  answers.values = Eigen::VectorXd::Constant(points.rows(), std::numeric_limits<double>::quiet_NaN());
-  answers.heights = answers.values;
-  answers.directions = Points::Zero(points.rows(), 3);
-  answers.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
+  OffsetResults results;
+  results.offset = layout.offset;
+  results.build_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  results.values = Eigen::VectorXd::Constant(points.rows(), std::numeric_limits<double>::quiet_NaN());
+  results.heights = results.values;
+  results.directions = Points::Zero(points.rows(), 3);
+  results.outcomes.assign(static_cast<std::size_t>(points.rows()), OffsetOutcome::missing);
   Solver(shape, exterior, sites, means, points, normals,
-         triangles.empty() ? likely_triangles(shape, points.rows()) : triangles, answers)
+         triangles.empty() ? likely_triangles(shape, points.rows()) : triangles, results)
       .solve(options.parallel);
-  return answers;
+  return results;
 }
 
 }  // namespace shapegauge

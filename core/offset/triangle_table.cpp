@@ -1,4 +1,4 @@
-// The loop over triangles, compiled once for each instruction set that Highway knows of.
+// Loop over triangles, compiled for each instruction set supported by Highway.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "shapegauge/core/offset/triangle_table.cpp"
@@ -16,8 +16,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sixteen numbers of each of four or eight records, as sixteen vectors: rows of four are loaded, one record for each
-/// place of each 128 bits, and transposed there. Faster than to gather them.
+/// Loads sixteen numbers of each of four or eight records as sixteen vectors: loads groups of four numbers and
+/// transposes them within 128-bit lanes. Faster than gathering.
 template <typename D>
 HWY_INLINE void load_transposed(D d, const float* records, const std::int32_t* numbers, hn::Vec<D>* fields) {
 #if HWY_TARGET == HWY_SCALAR
@@ -62,27 +62,27 @@ hn::Vec<D> dot(const LaneVectors<D>& u, const LaneVectors<D>& v) {
   return hn::MulAdd(u.x, v.x, hn::MulAdd(u.y, v.y, hn::Mul(u.z, v.z)));
 }
 
-/// u - v b, for a number b.
+/// Computes u - v b for scalars v.
 template <typename D>
 LaneVectors<D> minus_product(const LaneVectors<D>& u, hn::Vec<D> v, const LaneVectors<D>& b) {
   return {hn::NegMulAdd(v, b.x, u.x), hn::NegMulAdd(v, b.y, u.y), hn::NegMulAdd(v, b.z, u.z)};
 }
 
-/// The shortest of the vectors that it was shown, and its square.
+/// Shortest of a sequence of vectors, with its squared length.
 template <typename D>
 class ShortestVector {
  public:
   explicit ShortestVector(const LaneVectors<D>& first) : vector_(first), squared_(dot<D>(first, first)) {}
 
-  void show(const LaneVectors<D>& other) {
+  void consider(const LaneVectors<D>& other) {
     const hn::Vec<D> squared = dot<D>(other, other);
     keep(other, squared, hn::Lt(squared, squared_));
   }
 
-  /// Only in the lanes that count.
-  void show(const LaneVectors<D>& other, hn::Mask<D> counting) {
+  /// Considers the vector in the selected lanes only.
+  void consider(const LaneVectors<D>& other, hn::Mask<D> selected) {
     const hn::Vec<D> squared = dot<D>(other, other);
-    keep(other, squared, hn::And(counting, hn::Lt(squared, squared_)));
+    keep(other, squared, hn::And(selected, hn::Lt(squared, squared_)));
   }
 
   void store(D d, TriangleTable::Vectors& points, std::size_t lane) const {
@@ -104,18 +104,19 @@ class ShortestVector {
   hn::Vec<D> squared_;
 };
 
-/// From the closest point of each of the triangles to a point for each: at(d, lane) has those for a vector of them.
+/// Computes the vectors from the closest points of triangles to query points. places_at(d, lane) returns a vector of
+/// query points.
 template <typename PlacesAt>
 HWY_INLINE void vectors_to_places(const float* records, const std::int32_t* triangles, const PlacesAt& places_at,
                                   TriangleTable::Vectors& vectors) {
-  const hn::CappedTag<float, TriangleTable::at_once> d;
+  const hn::CappedTag<float, TriangleTable::batch_size> d;
   using D = decltype(d);
   using Lanes = hn::Vec<D>;
   const Lanes zero = hn::Zero(d);
   const Lanes one = hn::Set(d, 1.0F);
   const Lanes tiny = hn::Set(d, 1e-30F);  // edges of no length are points: nothing is divided by zero
   const auto clamp = [&](Lanes t) { return hn::Min(hn::Max(t, zero), one); };
-  for (std::size_t lane = 0; lane < TriangleTable::at_once; lane += hn::Lanes(d)) {
+  for (std::size_t lane = 0; lane < TriangleTable::batch_size; lane += hn::Lanes(d)) {
     Lanes field[16];
     load_transposed(d, records, triangles + lane, field);
     const auto place = places_at(d, lane);
@@ -128,27 +129,27 @@ HWY_INLINE void vectors_to_places(const float* records, const std::int32_t* tria
     // x - a - v ab - w ac, for the coordinates v and w of a point of the triangle.
     const auto rest = [&](Lanes v, Lanes w) { return minus_product<D>(minus_product<D>(a, w, ac), v, ab); };
     ShortestVector<D> shortest(rest(clamp(hn::Div(along_ab, hn::Max(ab2, tiny))), zero));
-    shortest.show(rest(zero, clamp(hn::Div(along_ac, hn::Max(dot<D>(ac, ac), tiny)))));
+    shortest.consider(rest(zero, clamp(hn::Div(along_ac, hn::Max(dot<D>(ac, ac), tiny)))));
     // (x - b) . bc = (x - a) . (ac - ab) - ab . (ac - ab)
     const Lanes along_bc = hn::Add(hn::Sub(along_ac, along_ab), hn::Sub(ab2, dot<D>(ab, ac)));
     const Lanes t = clamp(hn::Mul(along_bc, field[15]));
-    shortest.show(rest(hn::Sub(one, t), t));
+    shortest.consider(rest(hn::Sub(one, t), t));
     const Lanes v = dot<D>(a, {field[9], field[10], field[11]});
     const Lanes w = dot<D>(a, {field[12], field[13], field[14]});
-    shortest.show(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
+    shortest.consider(rest(v, w), hn::And(hn::And(hn::Ge(v, zero), hn::Ge(w, zero)), hn::Le(hn::Add(v, w), one)));
     shortest.store(d, vectors, lane);
   }
 }
 
 void vectors_to_one(const float* records, const std::int32_t* triangles, const Eigen::Vector3f& x,
                     TriangleTable::Vectors& vectors) {
-  const auto everywhere = [&](auto d, std::size_t /*lane*/) HWY_ATTR {
+  const auto same_for_all = [&](auto d, std::size_t /*lane*/) HWY_ATTR {
     return LaneVectors<decltype(d)>{hn::Set(d, x.x()), hn::Set(d, x.y()), hn::Set(d, x.z())};
   };
-  vectors_to_places(records, triangles, everywhere, vectors);
+  vectors_to_places(records, triangles, same_for_all, vectors);
 }
 
-/// The points are replaced.
+/// Replaces the points.
 void vectors_to_each_of(const float* records, const std::int32_t* triangles, TriangleTable::Vectors& points) {
   const auto at = [&](auto d, std::size_t lane) HWY_ATTR {
     return LaneVectors<decltype(d)>{hn::Load(d, points.x.data() + lane), hn::Load(d, points.y.data() + lane),
@@ -173,7 +174,8 @@ void TriangleTable::set(std::size_t index, const Eigen::Vector3f& a, const Eigen
                         const Eigen::Vector3f& c) {
   const Eigen::Vector3f ab = b - a;
   const Eigen::Vector3f ac = c - a;
-  // (x - a) . dual_b and (x - a) . dual_c are the coordinates v and w of x; NaN, and no point is inside, without area.
+  // (x - a) . dual_b and (x - a) . dual_c are the coordinates v and w of x. They are NaN for a degenerate triangle,
+  // which therefore contains no point.
   const Eigen::Vector3d normal = ab.cast<double>().cross(ac.cast<double>());
   const double normal2 = normal.squaredNorm();
   Eigen::Vector3f dual_b = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
@@ -193,7 +195,7 @@ void TriangleTable::vectors_to(const Eigen::Vector3d& x, const std::int32_t* tri
 }
 
 double TriangleTable::squared_distance(const Eigen::Vector3d& x, std::int32_t triangle) const {
-  std::array<std::int32_t, at_once> triangles;
+  std::array<std::int32_t, batch_size> triangles;
   triangles.fill(triangle);
   Vectors vectors;
   vectors_to(x, triangles.data(), vectors);
@@ -210,14 +212,14 @@ bool TriangleTable::is_over_face(const Eigen::Vector3d& x, std::int32_t triangle
   return static_cast<double>((from_a - v * field(3) - w * field(6)).squaredNorm()) <= at_most * at_most;
 }
 
-TriangleTable::Place TriangleTable::place_of(const Eigen::Vector3d& point, std::int32_t triangle) const {
+TriangleTable::Feature TriangleTable::feature_at(const Eigen::Vector3d& point, std::int32_t triangle) const {
   constexpr float inside = 1e-3F;
   const Record& record = records_[static_cast<std::size_t>(triangle)];
   const auto field = [&](std::size_t i) { return Eigen::Map<const Eigen::Vector3f>(record.data() + i); };
   const Eigen::Vector3f from_a = point.cast<float>() - field(0);
   const float v = field(9).dot(from_a);
   const float w = field(12).dot(from_a);
-  // NaN, without area, is on all three.
+  // NaN, for a degenerate triangle, counts as on all three edges.
   const bool on_ab = !(w > inside);
   const bool on_ac = !(v > inside);
   const bool on_bc = !(1 - v - w > inside);

@@ -47,23 +47,23 @@ double cells_per_offset(OffsetAccuracy accuracy) {
 }
 
 /// Gives each sample the value, direction and outcome of sample from[i].
-void copy_answers(OffsetAnswers& answers, const std::vector<std::int32_t>& from) {
-  answers.values = answers.values(from).eval();
-  answers.directions = answers.directions(from, Eigen::all).eval();
-  const std::vector<OffsetOutcome> outcomes = answers.outcomes;
-  for (std::size_t i = 0; i < from.size(); ++i) answers.outcomes[i] = outcomes[static_cast<std::size_t>(from[i])];
+void copy_results(OffsetResults& results, const std::vector<std::int32_t>& from) {
+  results.values = results.values(from).eval();
+  results.directions = results.directions(from, Eigen::all).eval();
+  const std::vector<OffsetOutcome> outcomes = results.outcomes;
+  for (std::size_t i = 0; i < from.size(); ++i) results.outcomes[i] = outcomes[static_cast<std::size_t>(from[i])];
 }
 
-OffsetSdfOutcomes count(const OffsetAnswers& answers, double offset) {
+OffsetSdfOutcomes count(const OffsetResults& results, double offset) {
   OffsetSdfOutcomes outcomes;
-  outcomes.total = answers.outcomes.size();
-  for (const OffsetOutcome outcome : answers.outcomes) {
+  outcomes.total = results.outcomes.size();
+  for (const OffsetOutcome outcome : results.outcomes) {
     outcomes.direct += outcome == OffsetOutcome::direct ? 1 : 0;
     outcomes.searched += outcome == OffsetOutcome::searched ? 1 : 0;
     outcomes.undecided += outcome == OffsetOutcome::undecided ? 1 : 0;
     outcomes.missing += outcome == OffsetOutcome::missing ? 1 : 0;
   }
-  if (answers.offset > offset) outcomes.enlarged = outcomes.total - outcomes.missing;
+  if (results.offset > offset) outcomes.enlarged = outcomes.total - outcomes.missing;
   return outcomes;
 }
 
@@ -89,19 +89,19 @@ OffsetSdfResult OffsetSdfSolver::solve(const Samples& samples, const OffsetSdfOp
   check(options);
   const Stopwatch stopwatch;
   const Points points = (samples.points.rowwise() - frame_.centre.transpose()) / frame_.diagonal;
-  OffsetAnswers answers = answer_by_grid(
+  OffsetResults results = solve_on_grid(
       mesh_.shape, points, samples.normals,
       {.offset = options.offset, .cells_per_offset = cells_per_offset(options.accuracy), .parallel = options.parallel},
       triangles_of(samples));
   const bool all_vertices = samples.site == SampleSite::vertices && points.rows() == std::ssize(mesh_.vertex_of);
-  if (mesh_.has_duplicates() && all_vertices) copy_answers(answers, mesh_.vertex_of);
+  if (mesh_.has_duplicates() && all_vertices) copy_results(results, mesh_.vertex_of);
   OffsetSdfResult result;
-  result.values = answers.values * frame_.diagonal;
-  result.outcomes = count(answers, options.offset);
-  result.normals = std::move(answers.directions);
-  result.offset = answers.offset;
-  result.build_seconds = answers.build_seconds;
-  result.query_seconds = stopwatch.seconds() - answers.build_seconds;
+  result.values = results.values * frame_.diagonal;
+  result.outcomes = count(results, options.offset);
+  result.normals = std::move(results.directions);
+  result.offset = results.offset;
+  result.build_seconds = results.build_seconds;
+  result.query_seconds = stopwatch.seconds() - results.build_seconds;
   return result;
 }
 

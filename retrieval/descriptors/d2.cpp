@@ -43,7 +43,7 @@ Eigen::VectorXf d2(const Shape& shape, const D2Options& options) {
     sum += weight * distance;
     total += weight;
   });
-  if (!(sum > 0) || !(total > 0)) throw InputError("the descriptor d2 needs a shape with places apart from each other");
+  if (!(sum > 0) || !(total > 0)) throw InputError("the descriptor d2 needs a shape with extent");
   const double bins_per_unit = options.bins / options.longest * total / sum;
   Eigen::VectorXd counts = Eigen::VectorXd::Zero(options.bins);
   for_each_pair(samples, [&](double distance, double weight) {

@@ -37,11 +37,11 @@ constexpr std::array table = {
 constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t poses = 2;
-constexpr std::size_t maps = 3 * 2;  // of a pose: by axis, distances and cosines
+constexpr std::size_t maps = 3 * 2;  // maps of a pose: distances and cosines for each axis
 
 constexpr int wavelet_levels = 6;
 constexpr std::size_t subband_features = 3;  // mean, standard deviation, skewness
-constexpr std::size_t wavelet_features = (3 * wavelet_levels + 1) * subband_features;  // of a map
+constexpr std::size_t wavelet_features = (3 * wavelet_levels + 1) * subband_features;  // per map
 
 /// Returns waves (cos or sin) of frequency 0 to `highest`, one a row, at the centres of the cells.
 Eigen::MatrixXf waves(int highest, int cells, double (*wave)(double)) {
@@ -90,7 +90,7 @@ class LowFrequencies {
   Eigen::MatrixXf along_sin_;
 };
 
-/// Mean, standard deviation and skewness of the absolute values.
+/// Computes the mean, standard deviation and skewness of the absolute values.
 Eigen::Vector3f statistics(const CylinderGrid& coefficients) {
   const Eigen::ArrayXXd sizes = coefficients.array().abs().cast<double>();
   const double mean = sizes.mean();
@@ -100,8 +100,8 @@ Eigen::Vector3f statistics(const CylinderGrid& coefficients) {
   return Eigen::Vector3d(mean, deviation, skewness).cast<float>();
 }
 
-/// The statistics of each subband of a map's Haar wavelet transform: from the finest level on the details around the
-/// axis, along it, and in both directions; at last the coarsest approximation.
+/// Computes the statistics of each subband of a map's Haar wavelet transform: from the finest level on, the details
+/// around the axis, along it and in both directions, followed by the coarsest approximation.
 Eigen::VectorXf haar_statistics(CylinderGrid map) {
   Eigen::VectorXf result(static_cast<Eigen::Index>(wavelet_features));
   Eigen::Index next = 0;
@@ -123,7 +123,7 @@ Eigen::VectorXf haar_statistics(CylinderGrid map) {
   return result;
 }
 
-/// Mean of |x - y| / (|x| + |y|); entries that are both 0 count 0.
+/// Computes the mean of |x - y| / (|x| + |y|), where 0 / 0 counts as 0.
 double mean_canberra_distance(std::span<const float> a, std::span<const float> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -133,7 +133,7 @@ double mean_canberra_distance(std::span<const float> a, std::span<const float> b
   return sum / static_cast<double>(a.size());
 }
 
-/// The distance in one pose.
+/// Computes the distance in one pose.
 double pose_distance(std::span<const float> a, std::span<const float> b) {
   constexpr double wavelet_weight = 20;
   const std::size_t fourier = a.size() - maps * wavelet_features;

@@ -27,7 +27,7 @@ constexpr auto parameters = parameters_of(table);
 
 constexpr std::size_t dimensions = 4;
 
-/// A histogram of several dimensions in [0, 1]; a point is shared by the bins whose centres are around it.
+/// Histogram over the unit cube of several dimensions, with multilinear weights.
 class MultilinearHistogram {
  public:
   explicit MultilinearHistogram(const std::array<int, dimensions>& bins) : bins_(bins) {
@@ -41,7 +41,7 @@ class MultilinearHistogram {
 
   void add(const std::array<double, dimensions>& point, double weight) {
     Eigen::Index first = 0;
-    std::array<double, dimensions> upper{};  // the share of the bin above
+    std::array<double, dimensions> upper{};  // weight of the upper of two bins
     for (std::size_t d = 0; d < dimensions; ++d) {
       const double place = std::clamp(point[d] * bins_[d] - 0.5, 0.0, bins_[d] - 1.0);
       const int below = std::min(static_cast<int>(place), bins_[d] - 2);
@@ -60,7 +60,7 @@ class MultilinearHistogram {
     }
   }
 
-  /// The square root of each bin's share of the whole.
+  /// Returns the square roots of the normalised bins.
   [[nodiscard]] Eigen::VectorXf square_roots() const { return (shares_ / shares_.sum()).cwiseSqrt().cast<float>(); }
 
  private:
@@ -69,7 +69,7 @@ class MultilinearHistogram {
   Eigen::VectorXd shares_;
 };
 
-/// Calls visit(i, j, distance, weight) for each pair of landmarks at different places.
+/// Calls visit(i, j, distance, weight) for each pair of landmarks at different positions.
 template <typename Visit>
 void for_each_pair(const Points& points, const Eigen::VectorXd& areas, const Visit& visit) {
   for (Eigen::Index i = 0; i < areas.size(); ++i) {
@@ -80,7 +80,7 @@ void for_each_pair(const Points& points, const Eigen::VectorXd& areas, const Vis
   }
 }
 
-/// Mean distance of the pairs by weight; not a number without any.
+/// Returns the weighted mean distance of the pairs; NaN if there are none.
 double mean_pair_distance(const Points& points, const Eigen::VectorXd& areas) {
   double sum = 0;
   double total = 0;
@@ -99,7 +99,7 @@ Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& op
   const Points& points = source.proxy().points;
   const Points& normals = source.proxy().normals;
   const double mean = mean_pair_distance(points, areas);
-  if (!(mean > 0)) throw InputError("the descriptor surflet_pairs needs a shape of more than one point");
+  if (!(mean > 0)) throw InputError("the descriptor surflet_pairs needs a shape with extent");
   check_interruption();
   MultilinearHistogram histogram({options.distance_bins, options.angle_bins, options.angle_bins, options.angle_bins});
   for_each_pair(points, areas, [&](Eigen::Index i, Eigen::Index j, double distance, double weight) {

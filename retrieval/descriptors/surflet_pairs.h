@@ -7,7 +7,7 @@
 
 namespace shapegauge {
 
-/// Cache version; increment when features change. The version of the proxy is added (version_on_proxy()).
+/// Cache version; increment when features change. Combined with the version of the proxy (version_on_proxy()).
 inline constexpr int surflet_pairs_version = 1;
 
 /// Options of surflet_pairs().
@@ -17,16 +17,15 @@ struct SurfletPairsOptions {
   double largest_distance = 3;  ///< end of the distance axis, in mean distances
 };
 
-/// Histogram of the relations of pairs of surflets, points with their normals (after Wahl, Hillenbrand, Hirzinger
-/// 2003). The surflets are the landmarks of the surface proxy; a pair counts by the product of their areas. Its
-/// coordinates are the distance, over the mean distance of all pairs; the absolute cosine between the normals; and the
-/// greater and the lesser absolute cosine between a normal and the line through both points. Absolute values, because
-/// the orientation of a surface need not be known. A pair is shared by the bins whose centres are around it
-/// (multilinear weights).
+/// Computes the histogram of surflet-pair relations (after Wahl, Hillenbrand, Hirzinger 2003). Surflets are points with
+/// normals: the landmarks of the surface proxy. A pair is weighted by the product of the two areas. Its coordinates are
+/// the distance, divided by the mean distance of all pairs; the absolute cosine between the normals; and the greater
+/// and the lesser absolute cosine between a normal and the line through both points. Absolute values make the histogram
+/// independent of the surface's orientation. A pair is distributed over the nearest bins with multilinear weights.
 ///
-/// Returns the square roots of the bins' shares, distance_bins x angle_bins^3 features, compared by L1. Neither scale
-/// nor motion nor reflection changes them, and where a shape bends little. Throws InputError for options out of range,
-/// for a shape with a single place, and as surface_proxy().
+/// Returns the square roots of the normalised histogram, distance_bins x angle_bins^3 features, compared by L1. They
+/// are invariant to scale, rigid motion and reflection, and robust to slight bending. Throws InputError for options out
+/// of range, for a shape whose points all coincide, and as surface_proxy() does.
 Eigen::VectorXf surflet_pairs(ProxySource& source, const SurfletPairsOptions& options = {});
 
 Descriptor surflet_pairs_descriptor();

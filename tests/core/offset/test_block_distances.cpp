@@ -13,7 +13,7 @@
 namespace shapegauge {
 namespace {
 
-/// From x to the nearest of all points, or of those of a triangle.
+/// Returns the distance from x to the nearest point, optionally of one triangle.
 double distance_to_points(const GridPoints& points, const Eigen::Vector3d& x, std::int32_t triangle = -1) {
   double squared = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.triangle.size(); ++i) {
@@ -24,22 +24,22 @@ double distance_to_points(const GridPoints& points, const Eigen::Vector3d& x, st
   return std::sqrt(squared);
 }
 
-TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
+TEST(BlockDistances, MatchExhaustiveSearch) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.04);
   const double spacing = 1;
   const GridSurface surface(grid, torus, spacing, false);
-  // A point is at most so much farther than the surface, at a distance of r: its triangle's part reaches so far.
-  const double too_far = spacing * spacing / (2 * grid.r);
+  // Maximum excess of the distance to the points over the distance to the surface, at a distance of r.
+  const double excess = spacing * spacing / (2 * grid.r);
   constexpr double band = 0.9;
-  const BlockSurroundings around(grid.r + band);
+  const BlockNeighbourhood around(grid.r + band);
   NearbyPoints nearby;
   std::array<int, 3> kinds{};
   for (std::size_t index = 0; index < grid.block_count(); ++index) {
     const Eigen::Vector3i block = grid.block_at(index);
     ASSERT_EQ(grid.block_index(block), index);
     BoundaryBlock found;
-    const BlockKind kind = look_at_block(grid, surface, static_cast<std::uint32_t>(index), around, nearby, found);
+    const BlockKind kind = classify_block(grid, surface, static_cast<std::uint32_t>(index), around, nearby, found);
     if (kind == BlockKind::free) found.free = ~std::uint64_t{0};
     ++kinds[static_cast<std::size_t>(kind)];
     for (int bit = 0; bit < cells_per_block; bit += 9) {
@@ -52,27 +52,27 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
       }
       const bool is_free = (found.free >> bit & 1U) != 0;
       if (is_free) {
-        EXPECT_GT(distance, grid.r - too_far);
+        EXPECT_GT(distance, grid.r - excess);
       } else {
         EXPECT_LE(distance, grid.r + 1e-3);
       }
       if (kind == BlockKind::free) {
-        EXPECT_GT(distance, grid.r + band - too_far);
+        EXPECT_GT(distance, grid.r + band - excess);
       }
       if (kind == BlockKind::covered) {
         EXPECT_LT(distance, grid.r - std::sqrt(3.0) + 1e-3);
       }
       if (kind == BlockKind::mixed && distance < grid.r + band) {
-        const std::array<std::int32_t, TriangleTable::at_once> nearest{
+        const std::array<std::int32_t, TriangleTable::batch_size> nearest{
             found.nearest[static_cast<std::size_t>(bit)], 0, 0, 0, 0, 0, 0, 0};
         TriangleTable::Vectors vectors;
         surface.triangles.vectors_to(centre, nearest.data(), vectors);
         EXPECT_NEAR(distance_to_points(surface.points, centre, nearest[0]), distance_to_points(surface.points, centre),
                     1e-4);
-        // Where the nearest point is of another triangle than the nearest, that one is hardly farther. Near the surface
-        // nobody asks.
+        // If the nearest point is not on the closest triangle, its triangle is hardly farther. Not needed near the
+        // surface.
         if (distance > 0.9 * grid.r) {
-          EXPECT_LE(std::sqrt(static_cast<double>(vectors.squared[0])), distance + too_far);
+          EXPECT_LE(std::sqrt(static_cast<double>(vectors.squared[0])), distance + excess);
         }
       }
     }
@@ -80,10 +80,10 @@ TEST(BlockDistances, AgreeWithTheClosestTriangleOfAll) {
   for (const int count : kinds) EXPECT_GT(count, 0);
 }
 
-TEST(IndicesWithin, AreThoseNotAboveTheLimit) {
+TEST(IndicesWithin, SelectsNumbersUpToTheLimit) {
   RandomNumbers random(1, 0);
   for (std::size_t n = 0; n < 70; ++n) {
-    std::vector<float> numbers(n + grid_padding);  // what pads them is below the limit, and must not be found
+    std::vector<float> numbers(n + grid_padding);  // the padding is below the limit, and must not be found
     for (std::size_t i = 0; i < n; ++i) numbers[i] = static_cast<float>(random.uniform(0, 1));
     std::vector<std::uint32_t> expected;
     for (std::uint32_t i = 0; i < n; ++i) {

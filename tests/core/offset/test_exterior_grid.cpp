@@ -8,7 +8,7 @@
 namespace shapegauge {
 namespace {
 
-/// Whether each cell is exterior, read from the blocks.
+/// Returns for each cell whether it is exterior, according to the blocks.
 std::vector<bool> exterior_cells(const ExteriorGrid& exterior) {
   const BlockGrid& grid = exterior.grid();
   std::vector<bool> cells;
@@ -33,7 +33,7 @@ struct Flooded {
   ExteriorGrid exterior;
 };
 
-TEST(ExteriorGrid, IsWhatIsFartherThanTheOffsetFromASphere) {
+TEST(ExteriorGrid, OfASphereIsBeyondTheOffset) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const std::vector<bool> cells = exterior_cells(flooded.exterior);
@@ -53,7 +53,7 @@ TEST(ExteriorGrid, IsWhatIsFartherThanTheOffsetFromASphere) {
   }
 }
 
-TEST(ExteriorGrid, KnowsTheNearestTriangleOfAllCellsAroundThePlacesOfTheOffsetSurface) {
+TEST(ExteriorGrid, HasTheNearestTriangleOfCellsAroundTheOffsetSurface) {
   const double r = 0.2;
   const Flooded flooded(test::sphere(1, 4), r, 0.05);
   const Points directions = test::sphere(1, 5).vertices;
@@ -63,7 +63,7 @@ TEST(ExteriorGrid, KnowsTheNearestTriangleOfAllCellsAroundThePlacesOfTheOffsetSu
   }
 }
 
-/// A box from -1 to 1 without one of its sides.
+/// The box [-1, 1]^3 without one of its sides.
 Shape open_box(Eigen::Index axis, double side) {
   Shape box = test::box({2, 2, 2}, 1);
   std::vector<Eigen::Index> kept;
@@ -98,14 +98,14 @@ TEST(ExteriorGrid, FillsABoxToTheBottomFromEachSide) {
   }
 }
 
-TEST(ExteriorGrid, HasNoVoidsAndNoCavitiesWithANarrowMouth) {
+TEST(ExteriorGrid, ExcludesVoidsAndCavitiesWithANarrowMouth) {
   const Shape hollow = test::joined({test::sphere(1, 3), test::sphere(0.6, 3)});
   EXPECT_FALSE(Flooded(hollow, 0.1, 0.025).is_exterior({0, 0, 0}));
   EXPECT_TRUE(Flooded(test::torus(1, 0.4, 40, 20), 0.1, 0.025).is_exterior({0, 0, 0}));
   EXPECT_FALSE(Flooded(test::torus(1, 0.4, 40, 20), 0.65, 0.16).is_exterior({0, 0, 0}));
 }
 
-TEST(ExteriorGrid, IsTheSameForAnyNumberOfThreads) {
+TEST(ExteriorGrid, IsIndependentOfTheNumberOfThreads) {
   const Shape torus = test::torus(1, 0.4, 40, 20);
   EXPECT_EQ(exterior_cells(Flooded(torus, 0.05, 0.0125, true).exterior),
             exterior_cells(Flooded(torus, 0.05, 0.0125, false).exterior));

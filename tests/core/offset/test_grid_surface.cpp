@@ -10,16 +10,16 @@
 namespace shapegauge {
 namespace {
 
-Eigen::Vector3d place_of(const GridPoints& points, std::size_t i) {
+Eigen::Vector3d point_at(const GridPoints& points, std::size_t i) {
   return Eigen::Vector3f(points.x[i], points.y[i], points.z[i]).cast<double>();
 }
 
-TEST(GridSurface, HasAPointWithinTheSpacingOfAnyPlaceOfATriangle) {
+TEST(GridSurface, SamplesTrianglesAtTheSpacing) {
   const Shape torus = test::torus(1, 0.4, 12, 9);
   const BlockGrid grid(bounding_box(torus), 0.3, 0.1);
   const double spacing = 0.75;
   const GridSurface surface(grid, torus, spacing, false);
-  EXPECT_TRUE(surface.left_out.empty());
+  EXPECT_TRUE(surface.omitted.empty());
   RandomNumbers random(1, 0);
   for (Eigen::Index f = 0; f < torus.triangles.rows(); f += 5) {
     const auto corner = [&](int k) { return grid.to_cells(torus.vertices.row(torus.triangles(f, k)).transpose()); };
@@ -28,13 +28,13 @@ TEST(GridSurface, HasAPointWithinTheSpacingOfAnyPlaceOfATriangle) {
     const Eigen::Vector3d place = corner(0) + u * (corner(1) - corner(0)) + v * (corner(2) - corner(0));
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < surface.points.triangle.size(); ++i) {
-      if (surface.points.triangle[i] == f) nearest = std::min(nearest, (place_of(surface.points, i) - place).norm());
+      if (surface.points.triangle[i] == f) nearest = std::min(nearest, (point_at(surface.points, i) - place).norm());
     }
     EXPECT_LE(nearest, spacing) << f;
   }
 }
 
-TEST(GridSurface, KeepsOneSmallTriangleOfACubeForTheOthers) {
+TEST(GridSurface, KeepsOneSmallTrianglePerCube) {
   const Shape sphere = test::sphere(1, 6);
   const double r = 0.4;
   const BlockGrid grid(bounding_box(sphere), r, r / 3);
@@ -42,24 +42,24 @@ TEST(GridSurface, KeepsOneSmallTriangleOfACubeForTheOthers) {
   const auto all = static_cast<std::size_t>(sphere.triangles.rows());
   EXPECT_LT(surface.points.triangle.size(), all / 2);
   std::vector<int> seen(all, 0);
-  for (const GridPoints* points : {&surface.points, &surface.left_out}) {
+  for (const GridPoints* points : {&surface.points, &surface.omitted}) {
     for (const std::int32_t triangle : points->triangle) ++seen[static_cast<std::size_t>(triangle)];
   }
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), sphere.triangles.rows());
   double area = 0;
   for (std::size_t i = 0; i < surface.points.triangle.size(); ++i) area += static_cast<double>(surface.points.area[i]);
   EXPECT_NEAR(area, SurfaceExtent(sphere).area / (grid.cell * grid.cell), 1e-3 * area);
-  // The middles of two triangles in the same cube are no farther apart than its corners.
-  for (std::size_t i = 0; i < surface.left_out.triangle.size(); i += 211) {
+  // The centres of two triangles in the same cube are at most its diagonal apart.
+  for (std::size_t i = 0; i < surface.omitted.triangle.size(); i += 211) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < surface.points.triangle.size(); ++k) {
-      nearest = std::min(nearest, (place_of(surface.points, k) - place_of(surface.left_out, i)).norm());
+      nearest = std::min(nearest, (point_at(surface.points, k) - point_at(surface.omitted, i)).norm());
     }
     EXPECT_LE(nearest, std::sqrt(3.0) * grid.r / 16) << i;
   }
 }
 
-TEST(GridSurface, FindsAllPointsWithinReach) {
+TEST(GridSurface, FindRunsReturnsAllPointsWithinReach) {
   const Shape torus = test::torus(1, 0.4, 30, 20);
   const BlockGrid grid(bounding_box(torus), 0.2, 0.05);
   const GridSurface surface(grid, torus, 1, false);
@@ -76,7 +76,7 @@ TEST(GridSurface, FindsAllPointsWithinReach) {
       for (std::uint32_t i = begin; i < end; ++i) ++found[i];
     }
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const double far = (place_of(surface.points, i) - place).cwiseAbs().maxCoeff();
+      const double far = (point_at(surface.points, i) - place).cwiseAbs().maxCoeff();
       if (far < reach - 1e-3) {
         ASSERT_EQ(found[i], 1);
       }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double r = 0.2;
 
-/// The means at samples of a shape.
+/// Computes the means at samples of a shape.
 Points means_at(const Shape& shape, const Samples& samples) {
   const BlockGrid grid(bounding_box(shape), r, r / 3);
   const GridSurface surface(grid, shape, 0.75, false);
@@ -23,7 +23,7 @@ Points means_at(const Shape& shape, const Samples& samples) {
   return result;
 }
 
-TEST(MeanNormals, OfAPlaneAreItsNormalWhicheverWayFacesTurn) {
+TEST(MeanNormals, OfAPlaneIsItsNormalForAnyOrientationOfFaces) {
   Shape box = test::box({2, 2, 2}, 6);
   for (Eigen::Index f = 0; f < box.triangles.rows(); f += 3) std::swap(box.triangles(f, 0), box.triangles(f, 1));
   const Samples samples = sample_shape(box, SampleSite::faces);
@@ -38,7 +38,7 @@ TEST(MeanNormals, OfAPlaneAreItsNormalWhicheverWayFacesTurn) {
   EXPECT_GT(inner, 50);
 }
 
-TEST(MeanNormals, OfASphereIsWhatTheIntegralSays) {
+TEST(MeanNormals, OfASphereMatchesTheIntegral) {
   // Within a small angle a of the pole the mean of cos^2, weighted by (1 - (t/a)^2)^2, is 1 - a^2/4 to second order; a
   // is r/2, and the mean is taken twice.
   const Shape sphere = test::sphere(1, 5);
@@ -67,7 +67,7 @@ TEST(MeanNormals, LieBetweenANoisyNormalAndTheTrueOne) {
   EXPECT_LT(mean, noisy / 4);
 }
 
-TEST(MeanNormals, OfACloudAreTheGivenOnes) {
+TEST(MeanNormals, OfACloudAreItsNormals) {
   Shape cloud = test::sphere(1, 2);
   const Samples samples = sample_shape(cloud, SampleSite::vertices);
   cloud.triangles.resize(0, 3);

@@ -13,26 +13,26 @@
 namespace shapegauge {
 namespace {
 
-TEST(OffsetSolver, GivesTheSameBytesInAnyOrderAndOnAnyThreads) {
+TEST(OffsetSolver, IsIndependentOfOrderAndThreads) {
   const Shape shape = test::of_diagonal_1(test::star());
   const Samples samples = sample_shape(shape, SampleSite::faces);
-  const OffsetAnswers forth = answer_by_grid(shape, samples.points, samples.normals, {.parallel = false});
-  const OffsetAnswers back = answer_by_grid(shape, samples.points.colwise().reverse(),
-                                            samples.normals.colwise().reverse(), {.parallel = true});
-  EXPECT_EQ(forth.values, back.values.reverse());
-  EXPECT_EQ(forth.directions, back.directions.colwise().reverse());
+  const OffsetResults forward = solve_on_grid(shape, samples.points, samples.normals, {.parallel = false});
+  const OffsetResults backward =
+      solve_on_grid(shape, samples.points.colwise().reverse(), samples.normals.colwise().reverse(), {.parallel = true});
+  EXPECT_EQ(forward.values, backward.values.reverse());
+  EXPECT_EQ(forward.directions, backward.directions.colwise().reverse());
 }
 
-TEST(OffsetSolver, AnswersOfASampleDoNotDependOnTheOthers) {
-  // Arms between which samples of a block have both sides covered, and sites far and near.
+TEST(OffsetSolver, ResultOfASampleDoesNotDependOnTheOthers) {
+  // Shapes on which samples of one block have both sides covered, and sites near and far.
   for (const test::OffsetCase& one : test::offset_cases()) {
     const Samples samples = sample_shape(one.shape, SampleSite::faces);
-    const OffsetGridOptions options{.offset = one.offset, .parallel = false};
-    const OffsetAnswers all = answer_by_grid(one.shape, samples.points, samples.normals, options);
+    const OffsetSolverOptions options{.offset = one.offset, .parallel = false};
+    const OffsetResults all = solve_on_grid(one.shape, samples.points, samples.normals, options);
     std::vector<std::int32_t> few;
     for (Eigen::Index f = 0; f < samples.points.rows(); f += 7) few.push_back(static_cast<std::int32_t>(f));
-    const OffsetAnswers alone =
-        answer_by_grid(one.shape, samples.points(few, Eigen::all), samples.normals(few, Eigen::all), options, few);
+    const OffsetResults alone =
+        solve_on_grid(one.shape, samples.points(few, Eigen::all), samples.normals(few, Eigen::all), options, few);
     EXPECT_EQ(alone.values, all.values(few)) << one.name;
     EXPECT_EQ(alone.directions, all.directions(few, Eigen::all)) << one.name;
     for (std::size_t i = 0; i < few.size(); ++i) {
@@ -41,75 +41,75 @@ TEST(OffsetSolver, AnswersOfASampleDoNotDependOnTheOthers) {
   }
 }
 
-TEST(OffsetSolver, DecidesTiesByTheNormal) {
-  // Of an open sheet both sides are exterior, and as near.
+TEST(OffsetSolver, BreaksTiesByTheNormal) {
+  // Both sides of an open sheet are exterior and equally near.
   Shape sheet;
   sheet.vertices.resize(4, 3);
   sheet.vertices << 0, 0, 0, 0.7, 0, 0, 0.7, 0.7, 0, 0, 0.7, 0;
   sheet.triangles.resize(2, 3);
   sheet.triangles << 0, 1, 2, 0, 2, 3;
   const Samples samples = sample_shape(sheet, SampleSite::faces);
-  const OffsetAnswers up = answer_by_grid(sheet, samples.points, samples.normals, {});
-  const OffsetAnswers down = answer_by_grid(sheet, samples.points, -samples.normals, {});
+  const OffsetResults up = solve_on_grid(sheet, samples.points, samples.normals, {});
+  const OffsetResults down = solve_on_grid(sheet, samples.points, -samples.normals, {});
   EXPECT_TRUE(up.directions.isApprox(samples.normals));
   EXPECT_TRUE(down.directions.isApprox(-samples.normals));
   EXPECT_LT(up.values.maxCoeff(), 2e-3 * 0.05);
 }
 
-TEST(OffsetSolver, SaysWhatIsNotOnTheSurface) {
+TEST(OffsetSolver, ReportsPointsOffTheSurfaceAsMissing) {
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 2));
   Points points(4, 3);
   points << 0, 0, 0, 9, 9, 9, std::nan(""), 0, 0, sphere.vertices.row(0);
   Points normals = Points::Zero(4, 3);
-  const OffsetAnswers answers = answer_by_grid(sphere, points, normals, {});
+  const OffsetResults results = solve_on_grid(sphere, points, normals, {});
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(answers.outcomes[i], OffsetOutcome::missing) << i;
-    EXPECT_TRUE(std::isnan(answers.values[static_cast<Eigen::Index>(i)])) << i;
+    EXPECT_EQ(results.outcomes[i], OffsetOutcome::missing) << i;
+    EXPECT_TRUE(std::isnan(results.values[static_cast<Eigen::Index>(i)])) << i;
   }
-  EXPECT_EQ(answers.outcomes[3], OffsetOutcome::searched);
-  EXPECT_NEAR(answers.values[3], 2 * sphere.vertices.row(0).norm(), 0.02);
+  EXPECT_EQ(results.outcomes[3], OffsetOutcome::searched);
+  EXPECT_NEAR(results.values[3], 2 * sphere.vertices.row(0).norm(), 0.02);
 }
 
-TEST(OffsetSolver, AnswersSamplesOfTrianglesThatOthersStandFor) {
+TEST(OffsetSolver, SolvesSamplesOfOmittedTriangles) {
   // 327,680 triangles, of which less than a tenth are kept for an offset of 10 %.
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 7));
   const Samples samples = sample_surface_of(sphere, 2000);
-  const OffsetAnswers answers = answer_by_grid(sphere, samples.points, samples.normals, {.offset = 0.1});
-  EXPECT_EQ(answers.values,
-            answer_by_grid(sphere, samples.points, samples.normals, {.offset = 0.1}, samples.triangles).values);
+  const OffsetResults results = solve_on_grid(sphere, samples.points, samples.normals, {.offset = 0.1});
+  EXPECT_EQ(results.values,
+            solve_on_grid(sphere, samples.points, samples.normals, {.offset = 0.1}, samples.triangles).values);
   const double diameter = 2 * sphere.vertices.row(0).norm();
-  for (std::size_t i = 0; i < answers.outcomes.size(); ++i) {
-    ASSERT_EQ(answers.outcomes[i], OffsetOutcome::direct) << i;
-    EXPECT_NEAR(answers.values[static_cast<Eigen::Index>(i)], diameter, 0.01 * 0.1) << i;
+  for (std::size_t i = 0; i < results.outcomes.size(); ++i) {
+    ASSERT_EQ(results.outcomes[i], OffsetOutcome::direct) << i;
+    EXPECT_NEAR(results.values[static_cast<Eigen::Index>(i)], diameter, 0.01 * 0.1) << i;
   }
 }
 
-TEST(OffsetSolver, HardlyMindsHowAShapeIsTurned) {
-  // Arms that meet: around their joints p + r n is covered.
+TEST(OffsetSolver, IsNearlyInvariantToRotation) {
+  // Intersecting arms: p + r n is covered near their joints.
   const double r = 0.05;
   const Shape arms = test::of_diagonal_1(
       test::joined({test::capsule(0.2, 2, 32, 12),
                     test::transformed(test::capsule(0.2, 1.5, 32, 12), 1, test::rotation(3), {0.1, 0.2, 0.3})}));
-  const auto answers_for = [&](const Shape& shape) {
+  const auto results_of = [&](const Shape& shape) {
     const Samples samples = sample_shape(shape, SampleSite::faces);
-    return answer_by_grid(shape, samples.points, samples.normals, {.offset = r});
+    return solve_on_grid(shape, samples.points, samples.normals, {.offset = r});
   };
-  const OffsetAnswers answers = answers_for(arms);
-  const OffsetAnswers turned = answers_for(test::transformed(arms, 1, test::rotation(7), {0.1, 0.2, 0.3}));
-  EXPECT_GT(std::count(answers.outcomes.begin(), answers.outcomes.end(), OffsetOutcome::searched), 200);
-  const auto off = ((answers.values - turned.values).array().abs() > 0.01 * r).count();
-  EXPECT_LE(off, answers.values.size() / 50);
+  const OffsetResults results = results_of(arms);
+  const OffsetResults turned = results_of(test::transformed(arms, 1, test::rotation(7), {0.1, 0.2, 0.3}));
+  EXPECT_GT(std::count(results.outcomes.begin(), results.outcomes.end(), OffsetOutcome::searched), 200);
+  const auto off = ((results.values - turned.values).array().abs() > 0.01 * r).count();
+  EXPECT_LE(off, results.values.size() / 50);
 }
 
-TEST(OffsetSolver, RaisesAnOffsetThatIsTooSmallForTheGrid) {
+TEST(OffsetSolver, RaisesAnOffsetTooSmallForTheGrid) {
   const Shape sphere = test::of_diagonal_1(test::sphere(1, 3));
   const Samples samples = sample_shape(sphere, SampleSite::faces);
-  const OffsetAnswers answers = answer_by_grid(sphere, samples.points, samples.normals, {.offset = 1e-5});
-  EXPECT_GT(answers.offset, 1e-5);
-  EXPECT_LT(answers.offset, 2e-3);
+  const OffsetResults results = solve_on_grid(sphere, samples.points, samples.normals, {.offset = 1e-5});
+  EXPECT_GT(results.offset, 1e-5);
+  EXPECT_LT(results.offset, 2e-3);
   const double diameter = 2 * sphere.vertices.row(0).norm();
-  EXPECT_NEAR(answers.values.minCoeff(), diameter, 0.03 * diameter);
-  EXPECT_NEAR(answers.values.maxCoeff(), diameter, 0.03 * diameter);
+  EXPECT_NEAR(results.values.minCoeff(), diameter, 0.03 * diameter);
+  EXPECT_NEAR(results.values.maxCoeff(), diameter, 0.03 * diameter);
 }
 
 }  // namespace

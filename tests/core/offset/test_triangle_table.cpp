@@ -16,7 +16,7 @@ Eigen::Vector3d random_point(RandomNumbers& random, double size) {
   return x;
 }
 
-/// Triangles of all proportions: a third of them slivers, edges or points.
+/// Random triangles, a third of them slivers, edges or points.
 std::vector<Triangle> triangles_of_all_kinds(int count) {
   RandomNumbers random(1, 0);
   std::vector<Triangle> triangles;
@@ -42,7 +42,7 @@ std::vector<Triangle> triangles_of_all_kinds(int count) {
   return triangles;
 }
 
-TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
+TEST(TriangleTable, MatchesTheClosestPointInDoublePrecision) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(800);
   TriangleTable table;
   table.resize(triangles.size());
@@ -52,9 +52,9 @@ TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
   }
   ASSERT_EQ(table.size(), triangles.size());
   RandomNumbers random(2, 0);
-  std::array<std::int32_t, TriangleTable::at_once> numbers;
+  std::array<std::int32_t, TriangleTable::batch_size> numbers;
   for (std::size_t i = 0; i < triangles.size(); i += numbers.size()) {
-    // In another order than the table's, and once repeated.
+    // In a different order, with one repetition.
     for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = static_cast<std::int32_t>(i + (k == 7 ? 0 : 6 - k));
     const Eigen::Vector3d x = random_point(random, 10);
     TriangleTable::Vectors vectors;
@@ -62,7 +62,7 @@ TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       const Triangle& t = triangles[static_cast<std::size_t>(numbers[k])];
       const double distance = (x - closest_point(t, x)).norm();
-      // Single precision at coordinates of 10; a sliver's inside is left to its edges.
+      // The tolerance of single precision at coordinates of 10; the interior of slivers is represented by their edges.
       EXPECT_NEAR(vectors.vector(k).norm(), distance, 1e-4) << i << " " << k;
       EXPECT_NEAR(std::sqrt(static_cast<double>(vectors.squared[k])), distance, 1e-4) << i << " " << k;
       EXPECT_LT((x - vectors.vector(k) - closest_point(t, x - vectors.vector(k))).norm(), 1e-4) << "not on it";
@@ -70,25 +70,25 @@ TEST(TriangleTable, AgreesWithTheClosestPointInDoublePrecision) {
   }
 }
 
-TEST(TriangleTable, KnowsFacesEdgesAndCorners) {
+TEST(TriangleTable, DistinguishesFacesEdgesAndCorners) {
   using Part = TriangleTable::Part;
   TriangleTable table;
   table.resize(1);
   table.set(0, {0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-  EXPECT_EQ(table.place_of({1, 1, 0}, 0).part, Part::face);
+  EXPECT_EQ(table.feature_at({1, 1, 0}, 0).part, Part::face);
   for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0), {4, 0, 0}, {0, 4, 0}}) {
-    EXPECT_EQ(table.place_of(corner, 0).part, Part::corner);
+    EXPECT_EQ(table.feature_at(corner, 0).part, Part::corner);
   }
   for (const auto& [point, way] : {std::pair(Eigen::Vector3d(2, 0, 0), Eigen::Vector3d(1, 0, 0)),
                                    {{0, 2, 0}, {0, 1, 0}},
                                    {{2, 2, 0}, {-std::sqrt(0.5), std::sqrt(0.5), 0}},
                                    {{1, 3, 0}, {-std::sqrt(0.5), std::sqrt(0.5), 0}}}) {
-    EXPECT_EQ(table.place_of(point, 0).part, Part::edge);
-    EXPECT_NEAR(table.place_of(point, 0).edge.dot(way), 1, 1e-6);
+    EXPECT_EQ(table.feature_at(point, 0).part, Part::edge);
+    EXPECT_NEAR(table.feature_at(point, 0).edge.dot(way), 1, 1e-6);
   }
 }
 
-TEST(TriangleTable, TakesAPointForEachTriangle) {
+TEST(TriangleTable, VectorsToEachUsesOnePointPerTriangle) {
   const std::vector<Triangle> triangles = triangles_of_all_kinds(8);
   TriangleTable table;
   table.resize(triangles.size());

@@ -52,9 +52,9 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
   const OffsetSdfResult result = offset_sdf(shape, samples, {.offset = r, .accuracy = stated.accuracy});
   const UnitFrame frame = unit_frame(shape);
   const Points points = (samples.points.rowwise() - frame.centre.transpose()) / frame.diagonal;
-  const OffsetAnswers answers = answer_by_grid(in_unit_frame(shape, frame), points, samples.normals,
-                                               {.offset = r, .cells_per_offset = 1 / stated.cell});
-  ASSERT_EQ(result.values, answers.values * frame.diagonal);
+  const OffsetResults results = solve_on_grid(in_unit_frame(shape, frame), points, samples.normals,
+                                              {.offset = r, .cells_per_offset = 1 / stated.cell});
+  ASSERT_EQ(result.values, results.values * frame.diagonal);
   int count = 0;
   int off = 0;
   int skipped = 0;
@@ -63,7 +63,7 @@ void expect_tolerances(const Shape& shape, const Known& known, const Stated& sta
     const Eigen::Vector3d p = samples.points.row(i);
     const Eigen::Vector3d normal = samples.normals.row(i);
     const Eigen::Vector3d outward = result.normals.row(i);
-    const double height = answers.heights[i] * frame.diagonal;
+    const double height = results.heights[i] * frame.diagonal;
     const Eigen::Vector3d q = p + height * outward;
     EXPECT_NEAR(reference.distance(q), r, stated.distance * r) << i;
     const auto& [above, below] = known.raised[k];
